@@ -82,7 +82,8 @@ int report_flaws(const RunOutcome& outcome) {
   for (const LeftOutShape& one : outcome.left_out) {
     warn(fmt::format("omitted {} {}: {}", outcome.noun, one.id, one.message));
   }
-  if (outcome.left_out.empty()) return exit_success;
+  for (const std::string& sentence : outcome.incomplete) print_error(sentence);
+  if (outcome.left_out.empty()) return outcome.incomplete.empty() ? exit_success : exit_with_failures;
   print_error(fmt::format("{} of {} {}s could not be used and were omitted from the results", outcome.left_out.size(),
                           outcome.left_out.size() + outcome.used, outcome.noun));
   return exit_with_failures;

@@ -56,10 +56,10 @@ struct Evaluation {
 
 /// Evaluates a distance matrix against the models' classes, with every model as a query to all others
 /// (docs/reference/definitions.md#measures). labels[i] is the class of model i. Distances need not be symmetric and may
-/// be infinite; the diagonal is ignored. Models that are not queries stay in the others' lists. Parallel over queries,
-/// with the same bytes for any number of threads. Throws ArgumentError for a matrix that is empty, not square or of
-/// another size than labels, a distance that is NaN (the message has row and column, counted from 0), a minimum class
-/// size below 2, and if no class is large enough.
+/// be infinite (ranked_list()); the diagonal is ignored. Models that are not queries stay in the others' lists.
+/// Parallel over queries, with the same bytes for any number of threads. Throws ArgumentError for a matrix that is
+/// empty, not square or of another size than labels, a distance that is NaN (the message has row and column, counted
+/// from 0), a minimum class size below 2, and if no class is large enough.
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options);
 
 /// Evaluates a matrix whose rows and columns are described by a task. Throws ArgumentError as above, and for a matrix

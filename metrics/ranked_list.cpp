@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -141,11 +142,20 @@ class Query {
   std::size_t i_;
 };
 
-void collect_hits(const DistanceTable& distances, const Query& query, Eigen::Index row, Answer& answer) {
+// Returns true if all targets are infinitely far: the query has no answer.
+bool finds_nothing(const DistanceTable& distances, const Query& query, Eigen::Index row) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (Eigen::Index column = 0; column < distances.cols(); ++column) {
+    if (query.is_target(column) && distances(row, column) < infinity) return false;
+  }
+  return true;
+}
+
+void collect_hits(const DistanceTable& distances, const Query& query, Eigen::Index row, bool is_empty, Answer& answer) {
   std::vector<RankedModel> hits;
   for (Eigen::Index column = 0; column < distances.cols(); ++column) {
     if (!query.is_target(column) || !query.is_relevant(column)) continue;
-    if (std::isnan(distances(row, column))) {
+    if (is_empty || std::isnan(distances(row, column))) {
       answer.not_found.push_back(query.grade(column));
     } else {
       hits.push_back({distances(row, column), column});
@@ -160,12 +170,13 @@ void collect_hits(const DistanceTable& distances, const Query& query, Eigen::Ind
   }
 }
 
-void collect_misses(const DistanceTable& distances, const Query& query, Eigen::Index row, Answer& answer) {
+void collect_misses(const DistanceTable& distances, const Query& query, Eigen::Index row, bool is_empty,
+                    Answer& answer) {
   for (Eigen::Index column = 0; column < distances.cols(); ++column) {
     if (!query.is_target(column) || query.is_relevant(column)) continue;
     const double distance = distances(row, column);
     const bool judged = query.is_judged(column);
-    if (std::isnan(distance)) {
+    if (is_empty || std::isnan(distance)) {
       answer.judged_not_found += judged ? 1 : 0;
       continue;
     }
@@ -292,8 +303,9 @@ RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task
   list.starts_with_query = protocol == Protocol::paper;
   const Query query(task, row);
   Answer answer;
-  collect_hits(distances, query, row, answer);
-  collect_misses(distances, query, row, answer);
+  const bool is_empty = finds_nothing(distances, query, row);
+  collect_hits(distances, query, row, is_empty, answer);
+  collect_misses(distances, query, row, is_empty, answer);
   if (!task.grades.empty()) list.grades = grades_of(answer, list.starts_with_query);
   if (list.starts_with_query) append(list, Hit{.column = -1, .grade = list.grades.empty() ? 1 : list.grades.front()});
   for (const Tied& tied : answer.tied) {

@@ -41,6 +41,7 @@ struct RankedList {
 
 /// Builds the list that a protocol evaluates. psb and trec: the targets without the query. paper: the query itself,
 /// then the others. Distances are those of the task's rows and columns; none may be NaN unless lists may end early.
+/// Infinite distances rank last; if all targets are infinitely far, nothing is found.
 RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Protocol protocol,
                        Ties ties);
 

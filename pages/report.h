@@ -40,6 +40,7 @@ struct ReportMethod {
   std::span<const Evaluation> evaluations;  ///< at least one, one a protocol; the same protocols for all methods
   std::vector<ReportIntervals> intervals;   ///< by evaluation; may be empty
   ReportHistograms histograms;
+  std::vector<std::pair<std::string, std::string>> failures = {};  ///< models that it cannot take, and the reasons
 };
 
 /// Pictures of the models, all rendered alike.

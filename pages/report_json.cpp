@@ -64,16 +64,18 @@ std::vector<Eigen::Index> models_with_neighbours(const Report& report, const Rep
   return {models.begin(), models.end()};
 }
 
-/// Lists the nearest models of each of those, with their distances.
+/// Lists the nearest models of each of those at finite distances, with these.
 Json neighbours_json(const Report& report, const ReportMethod& method) {
   const std::vector<Eigen::Index> models = models_with_neighbours(report, method);
   std::vector<std::vector<std::int32_t>> lists;
   Json distances = Json::array();
   for (const Eigen::Index model : models) {
-    const auto nearest = method.distances->nearest.row(model);
-    lists.emplace_back(nearest.begin(), nearest.end());
+    std::vector<std::int32_t>& list = lists.emplace_back();
     Json& row = distances.emplace_back(Json::array());
-    for (const double distance : method.distances->nearest_distances.row(model)) {
+    for (Eigen::Index k = 0; k < method.distances->nearest.cols(); ++k) {
+      const double distance = method.distances->nearest_distances(model, k);
+      if (!std::isfinite(distance)) break;
+      list.push_back(method.distances->nearest(model, k));
       row.push_back(rounded(distance, distance_digits));
     }
   }
@@ -82,9 +84,11 @@ Json neighbours_json(const Report& report, const ReportMethod& method) {
 
 Json confusion_json(const Report& report, const ReportMethod& method) {
   const Eigen::Matrix<std::int32_t, Eigen::Dynamic, 1> nearest = method.distances->nearest.col(0);
-  const Eigen::MatrixXi counts =
-      confusion_matrix({nearest.data(), static_cast<std::size_t>(nearest.size())}, report.labels,
-                       method.evaluations.front().queries, static_cast<int>(report.classes.size()));
+  std::vector<Eigen::Index> queries = method.evaluations.front().queries;
+  std::erase_if(queries,
+                [&](Eigen::Index query) { return !std::isfinite(method.distances->nearest_distances(query, 0)); });
+  const Eigen::MatrixXi counts = confusion_matrix({nearest.data(), static_cast<std::size_t>(nearest.size())},
+                                                  report.labels, queries, static_cast<int>(report.classes.size()));
   Json rows = Json::array();
   for (Eigen::Index row = 0; row < counts.rows(); ++row) {
     // Only non-zero entries, as pairs of class and number: a large matrix is sparse.
@@ -122,7 +126,8 @@ Json method_json(const Report& report, const ReportMethod& method) {
           {"confusion", confusion_json(report, method)},
           {"nearest", neighbours_json(report, method)},
           {"histograms", histograms_json(method.histograms)},
-          {"parts", method.histograms.parts}};
+          {"parts", method.histograms.parts},
+          {"failures", method.failures}};
 }
 
 Json pictures_json(const ReportPictures& pictures) {

@@ -482,6 +482,7 @@ FinishedRun run_configuration(const std::string& document, const std::string& so
     RunOutcome outcome = run_into_folder(experiment, output, replace, control, cache, *single_process());
     finished = {.summary = std::move(outcome.summary), .warnings = std::move(outcome.warnings), .left_out = {}};
     for (const LeftOutShape& one : outcome.left_out) finished.left_out.push_back(one.id + ": " + one.message);
+    std::ranges::move(outcome.incomplete, std::back_inserter(finished.warnings));
     std::ranges::move(outcome.notes, std::back_inserter(finished.warnings));
     std::ranges::move(cache.warnings(), std::back_inserter(finished.warnings));
   });

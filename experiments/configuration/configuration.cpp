@@ -71,12 +71,13 @@ std::span<const Parameter> experiment_parameters() {
                 .bounds = seed_bounds,
                 .description = "Of the perturbations: what is drawn for a model depends on it and on the model's id "
                                "(of a comparison: the shape's name)."},
-      Parameter{
-          .name = "on_error",
-          .kind = ParameterKind::choice,
-          .default_value = reactions[0],
-          .choices = reactions,
-          .description = "A model or shape that cannot be used: stop the run, or skip it and name it at the end."}};
+      Parameter{.name = "on_error",
+                .kind = ParameterKind::choice,
+                .default_value = reactions[0],
+                .choices = reactions,
+                .description =
+                    "A model or shape that cannot be used: stop the run, or skip it and name it at the end. A model "
+                    "that only some methods cannot take stays with the others."}};
   return parameters;
 }
 

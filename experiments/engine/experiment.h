@@ -34,8 +34,9 @@ struct RunOutcome {
   std::vector<std::string> notes = {};    ///< remarks on the files for users
   std::vector<std::string> warnings = {};
   std::vector<LeftOutShape> left_out = {};
-  std::size_t used = 0;             ///< number of shapes that the results cover
-  std::string_view noun = "model";  ///< noun for a shape
+  std::vector<std::string> incomplete = {};  ///< parts of the results without some of the shapes, a sentence each
+  std::size_t used = 0;                      ///< number of shapes that the results cover
+  std::string_view noun = "model";           ///< noun for a shape
   CacheReport cache = {};
 };
 

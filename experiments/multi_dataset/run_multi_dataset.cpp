@@ -190,6 +190,9 @@ class MultiDatasetRun {
     for (const std::string& warning : outcome.warnings) {
       outcome_.warnings.push_back(fmt::format("{}: {}", part.name, warning));
     }
+    for (const std::string& sentence : outcome.incomplete) {
+      outcome_.incomplete.push_back(fmt::format("{}: {}", part.name, sentence));
+    }
     for (const LeftOutShape& shape : outcome.left_out) {
       outcome_.left_out.push_back({.id = fmt::format("{}, model {}", part.name, shape.id), .message = shape.message});
     }

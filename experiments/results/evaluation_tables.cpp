@@ -80,7 +80,10 @@ EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOpt
 }
 
 Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style, IntervalCells intervals) {
-  Table table = table_with_measures(evaluations, {"method", "protocol", "average"});
+  const bool any_failed = std::ranges::any_of(evaluations, [](const NamedEvaluation& one) { return one.failed > 0; });
+  Row words{"method", "protocol", "average"};
+  if (any_failed) words.emplace_back("failed");
+  Table table = table_with_measures(evaluations, std::move(words));
   const std::size_t text_columns = table.text_columns;
   const bool columns = intervals == IntervalCells::columns && all_have_intervals(evaluations);
   if (columns && !evaluations.empty()) {
@@ -93,6 +96,7 @@ Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreSty
     const Evaluation& evaluation = *named.evaluation;
     for (const bool micro : {true, false}) {
       Row row{named.method, name_of(evaluation.protocol), micro ? "micro" : "macro"};
+      if (any_failed) row.push_back(std::to_string(named.failed));
       append_scores(row, micro ? evaluation.micro : evaluation.macro, style);
       const std::vector<ConfidenceInterval>& of_average = micro ? named.intervals.micro : named.intervals.macro;
       if (columns) add_columns(row, of_average, style);
@@ -179,7 +183,7 @@ std::string psb_plot(const PrecisionRecallCurve& curve) {
 Table precision_recall_table(std::span<const NamedEvaluation> evaluations) {
   Table table{
       .header = {"method", "protocol", "recall", "precision", "macro_precision"}, .rows = {}, .text_columns = 2};
-  for (const auto& [method, evaluation, intervals] : evaluations) {
+  for (const auto& [method, evaluation, intervals, failed] : evaluations) {
     const PrecisionRecallCurve& micro = evaluation->micro_curve;
     for (std::size_t i = 0; i < micro.recall.size(); ++i) {
       table.rows.push_back({method, name_of(evaluation->protocol), fmt::format("{}", micro.recall[i]),

@@ -50,6 +50,7 @@ struct NamedEvaluation {
   std::string method;
   const Evaluation* evaluation = nullptr;
   EvaluationIntervals intervals{};
+  std::size_t failed = 0;  ///< number of models that the method cannot take, which count as not found
 };
 
 /// Placement of confidence intervals in a table: none, in the cell of each score, or as additional columns NN_low,
@@ -57,7 +58,8 @@ struct NamedEvaluation {
 enum class IntervalCells { none, beside, columns };
 
 /// Makes a table with a row for each evaluation and average (micro, macro): method, protocol, average, and the measures
-/// of the first evaluation. The best of each protocol and average is bold.
+/// of the first evaluation. If a method failed on some models, their number (failed) comes before the measures. The
+/// best of each protocol and average is bold.
 Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style = {},
                     IntervalCells intervals = IntervalCells::none);
 

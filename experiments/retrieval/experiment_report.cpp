@@ -110,7 +110,8 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Configuration& c
 }
 
 ReportMethod method_of(const MethodResults& method, const SignatureConfiguration& signature,
-                       const Configuration& configuration, std::span<const NamedEvaluation> evaluations) {
+                       const ExperimentResults& results, std::span<const NamedEvaluation> evaluations) {
+  const Configuration& configuration = results.configuration;
   ReportMethod shown{.name = method.name,
                      .distance = distance_name(signature, configuration),
                      .settings = settings_of(signature, configuration.signatures),
@@ -120,6 +121,9 @@ ReportMethod method_of(const MethodResults& method, const SignatureConfiguration
                      .histograms = {.table = signature.field ? &method.signatures : nullptr,
                                     .ranges = method.histogram_ranges,
                                     .parts = signature.derived ? std::vector<std::size_t>() : signature.parts}};
+  for (const ModelFailure& failure : method.failures) {
+    shown.failures.emplace_back(results.models[failure.model].id, failure.message);
+  }
   for (const NamedEvaluation& named : evaluations) {
     shown.intervals.push_back(
         {.confidence = named.intervals.confidence, .micro = named.intervals.micro, .macro = named.intervals.macro});
@@ -142,8 +146,8 @@ Report report_of(const ExperimentResults& results, std::span<const NamedEvaluati
   }
   for (std::size_t i = 0; i < results.methods.size(); ++i) {
     const std::size_t count = results.methods[i].evaluations.size();
-    report.methods.push_back(method_of(results.methods[i], configuration.signatures[i], configuration,
-                                       evaluations.subspan(i * count, count)));
+    report.methods.push_back(
+        method_of(results.methods[i], configuration.signatures[i], results, evaluations.subspan(i * count, count)));
   }
   if (configuration.report.pictures) {
     report.pictures = {.png = results.pictures,

@@ -68,6 +68,18 @@ OrderedJson failures(const ExperimentResults& results) {
   return list;
 }
 
+/// Returns the models that some method cannot take, although another can.
+OrderedJson method_failures(const ExperimentResults& results) {
+  OrderedJson list = OrderedJson::array();
+  for (const MethodResults& method : results.methods) {
+    for (const ModelFailure& failure : method.failures) {
+      list.push_back(
+          {{"method", method.name}, {"model", results.models[failure.model].id}, {"error", failure.message}});
+    }
+  }
+  return list;
+}
+
 OrderedJson left_out(const ExperimentResults& results) {
   const bool none = results.methods.empty() || results.methods.front().evaluations.empty();
   return none ? OrderedJson(0) : OrderedJson(results.methods.front().evaluations.front().models_left_out);
@@ -82,9 +94,10 @@ OrderedJson dataset_inputs(const Configuration& configuration, const std::vector
 }
 
 OrderedJson manifest_entries(const ExperimentResults& results) {
-  return {{"seed", results.configuration.seed}, {"inputs", inputs(results)},
-          {"models", results.models.size()},    {"models_never_queries", left_out(results)},
-          {"failed_models", failures(results)}, {"fields", fields_json(results.fields)}};
+  return {{"seed", results.configuration.seed},   {"inputs", inputs(results)},
+          {"models", results.models.size()},      {"models_never_queries", left_out(results)},
+          {"failed_models", failures(results)},   {"method_failures", method_failures(results)},
+          {"fields", fields_json(results.fields)}};
 }
 
 OrderedJson execution_entries(const ExperimentResults& results) {

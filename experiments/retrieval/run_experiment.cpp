@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -33,17 +34,6 @@ std::vector<int> labels_of(const std::vector<Model>& models) {
   return labels;
 }
 
-DistanceMatrix derived_distances(const SignatureConfiguration& signature,
-                                 const std::vector<DistanceMatrix>& distances) {
-  std::vector<DistanceMatrix> parts;
-  for (const std::size_t part : signature.parts) parts.push_back(distances[part]);
-  try {
-    return signature.derived->compute(parts);
-  } catch (const ArgumentError& error) {
-    throw InputError(fmt::format("signature \"{}\": {}", signature.name, error.what()));
-  }
-}
-
 /// By signature: true if its distances are derived or others derive from them, which needs whole matrices.
 std::vector<bool> taking_part_in_derived(const std::vector<SignatureConfiguration>& signatures) {
   std::vector<bool> takes_part(signatures.size());
@@ -70,6 +60,82 @@ Signatures gathered(const Signatures& rows, std::size_t all, Communicator& ranks
   return together;
 }
 
+/// Models with a signature, by position.
+class Holders {
+ public:
+  Holders() = default;
+
+  Holders(const std::vector<ModelFailure>& without, std::size_t all) : is_in_(all, true) {
+    for (const ModelFailure& failure : without) is_in_[failure.model] = false;
+    for (std::size_t i = 0; i < all; ++i) {
+      if (is_in_[i]) places_.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+
+  [[nodiscard]] bool are_all() const { return places_.size() == is_in_.size(); }
+  [[nodiscard]] const std::vector<Eigen::Index>& places() const { return places_; }
+
+  /// Returns the distances between all models from those between the ones with the signature: all others are
+  /// infinitely far.
+  [[nodiscard]] DistanceMatrix spread(DistanceMatrix between) const {
+    if (are_all()) return between;
+    const auto all = std::ssize(is_in_);
+    DistanceMatrix distances = DistanceMatrix::Constant(all, all, std::numeric_limits<double>::infinity());
+    distances(places_, places_) = between;
+    distances.diagonal().setZero();
+    return distances;
+  }
+
+  /// Makes the distances to and from models without the signature infinite; the first row is that of model `first`.
+  void set_infinite(DistanceMatrix& rows, Eigen::Index first) const {
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+        if (is_in_[static_cast<std::size_t>(first + i)] && is_in_[static_cast<std::size_t>(j)]) continue;
+        rows(i, j) = first + i == j ? 0 : std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+
+ private:
+  std::vector<bool> is_in_;
+  std::vector<Eigen::Index> places_;
+};
+
+/// Computes derived distances between the models that have all parts.
+DistanceMatrix derived_distances(const SignatureConfiguration& signature, const std::vector<DistanceMatrix>& distances,
+                                 const Holders& holders) {
+  std::vector<DistanceMatrix> parts;
+  for (const std::size_t part : signature.parts) {
+    const DistanceMatrix& all = distances[part];
+    parts.push_back(holders.are_all() ? all : DistanceMatrix(all(holders.places(), holders.places())));
+  }
+  try {
+    return signature.derived->compute(parts);
+  } catch (const ArgumentError& error) {
+    throw InputError(fmt::format("signature \"{}\": {}", signature.name, error.what()));
+  }
+}
+
+/// Returns the rows of this rank with those of models without the signature replaced by the row of another model, so
+/// that all have distances. Collective.
+Signatures with_stand_ins(const Signatures& rows, const Range& own, const Holders& holders, Communicator& ranks) {
+  const auto first = static_cast<std::size_t>(holders.places().front());
+  const bool is_here = first >= own.first && first < own.last;
+  const auto local = static_cast<Eigen::Index>(first - own.first);
+  std::string told;
+  for (const std::string& part :
+       ranks.gather(is_here ? std::move(Packer().add(Signatures(rows.row(local)))).bytes() : std::string())) {
+    if (!part.empty()) told = part;
+  }
+  const auto stand_in = Unpacker(ranks.broadcast(std::move(told))).take_value<Signatures>();
+  Signatures filled = rows;
+  for (Eigen::Index i = 0; i < filled.rows(); ++i) {
+    const auto model = static_cast<Eigen::Index>(own.first) + i;
+    if (!std::ranges::binary_search(holders.places(), model)) filled.row(i) = stand_in.row(0);
+  }
+  return filled;
+}
+
 /// Distances and evaluations of all methods of a run.
 class MethodsRun {
  public:
@@ -86,6 +152,7 @@ class MethodsRun {
   /// Adds the methods and, on rank 0, their results. Collective.
   void run(const std::vector<int>& labels, ComputedSignatures& computed, ExperimentResults& results) {
     check_size(labels.size());
+    for (const std::vector<ModelFailure>& without : computed.without) holders_.emplace_back(without, labels.size());
     double evaluating = 0;
     Stopwatch stopwatch;
     compute_whole(computed, labels.size());
@@ -95,6 +162,7 @@ class MethodsRun {
                                  .distances = {},
                                  .overview = {},
                                  .evaluations = {},
+                                 .failures = std::move(computed.without[i]),
                                  .signatures = {},
                                  .histogram_ranges = {}});
       evaluating += judge(i, labels, computed.signatures[i], results.methods.back());
@@ -140,19 +208,34 @@ class MethodsRun {
           signature.derived || ranks_->size() == 1 ? Signatures() : gathered(computed.signatures[i], models, *ranks_);
       const Signatures& all = ranks_->size() == 1 ? computed.signatures[i] : rows;
       on_all_ranks(*ranks_, [&] {
-        if (ranks_->rank() != 0) return;
-        whole_[i] = signature.derived      ? derived_distances(signature, whole_)
-                    : signature.descriptor ? distances_through_cache(all, signature.descriptor->descriptor, *cache_)
-                                           : distances_through_cache(all, configuration_->distance, *cache_);
+        if (ranks_->rank() == 0) whole_[i] = whole_matrix(i, all);
       });
     }
+  }
+
+  /// Computes the distances by one signature; `all` are the signatures of all models, unless it is derived.
+  [[nodiscard]] DistanceMatrix whole_matrix(std::size_t i, const Signatures& all) const {
+    const SignatureConfiguration& signature = configuration_->signatures[i];
+    const Holders& holders = holders_[i];
+    if (signature.derived) return holders.spread(derived_distances(signature, whole_, holders));
+    const auto distances_of = [&](const Signatures& table) {
+      return signature.descriptor ? distances_through_cache(table, signature.descriptor->descriptor, *cache_)
+                                  : distances_through_cache(table, configuration_->distance, *cache_);
+    };
+    return holders.are_all() ? distances_of(all) : holders.spread(distances_of(all(holders.places(), Eigen::all)));
   }
 
   /// Evaluates the distances of one signature; returns the seconds of evaluation on this rank. Collective.
   double judge(std::size_t i, const std::vector<int>& labels, const Signatures& rows, MethodResults& method) {
     const bool whole = is_whole(i, labels.size());
     const NamedDistance distance = distance_between(configuration_->signatures[i], *configuration_);
-    const SharedSignatures signatures{.rows = rows, .all = labels.size()};
+    const Holders& holders = holders_[i];
+    const bool is_streamed_in_part = !whole && !holders.are_all();
+    const Signatures filled =
+        is_streamed_in_part
+            ? with_stand_ins(rows, part_of_rank(labels.size(), ranks_->rank(), ranks_->size()), holders, *ranks_)
+            : Signatures();
+    const SharedSignatures signatures{.rows = is_streamed_in_part ? filled : rows, .all = labels.size()};
     JudgedMethod wanted;
     for (const Protocol protocol : configuration_->protocols) {
       wanted.evaluations.push_back({.protocol = protocol,
@@ -162,7 +245,8 @@ class MethodsRun {
     }
     wanted.overview = configuration_->report.wanted;
     if (wanted.overview && std::ssize(labels) > largest_heat_map) {
-      wanted.largest = whole ? largest_of_whole(whole_[i]) : largest_of_first(distance, signatures, *ranks_);
+      wanted.largest = whole ? largest_of_whole(whole_[i], holders.places().front())
+                             : largest_of_first(distance, signatures, *ranks_);
     }
     if (configuration_->keep_distances && !places_->distance_files.empty()) wanted.file = places_->distance_files[i];
 
@@ -171,7 +255,10 @@ class MethodsRun {
     DistanceJudge judge(labels, part, wanted, *ranks_);
     const RowVisitor add = [&](Eigen::Index first, const DistanceTable& some) {
       if (control_->interrupted()) throw Interrupted();
-      judge.add(first, some);
+      if (!is_streamed_in_part) return judge.add(first, some);
+      DistanceMatrix rows_with_gaps = some;
+      holders.set_infinite(rows_with_gaps, first);
+      judge.add(first, rows_with_gaps);
     };
     if (whole) {
       add_whole(whole_[i], add);
@@ -186,8 +273,8 @@ class MethodsRun {
     return judge.seconds();
   }
 
-  static double largest_of_whole(const DistanceMatrix& distances) {
-    return largest_finite({distances.data(), static_cast<std::size_t>(distances.cols())}, 0);
+  static double largest_of_whole(const DistanceMatrix& distances, Eigen::Index row) {
+    return largest_finite({distances.row(row).data(), static_cast<std::size_t>(distances.cols())}, row);
   }
 
   static void add_whole(const DistanceMatrix& distances, const RowVisitor& add) {
@@ -212,6 +299,7 @@ class MethodsRun {
   Communicator* ranks_;
   std::vector<bool> in_derived_;       ///< by signature
   std::vector<DistanceMatrix> whole_;  ///< by signature; on rank 0
+  std::vector<Holders> holders_;       ///< by signature
 };
 
 /// Finds or generates the data set of the configuration; a generated one goes into the given folder. Collective.
@@ -305,6 +393,18 @@ ExperimentResults run_experiment(const Configuration& configuration, const std::
 
 namespace {
 
+/// Names the first few models with their reasons.
+std::string names_with_reasons(const std::vector<ModelFailure>& failures, const std::vector<Model>& models) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> parts;
+  for (const ModelFailure& failure : failures) {
+    if (parts.size() == most) break;
+    parts.push_back(fmt::format("{} ({})", models[failure.model].id, failure.message));
+  }
+  const std::string others = failures.size() > most ? fmt::format(" and {} more", failures.size() - most) : "";
+  return fmt::format("{}{}", fmt::join(parts, ", "), others);
+}
+
 /// Describes the effect of ties on FT under each protocol: "FT 52.5 to 81.0 (psb)"; empty if there is none.
 std::string effect_on_first_tier(const MethodResults& method) {
   std::vector<std::string> parts;
@@ -318,6 +418,17 @@ std::string effect_on_first_tier(const MethodResults& method) {
 }
 
 }  // namespace
+
+std::vector<std::string> incomplete_methods(const ExperimentResults& results) {
+  std::vector<std::string> sentences;
+  for (const MethodResults& method : results.methods) {
+    if (method.failures.empty()) continue;
+    sentences.push_back(fmt::format("method \"{}\" cannot take {} of {} models, which count as not found: {}",
+                                    method.name, method.failures.size(), results.models.size(),
+                                    names_with_reasons(method.failures, results.models)));
+  }
+  return sentences;
+}
 
 std::vector<std::string> run_warnings(const ExperimentResults& results) {
   std::vector<std::string> warnings = field_warnings(results.fields);

@@ -30,6 +30,10 @@ struct MethodResults {
   DistanceMatrix distances;  ///< rows and columns are ExperimentResults::models; empty if not kept or written to a file
   DistanceOverview overview;            ///< for the report; empty if not requested
   std::vector<Evaluation> evaluations;  ///< by protocol of the configuration
+  /// Models, by index in ExperimentResults::models, that the method cannot take, although others can, with
+  /// OnError::skip: infinitely far from all others, so that they are never found and find nothing. Their signatures are
+  /// NaN.
+  std::vector<ModelFailure> failures = {};
   Signatures signatures;  ///< row i is of ExperimentResults::models[i]; empty for derived distances and, with several
                           ///< processes, if needed by neither report nor files
   std::vector<Interval> histogram_ranges;  ///< of each row, if the signature is one histogram; otherwise empty
@@ -91,6 +95,9 @@ ExperimentResults run_experiment(const Configuration& configuration, const std::
 /// Runs an experiment in this process alone, without a cache.
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
                                  const RunControl& control);
+
+/// Returns a sentence for each method that cannot take all models: how many, which first and why.
+std::vector<std::string> incomplete_methods(const ExperimentResults& results);
 
 /// Returns warnings about the results of a run: field_warnings(), and for each method with tied queries (relevant and
 /// other models at equal distance) their number and the range of FT over the orders of tied models.

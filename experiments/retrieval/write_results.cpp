@@ -29,7 +29,7 @@ std::vector<NamedEvaluation> all_evaluations(const ExperimentResults& results) {
   std::vector<NamedEvaluation> all;
   for (const MethodResults& method : results.methods) {
     for (const Evaluation& evaluation : method.evaluations)
-      all.push_back({.method = method.name, .evaluation = &evaluation});
+      all.push_back({.method = method.name, .evaluation = &evaluation, .failed = method.failures.size()});
   }
   return all;
 }
@@ -51,10 +51,11 @@ OrderedJson ties_json(std::span<const NamedEvaluation> evaluations) {
 
 std::string summary_json(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations) {
   OrderedJson rows = OrderedJson::array();
-  for (const auto& [method, evaluation, intervals] : evaluations) {
+  for (const auto& [method, evaluation, intervals, failed] : evaluations) {
     for (const bool micro : {true, false}) {
       OrderedJson row{
           {"method", method}, {"protocol", name_of(evaluation->protocol)}, {"average", micro ? "micro" : "macro"}};
+      if (failed > 0) row["failed"] = failed;
       const Eigen::VectorXd& values = micro ? evaluation->micro : evaluation->macro;
       for (std::size_t i = 0; i < evaluation->measures.size(); ++i) {
         row[evaluation->measures[i]] = 100 * values[static_cast<Eigen::Index>(i)];
@@ -126,6 +127,7 @@ RunOutcome write_files(const fs::path& folder, const ExperimentResults& results)
                      .execution = execution_entries(results),
                      .summary = summary_text(results),
                      .warnings = run_warnings(results),
+                     .incomplete = incomplete_methods(results),
                      .used = results.models.size(),
                      .cache = results.cache};
   if (const std::string skipped = skipped_text(results.skipped); !skipped.empty()) outcome.notes.push_back(skipped);

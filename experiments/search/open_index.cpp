@@ -104,19 +104,50 @@ Dataset dataset_of(const Collection& collection) {
   return dataset;
 }
 
+/// Returns the positions of the models with all signatures; the others become failures.
+std::vector<Eigen::Index> complete_models(ComputedSignatures& computed) {
+  std::map<std::size_t, std::string> incomplete;
+  for (const std::vector<ModelFailure>& without : computed.without) {
+    for (const ModelFailure& failure : without) incomplete.emplace(failure.model, failure.message);
+  }
+  std::vector<Eigen::Index> complete;
+  for (std::size_t place = 0; place < computed.models.size(); ++place) {
+    const auto found = incomplete.find(place);
+    if (found == incomplete.end()) {
+      complete.push_back(static_cast<Eigen::Index>(place));
+    } else {
+      computed.failures.push_back({.model = computed.models[place], .message = found->second});
+    }
+  }
+  std::ranges::sort(computed.failures, {}, &ModelFailure::model);
+  return complete;
+}
+
+/// Describes the collection. Shapes without one of the method's signatures are failures.
 ShapeIndex described(const SearchMethod& method, const Collection& collection, std::vector<IndexedFile> files,
                      const ShapeIndex* before, const RunControl& control, Cache& cache) {
   ComputedSignatures computed =
       compute_signatures(dataset_of(collection), method.configuration, control, cache, *single_process());
+  const std::vector<Eigen::Index> complete = complete_models(computed);
+  if (complete.empty()) {
+    throw InputError(fmt::format("none of {} shapes has all signatures of the method; the first is {}: {}",
+                                 files.size(), files.front().id, computed.failures.front().message));
+  }
   ShapeIndex index;
-  for (const std::size_t model : computed.models) index.models.push_back(files[model]);
+  for (const Eigen::Index place : complete) {
+    index.models.push_back(files[computed.models[static_cast<std::size_t>(place)]]);
+  }
   for (const ModelFailure& failure : computed.failures) {
     index.failures.push_back(std::move(files[failure.model]));
     index.failures.back().failure = failure.message;
   }
   index.learnt = std::move(computed.learnt);
   index.field_ranges = std::move(computed.field_ranges);
-  for (const std::size_t term : method.terms) index.tables.push_back(std::move(computed.signatures[term]));
+  for (const std::size_t term : method.terms) {
+    Signatures& table = computed.signatures[term];
+    const bool all = std::ssize(complete) == table.rows();
+    index.tables.push_back(all ? std::move(table) : Signatures(table(complete, Eigen::all)));
+  }
   index.sum = sum_of(method, index, control, before);
   return index;
 }

@@ -47,7 +47,7 @@ ModelDescription description_of(const Shape& shape, const Configuration& configu
   PreparedModel prepared = prepare_model({.shape = shape, .chosen = {}}, configuration.preparation);
   FieldSource source(prepared.prepared.shape);
   std::vector<ScalarField> fields(plan.size());
-  describe_fields(prepared, source, configuration.signatures, plan, true,
+  describe_fields(prepared, source, configuration.signatures, plan, true, OnError::stop,
                   [&](std::size_t field, const PreparedShape&, const Samples& samples, const FieldValues& computed) {
                     fields[field] = {.values = computed.values, .weights = samples.weights};
                   });
@@ -69,11 +69,14 @@ class QueryDescriber {
       : index_(&index),
         cache_(&cache),
         by_contents_(models_by_contents(index.contents)),
-        plan_(plan_fields(index.method.configuration.signatures)),
-        descriptors_(plan_descriptors(index.method.configuration.signatures, plan_)) {}
+        configuration_(index.method.configuration),
+        plan_(plan_fields(configuration_.signatures)),
+        descriptors_(plan_descriptors(configuration_.signatures, plan_)) {
+    configuration_.on_error = OnError::stop;  // a query needs all signatures
+  }
 
   [[nodiscard]] DescribedQuery described(const SearchQuery& query, bool alone) const {
-    if (query.shape) return from(description_of(*query.shape, configuration(), plan_));
+    if (query.shape) return from(description_of(*query.shape, configuration_, plan_));
     const auto [first, last] = by_contents_.equal_range(contents_key(sha256_of_file(query.file), query.file));
     if (first != last) {
       const auto itself =
@@ -82,12 +85,10 @@ class QueryDescriber {
       return {.signatures = rows_of_model(itself->second), .member = itself->second};
     }
     const Dataset one{.models = {{.id = query.name, .file = query.file, .label = 0}}, .classes = {"query"}};
-    return from(describe_through_cache(one, 0, configuration(), plan_, alone, *cache_));
+    return from(describe_through_cache(one, 0, configuration_, plan_, alone, *cache_));
   }
 
  private:
-  [[nodiscard]] const Configuration& configuration() const { return index_->method.configuration; }
-
   [[nodiscard]] bool is_file_of(std::size_t model, const fs::path& file) const {
     std::error_code gone;
     return fs::equivalent(index_->collection.file(index_->contents.models[model].path), file, gone) && !gone;
@@ -106,11 +107,11 @@ class QueryDescriber {
       if (!descriptors_[d].learns) continue;
       std::vector<ScalarField> fields;
       for (const std::size_t field : descriptors_[d].fields) fields.push_back(kept_field(description.fields[field]));
-      description.features[d] = describe_features(*configuration().signatures[descriptors_[d].signature].descriptor,
+      description.features[d] = describe_features(*configuration_.signatures[descriptors_[d].signature].descriptor,
                                                   {.shape = none, .fields = fields}, index_->contents.learnt[d]);
     }
     const std::vector<Signatures> tables =
-        assemble_signatures({&description}, plan_, configuration().signatures, index_->contents.field_ranges);
+        assemble_signatures({&description}, plan_, configuration_.signatures, index_->contents.field_ranges);
     DescribedQuery query;
     for (const std::size_t term : index_->method.terms) query.signatures.emplace_back(tables[term].row(0));
     return query;
@@ -119,6 +120,7 @@ class QueryDescriber {
   const OpenIndex* index_;
   Cache* cache_;
   std::multimap<std::string, std::size_t> by_contents_;
+  Configuration configuration_;
   std::vector<PlannedField> plan_;
   std::vector<PlannedDescriptor> descriptors_;
 };

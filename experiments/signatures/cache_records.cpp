@@ -218,7 +218,10 @@ std::string described_bytes(const ModelDescription& model) {
               {"shape", shape_record(model)},
               {"picture", picture_record(model.picture)},
               {"view", view_record(model.view)}};
-  for (const FieldDescription& field : model.fields) record["fields"].push_back(facts_record(field));
+  for (const FieldDescription& field : model.fields) {
+    record["fields"].push_back(facts_record(field));
+    record["field_errors"].push_back(field.error);
+  }
   for (const FeatureDescription& features : model.features) record["seconds"].push_back(features.seconds);
   const std::vector<std::uint8_t> bytes = Json::to_cbor(record);
   return {bytes.begin(), bytes.end()};
@@ -230,8 +233,13 @@ ModelDescription read_described(std::string_view bytes) {
   model.sha256 = record.at("sha256");
   model.picture = read_picture(record.at("picture"));
   model.view = read_view(record.at("view"));
-  for (const Json& facts : record.value("fields", Json::array())) model.fields.push_back(read_facts(facts));
-  for (const Json& seconds : record.value("seconds", Json::array())) {
+  const Json none = Json::array();
+  for (const Json& facts : record.value("fields", none)) {
+    const std::size_t field = model.fields.size();
+    model.fields.push_back(read_facts(facts));
+    model.fields.back().error = record.at("field_errors").at(field);
+  }
+  for (const Json& seconds : record.value("seconds", none)) {
     model.features.push_back({.features = {}, .seconds = seconds});
   }
   return model;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <mutex>
 #include <tbb/task_arena.h>
 #include <utility>
@@ -22,15 +23,22 @@ namespace shapegauge {
 
 namespace {
 
-/// Returns the union of the ranges of a field over all models.
-Interval common_range(const std::vector<const ModelDescription*>& models, std::size_t field) {
+/// Returns the ranges of a field on the models that have values of it.
+std::vector<Interval> ranges_of(const std::vector<const ModelDescription*>& models, std::size_t field) {
   std::vector<Interval> ranges;
   ranges.reserve(models.size());
-  for (const ModelDescription* model : models) ranges.push_back(model->fields[field].range);
-  return enclosing_interval(ranges);
+  for (const ModelDescription* model : models) {
+    if (model->fields[field].error.empty()) ranges.push_back(model->fields[field].range);
+  }
+  return ranges;
 }
 
-/// Returns one histogram signature of all models.
+/// Returns the union of the ranges of a field over all models.
+Interval common_range(const std::vector<const ModelDescription*>& models, std::size_t field) {
+  return enclosing_interval(ranges_of(models, field));
+}
+
+/// Returns one histogram signature of models that have it.
 Signatures histograms_of(const std::vector<const ModelDescription*>& models, const HistogramConfiguration& wanted,
                          std::size_t signature, std::size_t field, std::span<const Interval> data_set_ranges) {
   Signatures table(static_cast<Eigen::Index>(models.size()), wanted.options.bins);
@@ -47,7 +55,8 @@ Signatures histograms_of(const std::vector<const ModelDescription*>& models, con
 struct Described {
   DescribedModels models;
   std::vector<ModelFailure> failures;
-  std::vector<LearntFeatures> learnt;  ///< by planned descriptor
+  std::vector<LearntFeatures> learnt;              ///< by planned descriptor
+  std::vector<std::vector<ModelFailure>> without;  ///< by signature: the models without it
 };
 
 [[noreturn]] void stop_for(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
@@ -84,6 +93,40 @@ std::vector<std::size_t> models_without(const std::vector<ModelFailure>& failure
   return models;
 }
 
+/// Returns the models without any signature.
+std::vector<ModelFailure> without_signatures(const DescribedModels& models,
+                                             const std::vector<SignatureConfiguration>& signatures,
+                                             std::span<const PlannedField> plan) {
+  std::vector<ModelFailure> failures;
+  for (const auto& [index, model] : models) {
+    const std::vector<std::string> errors = signature_errors(model, signatures, plan);
+    if (std::ranges::none_of(errors, &std::string::empty)) failures.push_back({index, errors.front()});
+  }
+  return failures;
+}
+
+/// Finds the models of all ranks without each signature; throws if none has one of them. Collective.
+void check_signatures_exist(const Dataset& dataset, const std::vector<SignatureConfiguration>& signatures,
+                            Described& described, std::span<const PlannedField> plan, Communicator& ranks) {
+  std::vector<std::vector<ModelFailure>> without(signatures.size());
+  for (const auto& [index, model] : described.models) {
+    std::vector<std::string> errors = signature_errors(model, signatures, plan);
+    for (std::size_t i = 0; i < signatures.size(); ++i) {
+      if (!errors[i].empty()) without[i].push_back({index, std::move(errors[i])});
+    }
+  }
+  described.without.clear();
+  const std::size_t models = dataset.models.size() - described.failures.size();
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    described.without.push_back(failures_of_all(without[i], ranks));
+    const std::vector<ModelFailure>& all = described.without.back();
+    if (all.size() < models) continue;
+    throw SharedError(fmt::format("signature \"{}\": none of {} models can be used; the first is {}: {}",
+                                  signatures[i].name, models, dataset.models[all.front().model].id,
+                                  all.front().message));
+  }
+}
+
 Described describe_models(const Dataset& dataset, const Configuration& configuration, const RunControl& control,
                           std::span<const PlannedField> plan, Cache& cache, Communicator& ranks) {
   Described described;
@@ -109,20 +152,20 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
     stop_if_told(dataset, described.failures, configuration.on_error);
   };
   add(failures_of_all(failures, ranks));
-  for (;;) {
-    const std::vector<ModelFailure> more =
-        describe_learnt(described.models, configuration, plan, control, cache, ranks, described.learnt);
-    if (more.empty()) return described;
-    for (const ModelFailure& failure : more) described.models.erase(failure.model);
-    add(more);
-  }
+  check_signatures_exist(dataset, configuration.signatures, described, plan, ranks);
+  add(describe_learnt(described.models, configuration, plan, control, cache, ranks, described.learnt));
+  const std::vector<ModelFailure> useless = without_signatures(described.models, configuration.signatures, plan);
+  for (const ModelFailure& failure : useless) described.models.erase(failure.model);
+  add(failures_of_all(useless, ranks));
+  check_signatures_exist(dataset, configuration.signatures, described, plan, ranks);
+  return described;
 }
 
 ArgumentError different_lengths(Eigen::Index one, Eigen::Index other) {
   return ArgumentError(fmt::format("a descriptor returned {} features for one model and {} for another", one, other));
 }
 
-/// Returns the features of one descriptor of all models.
+/// Returns the features of one descriptor of models that have them.
 Signatures features_of(const std::vector<const ModelDescription*>& models, std::size_t descriptor) {
   const Eigen::Index length = models.front()->features[descriptor].features.size();
   Signatures table(std::ssize(models), length);
@@ -134,6 +177,30 @@ Signatures features_of(const std::vector<const ModelDescription*>& models, std::
     table.row(static_cast<Eigen::Index>(i)) = features.transpose();
   }
   return table;
+}
+
+/// Returns a table with the rows of `some` at these places and NaN elsewhere; without columns if there are none.
+Signatures rows_at_places(const Signatures& some, std::span<const Eigen::Index> places, std::size_t all) {
+  const auto rows = static_cast<Eigen::Index>(all);
+  if (some.rows() == rows) return some;
+  Signatures table =
+      Signatures::Constant(rows, places.empty() ? 0 : some.cols(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < places.size(); ++i) table.row(places[i]) = some.row(static_cast<Eigen::Index>(i));
+  return table;
+}
+
+/// Positions of the models with each signature.
+std::vector<std::vector<Eigen::Index>> places_with(const std::vector<const ModelDescription*>& models,
+                                                   const std::vector<SignatureConfiguration>& signatures,
+                                                   std::span<const PlannedField> plan) {
+  std::vector<std::vector<Eigen::Index>> places(signatures.size());
+  for (std::size_t model = 0; model < models.size(); ++model) {
+    const std::vector<std::string> errors = signature_errors(*models[model], signatures, plan);
+    for (std::size_t i = 0; i < signatures.size(); ++i) {
+      if (errors[i].empty()) places[i].push_back(static_cast<Eigen::Index>(model));
+    }
+  }
+  return places;
 }
 
 }  // namespace
@@ -155,18 +222,29 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
                                             std::span<const Interval> data_set_ranges) {
   std::vector<Signatures> tables(signatures.size());
   if (models.empty()) return tables;
+  const std::vector<std::vector<Eigen::Index>> places = places_with(models, signatures, plan);
+  const auto set_table = [&](std::size_t i, const auto& table_of) {
+    std::vector<const ModelDescription*> with;
+    for (const Eigen::Index place : places[i]) with.push_back(models[static_cast<std::size_t>(place)]);
+    tables[i] = rows_at_places(with.empty() ? Signatures() : table_of(with), places[i], models.size());
+  };
   for (std::size_t field = 0; field < plan.size(); ++field) {
     for (const std::size_t i : plan[field].signatures) {
-      tables[i] = histograms_of(models, signatures[i].histogram, i, field, data_set_ranges);
+      set_table(
+          i, [&](const auto& with) { return histograms_of(with, signatures[i].histogram, i, field, data_set_ranges); });
     }
   }
   const std::vector<PlannedDescriptor> descriptors = plan_descriptors(signatures, plan);
-  for (std::size_t d = 0; d < descriptors.size(); ++d) tables[descriptors[d].signature] = features_of(models, d);
+  for (std::size_t d = 0; d < descriptors.size(); ++d) {
+    set_table(descriptors[d].signature, [&](const auto& with) { return features_of(with, d); });
+  }
   for (const std::size_t i : computation_order(signatures)) {
     if (signatures[i].field || signatures[i].descriptor || signatures[i].derived) continue;
-    std::vector<Signatures> parts;
-    for (const std::size_t part : signatures[i].parts) parts.push_back(tables[part]);
-    tables[i] = concatenate(parts);
+    set_table(i, [&](const auto&) {
+      std::vector<Signatures> parts;
+      for (const std::size_t part : signatures[i].parts) parts.push_back(tables[part](places[i], Eigen::all));
+      return concatenate(parts);
+    });
   }
   return tables;
 }
@@ -183,8 +261,9 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
   for (std::size_t field = 0; field < plan.size(); ++field) {
     FieldReport& report = reports.emplace_back();
     report.settings = to_json(plan[field].field.settings);
-    report.models = models.size();
     for (const ModelDescription* model : models) {
+      if (!model->fields[field].error.empty()) continue;
+      ++report.models;
       report.seconds += model->fields[field].seconds;
       if (leaks(model->diagnostics, model->fields[field].offset, report.settings)) ++report.leaking;
       for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
@@ -247,12 +326,14 @@ std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, st
 std::vector<Interval> ranges_over_data_set(const std::vector<const ModelDescription*>& own, std::size_t fields,
                                            Communicator& ranks) {
   Packer packer;
-  for (const Interval& range : own.empty() ? std::vector<Interval>() : field_ranges(own, fields)) packer.add(range);
+  for (std::size_t field = 0; field < fields; ++field) packer.add(ranges_of(own, field));
   const std::string told = on_first_rank(ranks, [parts = ranks.gather(std::move(packer).bytes()), fields] {
     std::vector<std::vector<Interval>> by_field(fields);
     for (const std::string& part : parts) {
-      for (Unpacker unpacker(part); !unpacker.is_at_end();) {
-        for (std::vector<Interval>& ranges : by_field) ranges.push_back(unpacker.take_value<Interval>());
+      Unpacker unpacker(part);
+      for (std::vector<Interval>& ranges : by_field) {
+        const auto some = unpacker.take_value<std::vector<Interval>>();
+        ranges.insert(ranges.end(), some.begin(), some.end());
       }
     }
     Packer enclosing;
@@ -286,9 +367,13 @@ std::vector<Eigen::Index> lengths_of(const std::vector<Signatures>& tables, Comm
 }
 
 /// Distributes rows to the ranks that they belong to; `tables` are those of the models at these positions. Collective.
-std::vector<Signatures> rows_of_rank(const std::vector<Signatures>& tables, std::span<const std::size_t> places,
+std::vector<Signatures> rows_of_rank(std::vector<Signatures> tables, std::span<const std::size_t> places,
                                      std::size_t all, Communicator& ranks) {
   const std::vector<Eigen::Index> lengths = lengths_of(tables, ranks);
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    if (tables[k].cols() == lengths[k]) continue;  // or no model of this rank has the signature
+    tables[k].setConstant(tables[k].rows(), lengths[k], std::numeric_limits<float>::quiet_NaN());
+  }
   std::vector<std::string> to_ranks;
   for (int rank = 0; rank < ranks.size(); ++rank) {
     const Range part = part_of_rank(all, rank, ranks.size());
@@ -346,8 +431,11 @@ void report(std::vector<ModelDescription> models, const Configuration& configura
   computed.fields = report_fields(all, plan);
   for (ModelDescription& model : models) {
     computed.shapes.push_back(report_shape(model));
-    if (!model.picture.empty()) computed.pictures.push_back(std::move(model.picture));
-    if (!model.view.empty()) computed.views.push_back(std::move(model.view));
+    computed.pictures.push_back(std::move(model.picture));
+    computed.views.push_back(std::move(model.view));
+  }
+  for (std::vector<std::string>* drawings : {&computed.pictures, &computed.views}) {
+    if (std::ranges::all_of(*drawings, &std::string::empty)) drawings->clear();
   }
   if (!computed.views.empty()) computed.viewed = viewed_fields_of(computed, plan, configuration);
 }
@@ -363,19 +451,25 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
   computed.failures = std::move(described.failures);
   computed.own = part_of_rank(computed.models.size(), ranks.rank(), ranks.size());
 
+  const auto place_of = [&](std::size_t index) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(computed.models, index) - computed.models.begin());
+  };
   std::vector<const ModelDescription*> models;
   std::vector<std::size_t> places;
   for (const auto& [index, model] : described.models) {
     models.push_back(&model);
-    places.push_back(
-        static_cast<std::size_t>(std::ranges::lower_bound(computed.models, index) - computed.models.begin()));
+    places.push_back(place_of(index));
+  }
+  computed.without = std::move(described.without);
+  for (std::vector<ModelFailure>& failures : computed.without) {
+    for (ModelFailure& failure : failures) failure.model = place_of(failure.model);
   }
   const std::vector<Interval> ranges = ranges_over_data_set(models, plan.size(), ranks);
-  const std::vector<Signatures> tables =
+  std::vector<Signatures> tables =
       on_all_ranks(ranks, [&] { return assemble_signatures(models, plan, configuration.signatures, ranges); });
   computed.field_ranges = ranges;
   computed.learnt = std::move(described.learnt);
-  computed.signatures = rows_of_rank(tables, places, computed.models.size(), ranks);
+  computed.signatures = rows_of_rank(std::move(tables), places, computed.models.size(), ranks);
   std::vector<ModelDescription> told = told_of_all(models, places, computed.models.size(), ranks);
   if (ranks.rank() == 0) report(std::move(told), configuration, plan, computed);
   return computed;

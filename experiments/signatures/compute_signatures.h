@@ -38,13 +38,14 @@ struct ShapeReport {
 /// Returns the distance between signatures of a kind that is not derived: a descriptor's own, or the configuration's.
 NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration);
 
-/// Returns the range of each field of the plan over the models, of which there must be at least one.
+/// Returns the range of each field of the plan over the models that have values of it. Throws ArgumentError if none
+/// has.
 std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields);
 
-/// Assembles the signatures, in the configuration's order, of all models: row i is of models[i]. Signatures derived
-/// from distances are empty. `data_set_ranges` are the ranges of the plan's fields over the whole data set, if a
-/// histogram needs them. Runs in the calling TBB arena. Throws ArgumentError if a descriptor returns features of
-/// different lengths.
+/// Assembles the signatures, in the configuration's order, of all models: row i is of models[i], NaN for a model
+/// without the signature. A signature that no model has is without columns. Signatures derived from distances are
+/// empty. `data_set_ranges` are the ranges of the plan's fields over the whole data set, if a histogram needs them.
+/// Runs in the calling TBB arena. Throws ArgumentError if a descriptor returns features of different lengths.
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
                                             std::span<const PlannedField> plan,
                                             const std::vector<SignatureConfiguration>& signatures,
@@ -59,7 +60,7 @@ struct FieldReport {
   nlohmann::json settings;  ///< as in a configuration
   FieldOutcomes outcomes;   ///< totals
   double seconds = 0;       ///< total over the models, including concurrent work
-  std::size_t models = 0;
+  std::size_t models = 0;   ///< with values of it
   std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_size()), into which it leaks
 };
 
@@ -80,7 +81,9 @@ struct ComputedSignatures {
   std::vector<std::size_t> models;     ///< models with signatures, by index in the data set
   Range own;                           ///< positions in `models` of those whose rows are here
   std::vector<Signatures> signatures;  ///< of those models, as assemble_signatures() returns them
-  std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip
+  std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip: no signature can be computed
+  /// By signature: those of `models`, by position, that do not have it, although they have another.
+  std::vector<std::vector<ModelFailure>> without;
   std::vector<LearntFeatures> learnt;  ///< by planned descriptor; empty if it does not learn
   std::vector<Interval> field_ranges;  ///< by field of the plan, over all models
   std::vector<std::vector<Interval>>
@@ -95,8 +98,10 @@ struct ComputedSignatures {
 
 /// Computes all signatures of the configuration, in parallel over the models, which are shared by the processes. The
 /// same bytes for any number of threads and processes. First checks every model's file. With OnError::stop the first
-/// failing model is an InputError; with OnError::skip it is omitted. Throws InputError if no model is left, and
-/// Interrupted. Collective. Runs in the calling TBB arena. Reads results from the cache and stores new ones there.
+/// failing model is an InputError. With OnError::skip, models that cannot be used are omitted, and those without some
+/// of the signatures are named (`without`). Throws InputError if no model is left in general or for one of the
+/// signatures, and Interrupted. Collective. Runs in the calling TBB arena. Reads results from the cache and stores new
+/// ones there.
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunControl& control, Cache& cache, Communicator& ranks);
 

@@ -32,6 +32,8 @@ struct Learnt {
 Lessons lessons_of(const DescribedModels& models, const PlannedDescriptor& planned, const DescriptorChoice& choice) {
   Lessons lessons;
   for (const auto& [index, model] : models) {
+    const auto is_missing = [&](std::size_t field) { return !model.fields[field].error.empty(); };
+    if (std::ranges::any_of(planned.fields, is_missing)) continue;
     Lesson& lesson = lessons[index];
     for (std::size_t k = 0; k < planned.fields.size(); ++k) {
       lesson.fields.push_back(kept_field(model.fields[planned.fields[k]]));
@@ -141,24 +143,31 @@ std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configu
                                           Communicator& ranks, std::vector<LearntFeatures>& learnt_features) {
   const std::vector<PlannedDescriptor> descriptors = plan_descriptors(configuration.signatures, plan);
   learnt_features.assign(descriptors.size(), {});
+  const bool stops = configuration.on_error == OnError::stop;
   for (std::size_t d = 0; d < descriptors.size(); ++d) {
     if (!descriptors[d].learns) continue;
-    if (control.interrupted()) throw Interrupted();
     const SignatureConfiguration& signature = configuration.signatures[descriptors[d].signature];
     const DescriptorChoice& choice = *signature.descriptor;
-    const Lessons lessons = lessons_of(models, descriptors[d], choice);
-    const Learnt learnt = learn_together(lessons, signature.name, choice, cache, ranks);
-    std::vector<std::size_t> own;
-    for (const auto& [index, lesson] : lessons) own.push_back(index);
-    const std::vector<ModelFailure> failures = failures_of_all(
-        for_each_model(own, signature.name, configuration.on_error == OnError::stop, control,
-                       [&](std::size_t i) {
-                         ModelDescription& model = models.at(i);
-                         model.features[d] = describe(lessons.at(i), model.shape_key, choice, learnt, cache);
-                       }),
-        ranks);
-    if (!failures.empty()) return failures;
-    learnt_features[d] = learnt.features;
+    Lessons lessons = lessons_of(models, descriptors[d], choice);
+    for (;;) {
+      if (control.interrupted()) throw Interrupted();
+      const Learnt learnt = learn_together(lessons, signature.name, choice, cache, ranks);
+      std::vector<std::size_t> own;
+      for (const auto& [index, lesson] : lessons) own.push_back(index);
+      const auto job = [&](std::size_t i) {
+        ModelDescription& model = models.at(i);
+        model.features[d] = describe(lessons.at(i), model.shape_key, choice, learnt, cache);
+      };
+      const std::vector<ModelFailure> failures =
+          failures_of_all(for_each_model(own, signature.name, stops, control, job), ranks);
+      learnt_features[d] = learnt.features;
+      if (stops && !failures.empty()) return failures;
+      if (failures.empty()) break;
+      // They affect what is learnt: once more without them.
+      for (const ModelFailure& failure : failures) {
+        if (lessons.erase(failure.model) > 0) models.at(failure.model).features[d] = {{}, 0, failure.message};
+      }
+    }
   }
   return {};
 }

@@ -19,10 +19,11 @@ using DescribedModels = std::map<std::size_t, ModelDescription>;
 
 /// Completes the features of descriptors that learn: learns from the fields of all models, in order, and then computes
 /// the features, both through the cache. Rank 0 learns, from the fields of all; each rank describes its own models.
-/// Ignores missing models. Returns the models that cannot be described, in order, the same on all ranks, possibly only
-/// the first. Since they affect what is learnt, the result is then incomplete: call the function again without them.
-/// `learnt` receives the learnt features by planned descriptor, empty for those that do not learn. Throws InputError if
-/// nothing can be learnt, and Interrupted. Collective. Runs in the calling TBB arena.
+/// Ignores missing models, and models without the fields of a descriptor. With OnError::skip, models that a descriptor
+/// cannot describe get FeatureDescription::error; what it learns is then without them. With OnError::stop, returns the
+/// first such model on all ranks, and the result is incomplete. `learnt` receives the learnt features by planned
+/// descriptor, empty for those that do not learn. Throws InputError if nothing can be learnt, and Interrupted.
+/// Collective. Runs in the calling TBB arena.
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
                                           std::span<const PlannedField> plan, const RunControl& control, Cache& cache,
                                           Communicator& ranks, std::vector<LearntFeatures>& learnt);

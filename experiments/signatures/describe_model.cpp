@@ -62,6 +62,29 @@ std::vector<PlannedDescriptor> plan_descriptors(const std::vector<SignatureConfi
   return descriptors;
 }
 
+std::vector<std::string> signature_errors(const ModelDescription& model,
+                                          const std::vector<SignatureConfiguration>& signatures,
+                                          std::span<const PlannedField> plan) {
+  std::vector<std::string> errors(signatures.size());
+  for (std::size_t field = 0; field < plan.size(); ++field) {
+    for (const std::size_t i : plan[field].signatures) errors[i] = model.fields[field].error;
+  }
+  const std::vector<PlannedDescriptor> descriptors = plan_descriptors(signatures, plan);
+  for (std::size_t d = 0; d < model.features.size(); ++d) {
+    std::string& error = errors[descriptors[d].signature];
+    for (const std::size_t field : descriptors[d].fields) {
+      if (error.empty()) error = model.fields[field].error;
+    }
+    if (error.empty()) error = model.features[d].error;
+  }
+  for (const std::size_t i : computation_order(signatures)) {
+    for (const std::size_t part : signatures[i].parts) {
+      if (errors[i].empty()) errors[i] = errors[part];
+    }
+  }
+  return errors;
+}
+
 bool is_pictured(const PlannedField& planned, const Configuration& configuration) {
   const ReportConfiguration& report = configuration.report;
   if (!report.wanted || !report.pictures) return false;
@@ -136,25 +159,40 @@ PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& 
   return {.prepared = std::move(prepared), .description = std::move(description)};
 }
 
-void describe_fields(PreparedModel& model, FieldSource& source, const std::vector<SignatureConfiguration>& signatures,
-                     std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
-  const PreparedShape& prepared = model.prepared;
-  ModelDescription& description = model.description;
-  description.histograms.resize(signatures.size());
-  SamplesByPlan samples(prepared.shape);
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    const Stopwatch stopwatch;
-    const Samples& sites = samples.at(plan[i].field.settings.samples);
-    FieldValues computed = plan[i].field.compute(source, sites, parallel);
-    const double seconds = stopwatch.seconds();
-    if (observe) observe(i, prepared, sites, computed);
+namespace {
 
-    FieldDescription& kept = description.fields.emplace_back();
-    kept.outcomes = std::move(computed.outcomes);
-    kept.offset = computed.offset;
-    kept.seconds = seconds;
-    const ScalarField field{.values = std::move(computed.values), .weights = sites.weights};
-    describe_field(field, plan[i], signatures, kept, description.histograms);
+/// Computes the planned field of index i and its histograms.
+FieldDescription computed_field(std::size_t i, PreparedModel& model, FieldSource& source, SamplesByPlan& samples,
+                                const std::vector<SignatureConfiguration>& signatures,
+                                std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
+  const Stopwatch stopwatch;
+  const Samples& sites = samples.at(plan[i].field.settings.samples);
+  FieldValues computed = plan[i].field.compute(source, sites, parallel);
+  FieldDescription kept;
+  kept.seconds = stopwatch.seconds();
+  if (observe) observe(i, model.prepared, sites, computed);
+  kept.outcomes = std::move(computed.outcomes);
+  kept.offset = computed.offset;
+  const ScalarField field{.values = std::move(computed.values), .weights = sites.weights};
+  describe_field(field, plan[i], signatures, kept, model.description.histograms);
+  return kept;
+}
+
+}  // namespace
+
+void describe_fields(PreparedModel& model, FieldSource& source, const std::vector<SignatureConfiguration>& signatures,
+                     std::span<const PlannedField> plan, bool parallel, OnError on_error,
+                     const FieldObserver& observe) {
+  model.description.histograms.resize(signatures.size());
+  SamplesByPlan samples(model.prepared.shape);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    FieldDescription& kept = model.description.fields.emplace_back();
+    try {
+      kept = computed_field(i, model, source, samples, signatures, plan, parallel, observe);
+    } catch (const InputError& error) {
+      if (on_error == OnError::stop) throw;
+      kept.error = error.what();
+    }
   }
 }
 
@@ -163,7 +201,7 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
   PreparedModel model = prepare_model(std::move(perturbed), preparation);
   FieldSource source(model.prepared.shape);
-  describe_fields(model, source, signatures, plan, parallel, observe);
+  describe_fields(model, source, signatures, plan, parallel, OnError::stop, observe);
   return std::move(model.description);
 }
 

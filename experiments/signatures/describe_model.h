@@ -56,12 +56,14 @@ struct FieldDescription {
   FieldOutcomes outcomes;
   std::optional<double> offset;  ///< if the field chose one
   double seconds = 0;
+  std::string error = {};  ///< why the shape has no values of it, with OnError::skip; otherwise empty
 };
 
 /// Results for one descriptor on one shape.
 struct FeatureDescription {
   Eigen::VectorXf features;
-  double seconds = 0;  ///< without its fields
+  double seconds = 0;      ///< without its fields
+  std::string error = {};  ///< why the shape has none, with OnError::skip; otherwise empty
 };
 
 /// Description of one shape, without its mesh.
@@ -80,6 +82,12 @@ struct ModelDescription {
   std::string view;                          ///< model_view(), if configured
 };
 
+/// Returns, by signature, why the shape has none: the first error of its field, its descriptor or its parts. Empty for
+/// signatures without an error.
+std::vector<std::string> signature_errors(const ModelDescription& model,
+                                          const std::vector<SignatureConfiguration>& signatures,
+                                          std::span<const PlannedField> plan);
+
 /// Called for each field of a plan after its computation, with its index, the prepared shape, the samples and the
 /// values.
 using FieldObserver =
@@ -95,10 +103,12 @@ struct PreparedModel {
 PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation);
 
 /// Computes the planned fields and their histograms on a prepared shape, and adds them to its description. `source` is
-/// that of the prepared shape; `parallel` distributes the samples over threads. Throws InputError for an unusable
-/// shape, and the errors of the observer.
+/// that of the prepared shape; `parallel` distributes the samples over threads. Throws InputError for a field that the
+/// shape does not have, or, with OnError::skip, records it (FieldDescription::error). Throws the errors of the
+/// observer.
 void describe_fields(PreparedModel& model, FieldSource& source, const std::vector<SignatureConfiguration>& signatures,
-                     std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
+                     std::span<const PlannedField> plan, bool parallel, OnError on_error,
+                     const FieldObserver& observe = {});
 
 /// Prepares a shape and computes the planned fields and their histograms.
 ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,

@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/signatures/describe_through_cache.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -99,11 +100,10 @@ class DescribedModel {
   void describe(FieldSource& source) {
     for (PartlyKnownFeatures& descriptor : descriptors_) {
       if (descriptor.found) continue;
-      std::vector<ScalarField> fields;
-      for (const std::size_t field : descriptor.plan.fields) fields.push_back(fields_[field].values);
-      descriptor.found = describe_features(*descriptor.choice,
-                                           {.shape = source.shape(), .fields = fields, .proxy = &source.proxy()}, {});
-      cache_->store(EntryKind::features, descriptor.key, features_record(*descriptor.found));
+      descriptor.found = features_of(descriptor, source);
+      if (descriptor.found->error.empty()) {
+        cache_->store(EntryKind::features, descriptor.key, features_record(*descriptor.found));
+      }
     }
   }
 
@@ -111,7 +111,7 @@ class DescribedModel {
 
   /// Renders missing pictures and views after all fields.
   void draw(const Shape& shape) {
-    if (is_picture_missing()) {
+    if (is_picture_missing() && fields_[*pictured_].drawn.size() > 0) {
       const PartlyKnownField& field = fields_[*pictured_];
       picture_ = model_picture(shape, take_samples(shape, field.rest.field.settings.samples), field.drawn,
                                configuration_->report.picture_options);
@@ -123,7 +123,12 @@ class DescribedModel {
     for (const std::size_t i : viewed_) {
       const SamplePlan& plan = fields_[i].rest.field.settings.samples;
       if (!samples.contains(plan)) samples.emplace(plan, take_samples(shape, plan));
-      fields.push_back({.samples = samples.at(plan), .values = fields_[i].drawn});
+      const Samples& sites = samples.at(plan);
+      Eigen::VectorXd& values = fields_[i].drawn;
+      if (values.size() == 0) {  // the shape does not have the field
+        values.setConstant(sites.points.rows(), std::numeric_limits<double>::quiet_NaN());
+      }
+      fields.push_back({.samples = sites, .values = values});
     }
     view_ = model_view(shape, fields, view_faces_);
     cache_->store(EntryKind::view, view_key_, view_record(*view_));
@@ -133,8 +138,10 @@ class DescribedModel {
   void complete(ModelDescription computed) {
     const std::vector<PartlyKnownField*> missing = missing_fields();
     for (std::size_t i = 0; i < missing.size(); ++i) {
-      cache_->count(EntryKind::field, false);
-      store_histograms(*missing[i], computed.fields[i], computed.histograms);
+      if (computed.fields[i].error.empty()) {
+        cache_->count(EntryKind::field, false);
+        store_histograms(*missing[i], computed.fields[i], computed.histograms);
+      }
       missing[i]->found = std::move(computed.fields[i]);
     }
     if (shape_) return;
@@ -174,6 +181,23 @@ class DescribedModel {
     std::string key;
     std::optional<FeatureDescription> found;
   };
+
+  /// Computes features from the fields.
+  [[nodiscard]] FeatureDescription features_of(const PartlyKnownFeatures& descriptor, FieldSource& source) const {
+    std::vector<ScalarField> fields;
+    for (const std::size_t field : descriptor.plan.fields) {
+      const std::string& error = fields_[field].found.value().error;
+      if (!error.empty()) return {.features = {}, .seconds = 0, .error = error};
+      fields.push_back(fields_[field].values);
+    }
+    try {
+      return describe_features(*descriptor.choice,
+                               {.shape = source.shape(), .fields = fields, .proxy = &source.proxy()}, {});
+    } catch (const InputError& error) {
+      if (configuration_->on_error == OnError::stop) throw;
+      return {.features = {}, .seconds = 0, .error = error.what()};
+    }
+  }
 
   /// Stores the values of the missing field of that index.
   void store_values(std::size_t index, const Samples& samples, const FieldValues& computed) {
@@ -302,7 +326,7 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
   if (!described.is_complete()) {
     PreparedModel prepared = prepare_model(perturbed(), configuration.preparation);
     FieldSource source(prepared.prepared.shape);
-    describe_fields(prepared, source, configuration.signatures, described.missing(), parallel,
+    describe_fields(prepared, source, configuration.signatures, described.missing(), parallel, configuration.on_error,
                     [&](std::size_t field, const PreparedShape&, const Samples& samples, const FieldValues& computed) {
                       described.take_values(field, samples, computed);
                     });

@@ -25,7 +25,13 @@ export class HistogramCharts {
     const indices = histogramMethods(this.report.methods, method);
     if (indices.length === 0) return [];
     const title = make('h3', {}, indices.length > 1 ? 'Histograms' : 'Histogram');
-    return [title, ...indices.map((index) => this.chart(model, index))];
+    return [title, ...indices.map((index) => this.chartOrReason(model, index))];
+  }
+
+  chartOrReason(model, index) {
+    const method = this.report.methods[index];
+    const failure = method.failures.find(([id]) => id === this.report.ids[model]);
+    return failure ? make('p', {}, `${method.name}: ${failure[1]}`) : this.chart(model, index);
   }
 
   binsOf(model, index) {

@@ -14,6 +14,8 @@ export function drawNotes(report) {
   const notes = [...(leftOut > 0 ? [small] : []), ...report.warnings].map((note) => make('li', {}, note));
   place.append(notes.length ? list(notes) : make('p', {}, 'No warnings.'));
   if (report.failures.length) place.append(...failureTable(report.failures));
+  const ofMethods = report.methods.flatMap(({ name, failures }) => failures.map((failure) => [name, ...failure]));
+  if (ofMethods.length) place.append(...methodFailureTable(ofMethods));
   if (report.leaks.length) place.append(...leakTable(report.leaks));
   if (report.perturbations.length) {
     const title = (type, index) => `${index + 1}. ${type}`;
@@ -46,6 +48,15 @@ function leakTable(leaks) {
   return [make('h3', {}, 'Shapes that leak'),
     make('p', {}, 'Their gaps are wider than the offset of a field: values near them are not those of a closed shape.'),
     leaks.length > 20 ? make('details', {}, make('summary', {}, counted(shapes, 'shape')), table) : table];
+}
+
+function methodFailureTable(rows) {
+  const table = make('div', { class: 'wide' });
+  const columns = ['Method', 'Model', 'Reason'].map((title, position) => ({ title, text: (row) => row[position] }));
+  sortableTable(table, { caption: counted(rows.length, 'failure'), columns, rows });
+  return [make('h3', {}, 'Models that a method cannot take'),
+    make('p', {}, 'The method never finds these, and finds nothing for them; the other methods are judged with them.'),
+    rows.length > 20 ? make('details', {}, make('summary', {}, counted(rows.length, 'failure')), table) : table];
 }
 
 function failureTable(failures) {

@@ -27,6 +27,12 @@ export function shapeButton(state, model, { note = '', kind = '', mark = '', tit
     note ? make('span', { class: 'note' }, note) : null);
 }
 
+// Why a method has nothing of a model.
+export function missingReason({ failures }, id) {
+  const failure = failures.find(([failed]) => failed === id);
+  return failure ? failure[1] : 'all models are infinitely far.';
+}
+
 // The models nearest to one, each with a mark: of its class or of another.
 export function nearestStrip(state, model) {
   const { models, lists, distances } = state.method.nearest;
@@ -35,6 +41,7 @@ export function nearestStrip(state, model) {
     return make('p', {}, 'The nearest models are listed for the worst queries only in data sets of this size.');
   }
   const { ids, labels } = state.report;
+  if (lists[row].length === 0) return make('p', {}, `None: ${missingReason(state.method, ids[model])}`);
   return make('div', { class: 'strip' }, ...lists[row].map((other, rank) => {
     const right = labels[model] === labels[other];
     const note = state.className(other);

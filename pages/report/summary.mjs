@@ -10,10 +10,15 @@ export function showSummary(state) {
   let sort = null; // as the reader chose
   state.show(['protocol', 'average', 'method'], () => {
     const { report, evaluation, protocolWords, averageWords, methodIndices } = state;
+    const failedNote = (index) => {
+      const failed = report.methods[index].failures.length;
+      const text = `${failed} of ${counted(report.ids.length, 'model')} failed`;
+      return failed ? [' ', make('span', { class: 'interval' }, text)] : [];
+    };
     const methodCell = (index) => {
       const { name, settings } = report.methods[index];
       const title = settings.map(([key, value]) => `${key}: ${value}`).join(', ');
-      return make('span', { title: title || null }, swatch(index), name);
+      return make('span', { title: title || null }, swatch(index), name, ...failedNote(index));
     };
     const columns = [{ title: 'Method', text: (index) => report.methods[index].name, cell: methodCell }];
     if (report.methods.some(({ distance }) => distance)) {

@@ -203,6 +203,17 @@ TEST_F(RunCommand, ABadModelIsLeftOutAndNamedWhereAskedFor) {
   EXPECT_TRUE(fs::exists(at("out/manifest.json")));
 }
 
+TEST_F(RunCommand, AMethodThatCannotTakeAModelIsNamed) {
+  test::make_cloud(at("data/T3.off"));
+  const std::string d2 = R"( --set 'signatures=[{"name": "d2", "descriptor": {"type": "d2"}}, {"name": "dna", )"
+                         R"("descriptor": {"type": "shape_dna", "eigenvalues": 5}}]')";
+  const Outcome outcome = run("--set on_error=skip" + d2);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.errors, HasSubstr("method \"dna\" cannot take 1 of 9 models, which count as not found: 3 ("));
+  EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("omitted")));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("dna +psb +micro +1 "));
+}
+
 TEST_F(RunCommand, UnusableInputIsOneClearLine) {
   const std::string file = "run " + quoted("small.json") + " ";
   const std::string out = " --output " + quoted("out") + " ";

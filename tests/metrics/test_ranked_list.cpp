@@ -116,6 +116,22 @@ TEST(RankedList, MayEndEarly) {
   EXPECT_THAT(list.precision_at_hit, ElementsAre(1, 0));
 }
 
+TEST(RankedList, FindsNothingWhereAllTargetsAreInfinitelyFar) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  DistanceMatrix distances = DistanceMatrix::Constant(4, 4, infinity);
+  distances.diagonal().setZero();
+  const std::vector<int> labels{0, 0, 1, 1};
+  const RankedList nothing = ranked_list(distances, leave_one_out(labels), 0, Protocol::psb, Ties::optimistic);
+  EXPECT_EQ(nothing.length, 0U);
+  EXPECT_EQ(nothing.relevant, 1U);
+  EXPECT_EQ(nothing.precision_at_hit, std::vector<double>{0});
+  EXPECT_FALSE(nothing.tied);
+  distances(0, 3) = 5;  // one answer: the others are at the end, tied
+  const RankedList one = ranked_list(distances, leave_one_out(labels), 0, Protocol::psb, Ties::index);
+  EXPECT_EQ(one.length, 3U);
+  EXPECT_EQ(one.precision_at_hit, std::vector<double>{0.5});
+}
+
 TEST(RankedList, CountsHits) {
   const RankedList list = list_of_hits({false, true, true, false, true});
   EXPECT_EQ(hits_among_first(list, 0), 0);

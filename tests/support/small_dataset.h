@@ -15,6 +15,9 @@ Shape small_shape(const std::string& name, int number);
 /// Writes 9 models T0.off to T8.off, three of each class of small_shape, and test.cla.
 void write_small_dataset(const std::filesystem::path& folder);
 
+/// Replaces a model by a point cloud, of which there is no conventional SDF.
+void make_cloud(const std::filesystem::path& model);
+
 /// The .cla file of that data set.
 std::string small_classification();
 

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <limits>
 #include <map>
 
 #include "shapegauge/core/io/off.h"
@@ -174,6 +175,84 @@ TEST_F(DescriptorRuns, AModelThatCannotBeDescribedIsAFailureOfItsOwn) {
   ASSERT_EQ(results.failures.size(), 1U);
   EXPECT_EQ(results.failures[0].model.id, "4");
   EXPECT_EQ(method_named(results, "dna").distances.rows(), 8);
+}
+
+/// Rows and columns of the distances without those of model 4.
+DistanceMatrix without_4(const DistanceMatrix& distances) {
+  const std::vector<int> others{0, 1, 2, 3, 5, 6, 7, 8};
+  return distances(others, others);
+}
+
+TEST_F(DescriptorRuns, AMethodThatCannotTakeAModelLeavesItToTheOthers) {
+  Json document = this->document();
+  document["on_error"] = "skip";
+  const ExperimentResults before = run(document, false);
+  test::make_cloud(data() / "T4.off");
+  const ExperimentResults results = run(document, true);
+  EXPECT_TRUE(results.failures.empty());
+  ASSERT_EQ(results.models.size(), 9U);
+
+  // D2 of a cloud exists.
+  const MethodResults& d2 = method_named(results, "d2");
+  EXPECT_TRUE(d2.failures.empty());
+  EXPECT_TRUE(d2.distances.allFinite());
+  EXPECT_EQ(without_4(d2.distances), without_4(method_named(before, "d2").distances));
+
+  std::vector<int> labels;
+  for (const Model& model : results.models) labels.push_back(model.label);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const char* name : {"fixed", "joint", "bag", "both", "sum", "again"}) {
+    SCOPED_TRACE(name);
+    const MethodResults& method = method_named(results, name);
+    ASSERT_EQ(method.failures.size(), 1U);
+    EXPECT_EQ(method.failures[0].model, 4U);
+    EXPECT_THAT(method.failures[0].message, testing::HasSubstr("the conventional SDF needs triangles"));
+    for (Eigen::Index i = 0; i < 9; ++i) {
+      EXPECT_EQ(method.distances(4, i), i == 4 ? 0 : infinity);
+      EXPECT_EQ(method.distances(i, 4), i == 4 ? 0 : infinity);
+    }
+    EXPECT_TRUE(without_4(method.distances).allFinite());
+    EXPECT_EQ(method.evaluations[0].per_query.row(4), Eigen::RowVectorXd::Zero(method.evaluations[0].per_query.cols()));
+    EXPECT_EQ(evaluate(method.distances, labels, {}).micro, method.evaluations[0].micro);
+  }
+  EXPECT_TRUE(method_named(results, "joint").signatures.row(4).array().isNaN().all());
+  EXPECT_TRUE(method_named(results, "both").signatures.row(4).array().isNaN().all());
+
+  // The others are as in a run without the model.
+  test::write_text(data() / "T4.off", "no shape");
+  const ExperimentResults alone = run(document, false);
+  for (const char* name : {"fixed", "joint", "bag", "both", "sum", "again"}) {
+    EXPECT_EQ(without_4(method_named(results, name).distances), method_named(alone, name).distances) << name;
+  }
+}
+
+TEST_F(DescriptorRuns, ModelsThatAMethodCannotTakeAreInItsRow) {
+  test::make_cloud(data() / "T4.off");
+  Json document = this->document();
+  document["on_error"] = "skip";
+  const ExperimentResults results = run(document, true);
+  const auto files = files_of(results);
+  EXPECT_THAT(files.at("summary.csv"), testing::HasSubstr("method,protocol,average,failed,NN"));
+  EXPECT_THAT(files.at("summary.csv"), testing::HasSubstr("\nd2,psb,micro,0,"));
+  EXPECT_THAT(files.at("summary.csv"), testing::HasSubstr("\nsum,psb,micro,1,"));
+  const Json manifest = Json::parse(text_of(folder_.path() / "out" / "manifest.json"));
+  EXPECT_TRUE(manifest.at("failed_models").empty());
+  const Json& listed = manifest.at("method_failures");
+  ASSERT_EQ(listed.size(), results.methods.size() - 1);
+  EXPECT_EQ(listed[0].at("method"), "fixed");
+  EXPECT_EQ(listed[0].at("model"), "4");
+  const std::vector<std::string> sentences = incomplete_methods(results);
+  ASSERT_EQ(sentences.size(), results.methods.size() - 1);
+  EXPECT_THAT(sentences[0], testing::HasSubstr("method \"fixed\" cannot take 1 of 9 models"));
+  EXPECT_EQ(files_of(run(document, true)), files) << "from the cache";
+}
+
+TEST_F(DescriptorRuns, AMethodThatCanTakeNoModelStopsTheRun) {
+  for (int i = 0; i < 9; ++i) test::make_cloud(data() / ("T" + std::to_string(i) + ".off"));
+  Json document = this->document();
+  document["on_error"] = "skip";
+  EXPECT_THAT(test::input_error_of([&] { run(document, false); }),
+              testing::HasSubstr("signature \"fixed\": none of 9 models can be used; the first is 0: "));
 }
 
 TEST_F(DescriptorRuns, WithoutAnyFieldThereIsAReportWithoutPictures) {

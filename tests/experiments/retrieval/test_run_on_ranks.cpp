@@ -72,6 +72,27 @@ TEST_F(RunOnRanks, TheFilesAreTheSameBytes) {
   }
 }
 
+TEST_F(RunOnRanks, ModelsThatAMethodCannotTakeAreTheSameBytes) {
+  test::make_cloud(at("data/T4.off"));
+  Configuration all = configuration({{"on_error", "skip"}});
+  Configuration streamed = all;  // without derived distances: several ranks hold no whole matrix
+  streamed.signatures.pop_back();
+  int run = 0;
+  for (const Configuration& one : {all, streamed}) {
+    const std::string name = std::to_string(run++);
+    Cache none;
+    run_into_folder(retrieval_experiment(one), at("alone" + name), false, {.threads = 2}, none, *single_process());
+    const auto expected = files_in(at("alone" + name));
+    EXPECT_EQ(Json::parse(expected.at("manifest.json")).at("method_failures").size(), one.signatures.size() - 1);
+    for (const int size : {2, 10}) {
+      SCOPED_TRACE(size);
+      const std::string output = "on" + name + std::to_string(size);
+      run_on(size, output, one);
+      EXPECT_EQ(files_in(at(output)), expected);
+    }
+  }
+}
+
 TEST_F(RunOnRanks, TiesAreTheSameBytes) {
   Json document = test::small_configuration(at("data"));
   document["signatures"][1]["histogram"] = {{"bins", 1}, {"smoothing_bins", 0}, {"range", "per-shape"}};

@@ -50,6 +50,25 @@ TEST(OpenIndex, IsDescribedOnceAndThenRead) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes);
 }
 
+TEST(OpenIndex, ShapesWithoutOneOfTheSignaturesAreLeftOut) {
+  const SearchedFolder folder;
+  test::make_cloud(folder.models() / "T4.off");  // it has D2, but no conventional SDF
+  IndexUpdate update;
+  OpenIndex index = folder.open(update);
+  EXPECT_EQ(index.contents.models.size(), 8U);
+  for (const Signatures& table : index.contents.tables) {
+    EXPECT_EQ(table.rows(), 8);
+    EXPECT_TRUE(table.allFinite());
+  }
+  ASSERT_EQ(update.left_out.size(), 1U);
+  EXPECT_THAT(update.left_out[0].id, HasSubstr("T4"));
+  EXPECT_THAT(update.left_out[0].message, HasSubstr("needs triangles"));
+  Cache none;
+  const std::vector<SearchQuery> queries{{.name = "cloud", .file = folder.models() / "T4.off"}};
+  std::vector<std::string> notes;
+  EXPECT_THAT(search(index, queries, {}, {}, none, notes)[0].failure, HasSubstr("needs triangles"));
+}
+
 TEST(OpenIndex, FollowsFilesThatComeChangeAndVanish) {
   const SearchedFolder folder;
   folder.open();
