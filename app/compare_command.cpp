@@ -36,9 +36,7 @@ struct CompareArguments {
   std::string average = "micro";
   std::string reference;
   std::vector<std::string> names;
-  std::string format = "table";
-  std::string unit = "percent";
-  int digits = 2;
+  ScoreFormat printed;
   fs::path plot;
   fs::path score_plot;
   fs::path curves;
@@ -194,16 +192,16 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
 
 std::string formatted_comparison(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
                                  const ComparisonOptions& options, const CompareArguments& arguments) {
-  const ScoreStyle style{.percent = arguments.unit == "percent", .decimals = arguments.digits};
-  if (arguments.format == "json") return comparison_json(methods, comparisons, options).dump(2) + "\n";
-  const bool csv = arguments.format == "csv";
+  const ScoreStyle style = style_of(arguments.printed);
+  if (arguments.printed.format == "json") return comparison_json(methods, comparisons, options).dump(2) + "\n";
+  const bool csv = arguments.printed.format == "csv";
   const Table pairs = pairs_table(methods, comparisons, style, csv);
   if (csv) return to_csv(pairs);
   const Table summary = comparison_summary(methods, comparisons, options, style);
   const std::string words = explanation(methods, comparisons, options);
-  if (arguments.format == "latex") return to_latex(summary);
-  if (arguments.format == "markdown") return to_markdown(summary) + "\n" + words + "\n" + to_markdown(pairs);
-  return to_plain_text(summary) + "\n" + words + "\n" + to_plain_text(pairs);
+  const auto text_of = [&](const Table& table) { return table_text(table, arguments.printed.format); };
+  if (arguments.printed.format == "latex") return text_of(summary);
+  return text_of(summary) + "\n" + words + "\n" + text_of(pairs);
 }
 
 void warn_of_same_files(std::span<const fs::path> inputs, std::vector<std::string>& warnings) {
@@ -257,16 +255,8 @@ void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
   command.add_option("--pr", arguments.curves, "CSV file for the precision-recall curves");
   command.add_option("--report", arguments.report, "HTML file for a report on all methods; requires distance matrices");
   add_replace_option(command, arguments.replace);
-  command
-      .add_option("--format", arguments.format, "Format of the printed result; csv has the pairs, latex the methods")
-      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
-      ->capture_default_str();
-  command.add_option("--unit", arguments.unit, "Unit of scores in tables; JSON has fractions")
-      ->check(CLI::IsMember({"percent", "fraction"}))
-      ->capture_default_str();
-  command.add_option("--digits", arguments.digits, "Number of decimal places in tables")
-      ->check(CLI::Range(0, 15))
-      ->capture_default_str();
+  add_score_format_options(command, arguments.printed,
+                           "Format of the printed result; csv has the pairs, latex the methods");
 }
 
 }  // namespace

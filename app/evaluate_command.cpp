@@ -34,9 +34,7 @@ struct EvaluateArguments {
   std::string input_format;
   EvaluationArguments evaluation;
   ResamplingArguments resampling;
-  std::string format = "table";
-  std::string unit = "percent";
-  std::optional<int> digits;
+  ScoreFormat printed;
   fs::path curve;
   fs::path report;
   fs::path class_curves;
@@ -47,15 +45,6 @@ struct EvaluateArguments {
   bool each_query = false;
   bool replace = false;
 };
-
-constexpr int csv_digits = 4;
-constexpr int table_digits = 2;
-
-ScoreStyle style_of(const EvaluateArguments& arguments) {
-  const bool percent = arguments.unit == "percent";
-  const int usual = (arguments.format == "csv" ? csv_digits : table_digits) + (percent ? 0 : 2);
-  return {.percent = percent, .decimals = arguments.digits.value_or(usual)};
-}
 
 // Returns the inputs of a result as JSON, before the scores.
 nlohmann::ordered_json inputs_json(const EvaluateArguments& arguments) {
@@ -89,17 +78,13 @@ std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& t
 
 std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationTask& task,
                                  const EvaluateArguments& arguments) {
-  if (arguments.format == "json") return formatted_json(named, task, arguments);
+  if (arguments.printed.format == "json") return formatted_json(named, task, arguments);
   const std::vector<NamedEvaluation> one{named};
-  const ScoreStyle style = style_of(arguments);
-  const IntervalCells intervals = arguments.format == "csv"       ? IntervalCells::columns
-                                  : named.intervals.micro.empty() ? IntervalCells::none
-                                                                  : IntervalCells::beside;
-  const auto text_of = [&](const Table& table) {
-    if (arguments.format == "csv") return to_csv(table);
-    if (arguments.format == "markdown") return to_markdown(table);
-    return arguments.format == "latex" ? to_latex(table) : to_plain_text(table);
-  };
+  const ScoreStyle style = style_of(arguments.printed);
+  const IntervalCells intervals = arguments.printed.format == "csv" ? IntervalCells::columns
+                                  : named.intervals.micro.empty()   ? IntervalCells::none
+                                                                    : IntervalCells::beside;
+  const auto text_of = [&](const Table& table) { return table_text(table, arguments.printed.format); };
   std::string text;
   if (arguments.each_query) text = text_of(per_query_table(one, task.query_ids, task.class_names, style)) + "\n";
   return text + text_of(summary_table(one, style, intervals));
@@ -199,7 +184,7 @@ int run(const EvaluateArguments& arguments) {
     }
   }
   const auto tied = ties_warning(evaluated.evaluation, evaluated.findings);
-  if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
+  if (tied && arguments.printed.format != "json") warnings.push_back(*tied);  // JSON has their number
   write_files(named, task, arguments);
   const NamedCurve curve = named_curve(named);
   if (!arguments.plot.empty()) write_drawing(arguments.plot, curves_plot({&curve, 1}));
@@ -217,16 +202,7 @@ int run(const EvaluateArguments& arguments) {
 
 void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
   begin_option_group(command, output_options);
-  command.add_option("--format", arguments.format, "Format of the printed result")
-      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
-      ->capture_default_str();
-  command.add_option("--unit", arguments.unit, "Unit of scores in tables; JSON has fractions")
-      ->check(CLI::IsMember({"percent", "fraction"}))
-      ->capture_default_str();
-  command
-      .add_option("--digits", arguments.digits,
-                  "Number of decimal places in tables (default: 2, or 4 for csv; 2 more for fractions)")
-      ->check(CLI::Range(0, 15));
+  add_score_format_options(command, arguments.printed, "Format of the printed result");
   command.add_option("--pr", arguments.curve,
                      "File for the precision-recall curve: .csv, or .plot in the format of psbPlot");
   command.add_option("--pr-per-class", arguments.class_curves, "CSV file for the curves of each class");

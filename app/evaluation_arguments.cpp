@@ -70,6 +70,25 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
   add_threads_option(command, arguments.threads);
 }
 
+void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description) {
+  command.add_option("--format", arguments.format, description)
+      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
+      ->capture_default_str();
+  command.add_option("--unit", arguments.unit, "Unit of scores in tables; JSON has fractions")
+      ->check(CLI::IsMember({"percent", "fraction"}))
+      ->capture_default_str();
+  command
+      .add_option("--digits", arguments.digits,
+                  "Number of decimal places in tables (default: 2, or 4 for csv; 2 more for fractions)")
+      ->check(CLI::Range(0, 15));
+}
+
+ScoreStyle style_of(const ScoreFormat& arguments) {
+  const bool percent = arguments.unit == "percent";
+  const int usual = (arguments.format == "csv" ? 4 : 2) + (percent ? 0 : 2);
+  return {.percent = percent, .decimals = arguments.digits.value_or(usual)};
+}
+
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   begin_option_group(command, "Statistics");
   command.add_option("--confidence", arguments.confidence, "Confidence level of intervals, such as 0.95")

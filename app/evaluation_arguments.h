@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
+#include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/evaluation.h"
 
@@ -16,7 +18,7 @@ class App;
 
 namespace shapegauge {
 
-/// Options shared by `evaluate` and `compare`, as given.
+/// Options shared by `evaluate`, `compare` and `leaderboard`, as given.
 struct EvaluationArguments {
   EvaluationFiles files;
   std::string order;
@@ -35,6 +37,19 @@ struct ResamplingArguments {
   double confidence = 0;
   ResamplingOptions resampling;
 };
+
+/// Format of printed scores, as given.
+struct ScoreFormat {
+  std::string format = "table";
+  std::string unit = "percent";
+  std::optional<int> digits = {};
+};
+
+/// Adds --format, described as given, --unit and --digits.
+void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description);
+
+/// Returns the style of scores in tables. Default: 2 decimal places, or 4 for csv; 2 more for fractions.
+ScoreStyle style_of(const ScoreFormat& arguments);
 
 /// Adds the options for labels and evaluation, and --threads.
 void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments);

@@ -38,9 +38,7 @@ struct LeaderboardArguments {
   fs::path output;
   std::string title = "Leaderboard";
   std::string rank_by;
-  std::string format = "table";
-  std::string unit = "percent";
-  int digits = 2;
+  ScoreFormat printed;
   bool replace = false;
 };
 
@@ -84,12 +82,10 @@ JudgingOptions judging_options(const LeaderboardArguments& arguments) {
 
 std::string formatted_leaderboard(const Leaderboard& board, const JudgingOptions& options,
                                   const LeaderboardArguments& arguments) {
-  const ScoreStyle style{.percent = arguments.unit == "percent", .decimals = arguments.digits};
-  if (arguments.format == "json") return leaderboard_json(board, options).dump(2) + "\n";
-  if (arguments.format == "csv") return to_csv(leaderboard_csv_table(board, style));
-  const Table table = leaderboard_table(board, style);
-  if (arguments.format == "latex") return to_latex(table);
-  return arguments.format == "markdown" ? to_markdown(table) : to_plain_text(table);
+  const ScoreStyle style = style_of(arguments.printed);
+  if (arguments.printed.format == "json") return leaderboard_json(board, options).dump(2) + "\n";
+  if (arguments.printed.format == "csv") return to_csv(leaderboard_csv_table(board, style));
+  return table_text(leaderboard_table(board, style), arguments.printed.format);
 }
 
 void write_outputs(const Leaderboard& board, const JudgingOptions& options, const LeaderboardArguments& arguments) {
@@ -160,15 +156,7 @@ void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments)
   command.add_option("--title", arguments.title, "Title of the page")->capture_default_str();
   command.add_option("--rank-by", arguments.rank_by,
                      "Measure that determines the ranks (default: mAP, or the first measure)");
-  command.add_option("--format", arguments.format, "Format of the printed table")
-      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
-      ->capture_default_str();
-  command.add_option("--unit", arguments.unit, "Unit of scores in tables; JSON has fractions")
-      ->check(CLI::IsMember({"percent", "fraction"}))
-      ->capture_default_str();
-  command.add_option("--digits", arguments.digits, "Number of decimal places in tables")
-      ->check(CLI::Range(0, 15))
-      ->capture_default_str();
+  add_score_format_options(command, arguments.printed, "Format of the printed table");
   add_cache_option(command, arguments.cache);
   add_replace_option(command, arguments.replace);
 }

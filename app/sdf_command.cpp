@@ -193,10 +193,7 @@ void print_summaries(const SdfArguments& arguments, const std::vector<NamedSumma
     print_output("{}\n", (arguments.files.inputs.size() > 1 ? all : all.front()).dump(2));
     return;
   }
-  const Table table = summary_table(summaries, words);
-  if (arguments.format == "csv") return print_output("{}", to_csv(table));
-  if (arguments.format == "markdown") return print_output("{}", to_markdown(table));
-  print_output("{}", arguments.format == "latex" ? to_latex(table) : to_plain_text(table));
+  print_output("{}", table_text(summary_table(summaries, words), arguments.format));
 }
 
 /// Draws the distribution of values by area, with common bins for all shapes.

@@ -175,10 +175,7 @@ class SearchRun {
   void print_answers() const {
     if (arguments_->format == "json") return print_output("{}\n", json().dump(2));
     if (queries_.empty()) return;
-    const Table rows = table();
-    if (arguments_->format == "csv") return print_output("{}", to_csv(rows));
-    if (arguments_->format == "markdown") return print_output("{}", to_markdown(rows));
-    print_output("{}", arguments_->format == "latex" ? to_latex(rows) : to_plain_text(rows));
+    print_output("{}", table_text(table(), arguments_->format));
   }
 
   /// Returns the exit status.

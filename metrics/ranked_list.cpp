@@ -191,6 +191,71 @@ void collect_misses(const DistanceTable& distances, const Query& query, Eigen::I
   }
 }
 
+using Runs = std::vector<RankRun>;
+
+void append(Runs& runs, const Misses& misses) {
+  runs.push_back({.size = misses.count, .hits = 0, .misses = misses.judged});
+}
+
+void append(Runs& runs, const Hit& hit) { runs.push_back({.size = 1, .hits = 1, .misses = 0, .grade = hit.grade}); }
+
+void append_by_index(Runs& runs, const Tied& tied) {
+  auto hit = tied.hits.begin();
+  for (const Miss& miss : tied.misses) {
+    for (; hit != tied.hits.end() && hit->column < miss.column; ++hit) append(runs, *hit);
+    append(runs, Misses{.count = 1, .judged = miss.judged ? 1U : 0U});
+  }
+  for (; hit != tied.hits.end(); ++hit) append(runs, *hit);
+}
+
+// Returns true if the order of tied models may matter: relevant and other models, or different grades.
+bool order_matters(const Tied& tied) {
+  const auto differs = [&](const Hit& hit) { return hit.grade != tied.hits.front().grade; };
+  return !tied.misses.empty() || std::ranges::any_of(tied.hits, differs);
+}
+
+// Appends tied models in the order, or the open order, of `ties`. Among the hits, optimistic ranks the largest grades
+// first and pessimistic the smallest.
+void append_tied(Runs& runs, const Tied& tied, Ties ties) {
+  Misses misses;
+  for (const Miss& miss : tied.misses) misses.add(miss.judged);
+  std::vector<Hit> hits = tied.hits;
+  std::ranges::stable_sort(hits, std::greater<>(), &Hit::grade);
+  double grades = 0;
+  switch (ties) {
+    case Ties::index:
+      append_by_index(runs, tied);
+      break;
+    case Ties::optimistic:
+      for (const Hit& hit : hits) append(runs, hit);
+      append(runs, misses);
+      break;
+    case Ties::pessimistic:
+      append(runs, misses);
+      for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit) append(runs, *hit);
+      break;
+    case Ties::expected:
+      for (const Hit& hit : hits) grades += hit.grade;
+      runs.push_back({.size = hits.size() + misses.count,
+                      .hits = hits.size(),
+                      .misses = misses.judged,
+                      .grade = grades / static_cast<double>(hits.size())});
+      break;
+  }
+}
+
+// Returns all grades, the largest first; the query itself has the largest grade.
+std::vector<double> grades_of(const Answer& answer, bool starts_with_query) {
+  std::vector<double> grades = answer.not_found;
+  for (const Tied& tied : answer.tied) {
+    for (const Hit& hit : tied.hits) grades.push_back(hit.grade);
+  }
+  if (starts_with_query && !grades.empty()) grades.push_back(*std::ranges::max_element(grades));
+  std::ranges::sort(grades, std::greater<>());
+  return grades;
+}
+
+// Appends a run, joined with the one before if both consist of hits of one grade or of misses.
 void append(RankedList& list, const RankRun& run) {
   if (run.size == 0) return;
   list.length += run.size;
@@ -208,82 +273,6 @@ void append(RankedList& list, const RankRun& run) {
   list.runs.push_back(run);
 }
 
-void append(RankedList& list, const Misses& misses) {
-  append(list, {.size = misses.count, .hits = 0, .misses = misses.judged});
-}
-
-void append(RankedList& list, const Hit& hit) { append(list, {.size = 1, .hits = 1, .misses = 0, .grade = hit.grade}); }
-
-void append_by_index(RankedList& list, const Tied& tied) {
-  auto hit = tied.hits.begin();
-  for (const Miss& miss : tied.misses) {
-    for (; hit != tied.hits.end() && hit->column < miss.column; ++hit) append(list, *hit);
-    append(list, Misses{.count = 1, .judged = miss.judged ? 1U : 0U});
-  }
-  for (; hit != tied.hits.end(); ++hit) append(list, *hit);
-}
-
-// Appends tied models in the order, or the open order, of `ties`. Among the hits, optimistic ranks the largest grades
-// first and pessimistic the smallest.
-void append_tied(RankedList& list, const Tied& tied, Ties ties) {
-  Misses misses;
-  for (const Miss& miss : tied.misses) misses.add(miss.judged);
-  if (misses.count > 0) list.tied = true;
-  std::vector<Hit> hits = tied.hits;
-  std::ranges::stable_sort(hits, std::greater<>(), &Hit::grade);
-  if (hits.front().grade != hits.back().grade) list.tied = true;
-  double grades = 0;
-  switch (ties) {
-    case Ties::index:
-      append_by_index(list, tied);
-      break;
-    case Ties::optimistic:
-      for (const Hit& hit : hits) append(list, hit);
-      append(list, misses);
-      break;
-    case Ties::pessimistic:
-      append(list, misses);
-      for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit) append(list, *hit);
-      break;
-    case Ties::expected:
-      for (const Hit& hit : hits) grades += hit.grade;
-      append(list, {.size = hits.size() + misses.count,
-                    .hits = hits.size(),
-                    .misses = misses.judged,
-                    .grade = grades / static_cast<double>(hits.size())});
-      break;
-  }
-}
-
-// Returns all grades, the largest first; the query itself has the largest grade.
-std::vector<double> grades_of(const Answer& answer, bool starts_with_query) {
-  std::vector<double> grades = answer.not_found;
-  for (const Tied& tied : answer.tied) {
-    for (const Hit& hit : tied.hits) grades.push_back(hit.grade);
-  }
-  if (starts_with_query && !grades.empty()) grades.push_back(*std::ranges::max_element(grades));
-  std::ranges::sort(grades, std::greater<>());
-  return grades;
-}
-
-void finish(RankedList& list, std::size_t relevant) {
-  list.relevant = relevant;
-  list.precision_at_hit.reserve(relevant);
-  std::size_t ranks_before = 0;
-  for (const RankRun& run : list.runs) {
-    append_precisions(list.precision_at_hit, run.size, run.hits, ranks_before);
-    ranks_before += run.size;
-  }
-  list.precision_at_hit.resize(relevant, 0.0);
-  for (const RankRun& run : list.runs) list.judged_misses += run.misses;
-}
-
-std::size_t hits_in(const RankedList& list) {
-  std::size_t hits = 0;
-  for (const RankRun& run : list.runs) hits += run.hits;
-  return hits;
-}
-
 }  // namespace
 
 std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen::Index query, Eigen::Index count) {
@@ -299,21 +288,24 @@ std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen:
 
 RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Protocol protocol,
                        Ties ties) {
-  RankedList list;
-  list.starts_with_query = protocol == Protocol::paper;
+  const bool starts_with_query = protocol == Protocol::paper;
   const Query query(task, row);
   Answer answer;
   const bool is_empty = finds_nothing(distances, query, row);
   collect_hits(distances, query, row, is_empty, answer);
   collect_misses(distances, query, row, is_empty, answer);
-  if (!task.grades.empty()) list.grades = grades_of(answer, list.starts_with_query);
-  if (list.starts_with_query) append(list, Hit{.column = -1, .grade = list.grades.empty() ? 1 : list.grades.front()});
+  std::vector<double> grades;
+  if (!task.grades.empty()) grades = grades_of(answer, starts_with_query);
+  Runs runs;
+  if (starts_with_query) append(runs, Hit{.column = -1, .grade = grades.empty() ? 1 : grades.front()});
   for (const Tied& tied : answer.tied) {
-    append(list, tied.before);
-    append_tied(list, tied, ties);
+    append(runs, tied.before);
+    append_tied(runs, tied, ties);
   }
-  append(list, answer.behind);
-  finish(list, hits_in(list) + answer.not_found.size());
+  append(runs, answer.behind);
+  RankedList list = list_of_runs(runs, starts_with_query, answer.not_found.size());
+  list.grades = std::move(grades);
+  list.tied = std::ranges::any_of(answer.tied, order_matters);
   list.judged_misses += answer.judged_not_found;
   return list;
 }
@@ -322,7 +314,14 @@ RankedList list_of_runs(const std::vector<RankRun>& runs, bool starts_with_query
   RankedList list;
   list.starts_with_query = starts_with_query;
   for (const RankRun& run : runs) append(list, run);
-  finish(list, hits_in(list) + not_in_list);
+  std::size_t ranks_before = 0;
+  for (const RankRun& run : list.runs) {
+    append_precisions(list.precision_at_hit, run.size, run.hits, ranks_before);
+    ranks_before += run.size;
+    list.judged_misses += run.misses;
+  }
+  list.relevant = list.precision_at_hit.size() + not_in_list;
+  list.precision_at_hit.resize(list.relevant, 0.0);
   return list;
 }
 

@@ -213,4 +213,10 @@ std::string to_latex(const Table& table) {
   return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
+std::string table_text(const Table& table, std::string_view format) {
+  if (format == "csv") return to_csv(table);
+  if (format == "markdown") return to_markdown(table);
+  return format == "latex" ? to_latex(table) : to_plain_text(table);
+}
+
 }  // namespace shapegauge

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shapegauge {
@@ -39,5 +40,8 @@ std::string to_plain_text(const Table& table);
 std::string to_markdown(const Table& table);
 /// Formats a table as a LaTeX tabular environment, which needs the package booktabs.
 std::string to_latex(const Table& table);
+
+/// Formats a table as "csv", "markdown" or "latex"; otherwise for a terminal.
+std::string table_text(const Table& table, std::string_view format);
 
 }  // namespace shapegauge

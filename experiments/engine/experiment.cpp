@@ -42,12 +42,6 @@ nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const Ru
   return json;
 }
 
-void publish_results(const fs::path& destination, const nlohmann::json& configuration,
-                     const std::function<RunOutcome(const fs::path& folder)>& write) {
-  StagedResults staged(destination);
-  publish(staged, configuration, write(staged.folder()));
-}
-
 RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destination, bool replace,
                            const RunControl& control, Cache& cache, Communicator& ranks) {
   std::optional<FolderLock> lock;

@@ -70,11 +70,6 @@ struct ExperimentKind {
 nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const RunOutcome& outcome,
                                    const std::filesystem::path& folder);
 
-/// Publishes results in a folder: calls `write` with a staging folder inside it for all files except the manifest, then
-/// writes the manifest and moves all files to their places (StagedResults).
-void publish_results(const std::filesystem::path& destination, const nlohmann::json& configuration,
-                     const std::function<RunOutcome(const std::filesystem::path& folder)>& write);
-
 /// Runs an experiment and publishes its results in a folder, which is created if missing and locked meanwhile.
 /// Collective; rank 0 has the folder and the outcome. Results of an earlier run are replaced when the new ones are
 /// complete, those of another configuration only with `replace`. Finally trims the cache. Throws InputError for an

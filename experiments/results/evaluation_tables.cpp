@@ -81,8 +81,9 @@ EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOpt
 
 Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style, IntervalCells intervals) {
   const bool any_failed = std::ranges::any_of(evaluations, [](const NamedEvaluation& one) { return one.failed > 0; });
-  Row words{"method", "protocol", "average"};
+  Row words{"method"};
   if (any_failed) words.emplace_back("failed");
+  words.insert(words.end(), {"protocol", "average"});
   Table table = table_with_measures(evaluations, std::move(words));
   const std::size_t text_columns = table.text_columns;
   const bool columns = intervals == IntervalCells::columns && all_have_intervals(evaluations);
@@ -95,8 +96,9 @@ Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreSty
   for (const NamedEvaluation& named : evaluations) {
     const Evaluation& evaluation = *named.evaluation;
     for (const bool micro : {true, false}) {
-      Row row{named.method, name_of(evaluation.protocol), micro ? "micro" : "macro"};
+      Row row{named.method};
       if (any_failed) row.push_back(std::to_string(named.failed));
+      row.insert(row.end(), {name_of(evaluation.protocol), micro ? "micro" : "macro"});
       append_scores(row, micro ? evaluation.micro : evaluation.macro, style);
       const std::vector<ConfidenceInterval>& of_average = micro ? named.intervals.micro : named.intervals.macro;
       if (columns) add_columns(row, of_average, style);
@@ -104,7 +106,7 @@ Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreSty
       table.rows.push_back(std::move(row));
     }
   }
-  embolden_best(table, 1);
+  embolden_best(table, any_failed ? 2 : 1);
   return table;
 }
 

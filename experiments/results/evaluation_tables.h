@@ -58,7 +58,7 @@ struct NamedEvaluation {
 enum class IntervalCells { none, beside, columns };
 
 /// Makes a table with a row for each evaluation and average (micro, macro): method, protocol, average, and the measures
-/// of the first evaluation. If a method failed on some models, their number (failed) comes before the measures. The
+/// of the first evaluation. If a method failed on some models, their number (failed) follows the name. The
 /// best of each protocol and average is bold.
 Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style = {},
                     IntervalCells intervals = IntervalCells::none);

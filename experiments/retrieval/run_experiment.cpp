@@ -380,15 +380,10 @@ ExperimentResults run_experiment(const Configuration& configuration, const RunPl
 }
 
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
-                                 const RunControl& control, Cache& cache) {
-  return run_experiment(configuration, {.generated_folder = generated_folder, .distance_files = {}}, control, cache,
-                        *single_process());
-}
-
-ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
                                  const RunControl& control) {
   Cache none;
-  return run_experiment(configuration, generated_folder, control, none);
+  return run_experiment(configuration, {.generated_folder = generated_folder, .distance_files = {}}, control, none,
+                        *single_process());
 }
 
 namespace {

@@ -88,11 +88,7 @@ struct RunPlaces {
 ExperimentResults run_experiment(const Configuration& configuration, const RunPlaces& places, const RunControl& control,
                                  Cache& cache, Communicator& ranks);
 
-/// Runs an experiment in this process alone, with the matrices in the results.
-ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
-                                 const RunControl& control, Cache& cache);
-
-/// Runs an experiment in this process alone, without a cache.
+/// Runs an experiment in this process alone, without a cache and with the matrices in the results.
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
                                  const RunControl& control);
 

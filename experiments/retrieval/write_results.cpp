@@ -116,13 +116,13 @@ std::vector<std::string> write_features(const fs::path& folder, const Experiment
   return files;
 }
 
-/// Returns the names of the distances' files; empty if they are not kept.
+}  // namespace
+
 std::vector<std::string> distance_files(const Configuration& configuration) {
   return configuration.keep_distances ? method_files("distances", configuration) : std::vector<std::string>();
 }
 
-/// Writes all files but the distances, which are already there.
-RunOutcome write_files(const fs::path& folder, const ExperimentResults& results) {
+RunOutcome write_results(const fs::path& folder, const ExperimentResults& results) {
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_entries(results),
                      .summary = summary_text(results),
@@ -151,6 +151,8 @@ RunOutcome write_files(const fs::path& folder, const ExperimentResults& results)
   return outcome;
 }
 
+namespace {
+
 RunOutcome run_retrieval(const Configuration& configuration, const RunContext& context) {
   RunPlaces places{.generated_folder = context.generated, .distance_files = {}};
   for (const std::string& file : method_files("distances", configuration)) {
@@ -164,7 +166,7 @@ RunOutcome run_retrieval(const Configuration& configuration, const RunContext& c
   return on_all_ranks(context.ranks, [&] {
     RunOutcome outcome;
     if (context.ranks.rank() == 0) {
-      with_threads(context.control.threads, [&] { outcome = write_files(context.results, results); });
+      with_threads(context.control.threads, [&] { outcome = write_results(context.results, results); });
     }
     return outcome;
   });
@@ -202,17 +204,6 @@ ExperimentKind retrieval_kind() {
           .description = "Signatures of the models of a data set, their distances, and what these are worth.",
           .describes = [](const nlohmann::json& document) { return document.contains("signatures"); },
           .read = read_retrieval};
-}
-
-void write_results(const fs::path& destination, const ExperimentResults& results) {
-  publish_results(destination, to_json(results.configuration), [&](const fs::path& folder) {
-    const std::vector<std::string> files = distance_files(results.configuration);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      make_folder(folder / "distances");
-      write_npy(folder / files[i], results.methods[i].distances);
-    }
-    return write_files(folder, results);
-  });
 }
 
 std::string summary_text(const ExperimentResults& results) {

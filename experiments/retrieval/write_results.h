@@ -15,10 +15,12 @@ Experiment retrieval_experiment(Configuration configuration);
 /// Returns the entry for experiment_kinds().
 ExperimentKind retrieval_kind();
 
-/// Writes all result files of a run (docs/reference/definitions.md#result-files) into the folder, created if missing,
-/// each atomically, the manifest last; then removes files of an earlier run that this one did not write. Throws
-/// InputError if a file cannot be written; the folder is then unchanged (StagedResults).
-void write_results(const std::filesystem::path& destination, const ExperimentResults& results);
+/// Writes all result files of a run (docs/reference/definitions.md#result-files) into the folder, but the manifest and
+/// the distances, which run_experiment() writes by rows. Throws InputError if a file cannot be written.
+RunOutcome write_results(const std::filesystem::path& folder, const ExperimentResults& results);
+
+/// Returns the names of the files of distances, by signature; empty if the configuration does not keep them.
+std::vector<std::string> distance_files(const Configuration& configuration);
 
 /// Formats the summary of a run for a terminal: its evaluations.
 std::string summary_text(const ExperimentResults& results);

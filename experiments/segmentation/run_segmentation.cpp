@@ -341,9 +341,4 @@ SegmentationResults run_segmentation(const SegmentationExperiment& experiment, c
   return results;
 }
 
-SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
-                                     const RunControl& control, Cache& cache) {
-  return run_segmentation(experiment, generated, control, cache, *single_process());
-}
-
 }  // namespace shapegauge

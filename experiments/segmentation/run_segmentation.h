@@ -57,8 +57,4 @@ nlohmann::json versions_of(const SegmentationMethod& method);
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
                                      const RunControl& control, Cache& cache, Communicator& ranks);
 
-/// Runs a segmentation experiment in this process alone.
-SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
-                                     const RunControl& control, Cache& cache);
-
 }  // namespace shapegauge

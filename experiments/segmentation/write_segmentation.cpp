@@ -116,7 +116,9 @@ std::vector<std::string> notes_of(const SegmentationResults& results) {
   return notes;
 }
 
-RunOutcome write_files(const std::filesystem::path& folder, const SegmentationResults& results) {
+}  // namespace
+
+RunOutcome write_segmentation(const std::filesystem::path& folder, const SegmentationResults& results) {
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_entries(results),
                      .summary = summary_text(results),
@@ -133,11 +135,14 @@ RunOutcome write_files(const std::filesystem::path& folder, const SegmentationRe
   return outcome;
 }
 
+namespace {
+
 RunOutcome run_and_write(const SegmentationExperiment& experiment, const RunContext& context) {
   const SegmentationResults results =
       run_segmentation(experiment, context.generated, context.control, context.cache, context.ranks);
-  return on_all_ranks(context.ranks,
-                      [&] { return context.ranks.rank() == 0 ? write_files(context.results, results) : RunOutcome(); });
+  return on_all_ranks(context.ranks, [&] {
+    return context.ranks.rank() == 0 ? write_segmentation(context.results, results) : RunOutcome();
+  });
 }
 
 Experiment read_segmentation(const nlohmann::json& document, const std::string& source,
@@ -157,11 +162,6 @@ ExperimentKind segmentation_kind() {
           .description = "The parts of the shapes of a data set by several methods, compared with those of people.",
           .describes = is_segmentation,
           .read = read_segmentation};
-}
-
-void write_segmentation(const std::filesystem::path& destination, const SegmentationResults& results) {
-  publish_results(destination, to_json(results.experiment),
-                  [&](const std::filesystem::path& folder) { return write_files(folder, results); });
 }
 
 std::string summary_text(const SegmentationResults& results) { return summary(results, to_plain_text); }

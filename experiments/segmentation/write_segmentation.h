@@ -11,9 +11,9 @@ namespace shapegauge {
 /// Returns the entry for experiment_kinds().
 ExperimentKind segmentation_kind();
 
-/// Writes all result files of a segmentation experiment (docs/manual/segmentation.md#experiments) into the folder, each
-/// atomically, the manifest last, as write_results() does.
-void write_segmentation(const std::filesystem::path& destination, const SegmentationResults& results);
+/// Writes all result files of a segmentation experiment (docs/manual/segmentation.md#experiments) but the manifest into
+/// the folder.
+RunOutcome write_segmentation(const std::filesystem::path& folder, const SegmentationResults& results);
 
 /// Formats the errors of all methods as tables for a terminal.
 std::string summary_text(const SegmentationResults& results);

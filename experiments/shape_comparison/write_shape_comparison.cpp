@@ -199,7 +199,9 @@ OrderedJson manifest_entries(const ShapeComparisonResults& results) {
           {"fields", fields_json(results.fields)}};
 }
 
-RunOutcome write_files(const std::filesystem::path& folder, const ShapeComparisonResults& results) {
+}  // namespace
+
+RunOutcome write_shape_comparison(const std::filesystem::path& folder, const ShapeComparisonResults& results) {
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_json(results.threads, results.timings, results.fields),
                      .summary = summary_text(results),
@@ -214,11 +216,14 @@ RunOutcome write_files(const std::filesystem::path& folder, const ShapeCompariso
   return outcome;
 }
 
+namespace {
+
 /// Runs on rank 0 alone, for undisturbed run times.
 RunOutcome run_alone(const ShapeComparison& comparison, const RunContext& context) {
   return on_all_ranks(context.ranks, [&] {
-    return context.ranks.rank() == 0 ? write_files(context.results, run_shape_comparison(comparison, context.control))
-                                     : RunOutcome();
+    return context.ranks.rank() == 0
+               ? write_shape_comparison(context.results, run_shape_comparison(comparison, context.control))
+               : RunOutcome();
   });
 }
 
@@ -237,11 +242,6 @@ ExperimentKind comparison_kind() {
           .description = "A few shapes, compared with one of them: values, normals, histograms, times.",
           .describes = is_comparison,
           .read = read_comparison};
-}
-
-void write_shape_comparison(const std::filesystem::path& destination, const ShapeComparisonResults& results) {
-  publish_results(destination, to_json(results.comparison),
-                  [&](const std::filesystem::path& folder) { return write_files(folder, results); });
 }
 
 std::string summary_text(const ShapeComparisonResults& results) {

@@ -11,8 +11,8 @@ namespace shapegauge {
 /// Returns the entry for experiment_kinds().
 ExperimentKind comparison_kind();
 
-/// Writes all result files of a comparison into the folder, as write_results() does.
-void write_shape_comparison(const std::filesystem::path& destination, const ShapeComparisonResults& results);
+/// Writes all result files of a comparison but the manifest into the folder.
+RunOutcome write_shape_comparison(const std::filesystem::path& folder, const ShapeComparisonResults& results);
 
 /// Formats the summary of a comparison for a terminal: distances, errors, normals, timings.
 std::string summary_text(const ShapeComparisonResults& results);

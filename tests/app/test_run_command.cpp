@@ -211,7 +211,7 @@ TEST_F(RunCommand, AMethodThatCannotTakeAModelIsNamed) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("method \"dna\" cannot take 1 of 9 models, which count as not found: 3 ("));
   EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("omitted")));
-  EXPECT_THAT(outcome.output, testing::ContainsRegex("dna +psb +micro +1 "));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("dna +1 +psb +micro "));
 }
 
 TEST_F(RunCommand, UnusableInputIsOneClearLine) {

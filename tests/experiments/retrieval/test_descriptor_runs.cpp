@@ -12,6 +12,7 @@
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
 #include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/fusion.h"
+#include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
@@ -49,7 +50,8 @@ class DescriptorRuns : public testing::Test {
   ExperimentResults run(const Json& document, bool cached, int threads = 2) const {
     Cache cache(cached ? folder_.path() / "cache" : fs::path());
     ExperimentResults results = run_experiment(configuration_from_json(document, "test.json", "."),
-                                               folder_.path() / "generated", {.threads = threads}, cache);
+                                               {.generated_folder = folder_.path() / "generated", .distance_files = {}},
+                                               {.threads = threads}, cache, *single_process());
     EXPECT_THAT(cache.warnings(), testing::IsEmpty());
     return results;
   }
@@ -57,7 +59,7 @@ class DescriptorRuns : public testing::Test {
   /// Result files by name, without timings.
   [[nodiscard]] std::map<std::string, std::string> files_of(const ExperimentResults& results) const {
     fs::remove_all(folder_.path() / "out");
-    write_results(folder_.path() / "out", results);
+    test::publish(folder_.path() / "out", results);
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / "out")) {
       const std::string name = entry.path().lexically_relative(folder_.path() / "out").string();
@@ -232,9 +234,9 @@ TEST_F(DescriptorRuns, ModelsThatAMethodCannotTakeAreInItsRow) {
   document["on_error"] = "skip";
   const ExperimentResults results = run(document, true);
   const auto files = files_of(results);
-  EXPECT_THAT(files.at("summary.csv"), testing::HasSubstr("method,protocol,average,failed,NN"));
-  EXPECT_THAT(files.at("summary.csv"), testing::HasSubstr("\nd2,psb,micro,0,"));
-  EXPECT_THAT(files.at("summary.csv"), testing::HasSubstr("\nsum,psb,micro,1,"));
+  EXPECT_THAT(files.at("summary.csv"), testing::HasSubstr("method,failed,protocol,average,NN"));
+  EXPECT_THAT(files.at("summary.csv"), testing::HasSubstr("\nd2,0,psb,micro,"));
+  EXPECT_THAT(files.at("summary.csv"), testing::HasSubstr("\nsum,1,psb,micro,"));
   const Json manifest = Json::parse(text_of(folder_.path() / "out" / "manifest.json"));
   EXPECT_TRUE(manifest.at("failed_models").empty());
   const Json& listed = manifest.at("method_failures");

@@ -13,6 +13,7 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
+#include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -173,7 +174,7 @@ TEST_F(RunExperiment, AFieldThatSeveralSignaturesUseIsComputedOnce) {
 }
 
 TEST_F(RunExperiment, TheSameBytesForAnyNumberOfThreads) {
-  for (const int threads : {1, 3}) write_results(folder(std::to_string(threads)), run(Json::object(), threads));
+  for (const int threads : {1, 3}) test::publish(folder(std::to_string(threads)), run(Json::object(), threads));
   for (const char* file : {"summary.csv", "summary.json", "summary.md", "summary.tex", "per_class.csv", "per_query.csv",
                            "pr_curves.csv", "report.html", "shapes.csv", "distances/fixed.npy",
                            "distances/per_shape.npy", "distances/data_set.npy", "distances/both.npy"}) {
@@ -195,7 +196,7 @@ TEST_F(RunExperiment, TheReportHasIntervalsDistancesAndSettings) {
   document["signatures"].push_back({{"name", "d2"}, {"descriptor", {{"type", "d2"}}}});
   document["signatures"].push_back({{"name", "Sum"}, {"sum", {{{"of", "d2"}, {"weight", 0.5}}, {{"of", "both"}}}}});
   document["perturbations"] = {{{"type", "motion"}}};
-  write_results(folder("out"), run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"),
+  test::publish(folder("out"), run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"),
                                               {.threads = 1}));
   const std::string page = text_of(folder("out") / "report.html");
   const std::string opening = R"(id="report-data">)";
@@ -237,7 +238,7 @@ TEST_F(RunExperiment, TiesAreCountedAndReported) {
   EXPECT_THAT(run_warnings(results),
               ElementsAre(AllOf(HasSubstr("\"one bin\": 9 of 9 queries"), HasSubstr("0.0 to 100.0 (psb)"),
                                 HasSubstr("33.3 to 100.0 (paper)"))));
-  write_results(folder("out"), results);
+  test::publish(folder("out"), results);
   const Json tied = Json::parse(text_of(folder("out") / "summary.json")).at("tied");
   ASSERT_EQ(tied.size(), 10U) << "five methods under two protocols";
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(tied[i]["queries_with_ties"], 0) << tied[i];
@@ -273,7 +274,7 @@ TEST_F(RunExperiment, EveryKindOfBadModelIsSkippedIfAskedFor) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(results.failures[i].model.id, std::to_string(i + 1));
   EXPECT_THAT(results.failures[2].message, HasSubstr("area"));
   EXPECT_THAT(results.failures[4].message, HasSubstr("T5.off"));
-  write_results(folder("out"), results);
+  test::publish(folder("out"), results);
   EXPECT_EQ(Json::parse(text_of(folder("out") / "manifest.json"))["failed_models"].size(), 5U);
 }
 
@@ -323,12 +324,12 @@ TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
 }
 
 TEST_F(RunExperiment, FilesOfAnEarlierRunAreClearedAwayWithItsManifestOnly) {
-  write_results(folder("out"), run());
+  test::publish(folder("out"), run());
   write_text(folder("out") / "distances/mine.npy", "x");
   Json document = test::small_configuration(data());
   document["signatures"].erase(1);
   document["signatures"][2]["concatenate"] = {"fixed"};
-  write_results(folder("out"),
+  test::publish(folder("out"),
                 run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"), {}));
   EXPECT_FALSE(fs::exists(folder("out") / "distances/per_shape.npy"));
   EXPECT_TRUE(fs::exists(folder("out") / "distances/fixed.npy"));
@@ -360,7 +361,7 @@ TEST_F(RunExperiment, APerturbationThatFailsIsThatModelsFailure) {
 TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {
   const Json changes = Json::parse(R"({"perturbations": [
     {"type": "one_of", "assign": "in_turn", "choices": [[], [{"type": "remove_faces", "fraction": 0.1}]]}]})");
-  write_results(folder("out"), run(changes));
+  test::publish(folder("out"), run(changes));
   const std::vector<CsvRow> rows = parse_csv(text_of(folder("out") / "shapes.csv"), "shapes.csv");
   ASSERT_EQ(rows.size(), 10U);
   const auto cell = [&](std::size_t row, const std::string& column) {
@@ -380,7 +381,7 @@ TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {
 }
 
 TEST_F(RunExperiment, TheManifestSaysWhatWasRun) {
-  write_results(folder("out"), run({{"seed", 5}}));
+  test::publish(folder("out"), run({{"seed", 5}}));
   const Json manifest = Json::parse(text_of(folder("out") / "manifest.json"));
   for (const char* key : {"shapegauge", "commit", "compiler", "libraries", "configuration", "seed", "inputs"}) {
     EXPECT_TRUE(manifest.contains(key)) << key;

@@ -9,6 +9,7 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
+#include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/thread_ranks.h"
@@ -107,7 +108,7 @@ TEST_F(RunOnRanks, TiesAreTheSameBytes) {
 }
 
 TEST_F(RunOnRanks, TheFilesAreThoseOfMatricesInMemory) {
-  write_results(at("memory"), run_experiment(configuration(), at("generated"), {.threads = 1}));
+  test::publish(at("memory"), run_experiment(configuration(), at("generated"), {.threads = 1}));
   Cache none;
   run_into_folder(retrieval_experiment(configuration()), at("alone"), false, {.threads = 1}, none, *single_process());
   EXPECT_EQ(files_in(at("alone")), files_in(at("memory")));

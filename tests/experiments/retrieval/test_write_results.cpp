@@ -7,6 +7,7 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
 #include "shapegauge/metrics/evaluation.h"
+#include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/csv_records.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -65,7 +66,7 @@ class WriteResults : public testing::Test {
   }
   [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] std::filesystem::path out(const std::string& name) const { return folder_.path() / "out" / name; }
-  void write() const { write_results(folder_.path() / "out", results_); }
+  void write() const { test::publish(folder_.path() / "out", results_); }
 
   test::TemporaryFolder folder_;
   std::vector<std::string> names_{"0", "1", "2", "3", "4"};

@@ -5,6 +5,7 @@
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
+#include "tests/experiments/segmentation/published_segmentation.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {
@@ -38,7 +39,7 @@ SegmentationResults found() {
 
 TEST(WriteSegmentation, HasAFolderOfPartsForEachMethod) {
   const test::TemporaryFolder folder;
-  write_segmentation(folder.path() / "out", found());
+  test::publish(folder.path() / "out", found());
   for (const char* const id : {"1", "two"}) {
     EXPECT_EQ(bytes_of(folder.path() / "out/parts/best" / (std::string(id) + ".seg")), "0\n1\n1\n");
   }
@@ -52,7 +53,7 @@ TEST(WriteSegmentation, HasAFolderOfPartsForEachMethod) {
 
 TEST(WriteSegmentation, TheManifestListsWhatWasWrittenAndWhatWasRead) {
   const test::TemporaryFolder folder;
-  write_segmentation(folder.path() / "out", found());
+  test::publish(folder.path() / "out", found());
   const nlohmann::json manifest = nlohmann::json::parse(bytes_of(folder.path() / "out" / manifest_name));
   EXPECT_EQ(manifest.at("inputs").at("models").at("two"), "hash of two");
   EXPECT_EQ(manifest.at("failed_models").at(0).at("model"), "three");

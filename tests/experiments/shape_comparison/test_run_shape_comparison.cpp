@@ -7,6 +7,7 @@
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
 #include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
+#include "tests/experiments/shape_comparison/published_comparison.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
@@ -112,7 +113,7 @@ TEST_F(RunComparison, TheSameBytesForAnyNumberOfThreads) {
   for (const int threads : {1, 3}) {
     RunControl control;
     control.threads = threads;
-    write_shape_comparison(path(std::to_string(threads)), run(document(), control));
+    test::publish(path(std::to_string(threads)), run(document(), control));
   }
   for (const char* file :
        {"summary.md", "histograms.csv", "distances.csv", "errors.csv", "normals.csv", "shapes.csv"}) {
@@ -128,7 +129,7 @@ TEST_F(RunComparison, TheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(RunComparison, TheFilesHaveARowForEachSignatureAndShape) {
-  write_shape_comparison(path("out"), run());
+  test::publish(path("out"), run());
   const auto rows = [&](const char* file) { return parse_csv(text_of(path("out") / file), file); };
   EXPECT_EQ(rows("distances.csv").size(), 1 + 9U);
   EXPECT_EQ(rows("errors.csv").size(), 1 + 9U);
@@ -149,8 +150,8 @@ TEST_F(RunComparison, ShapesOfOtherPosesAndShapesWithoutAReferenceHaveNoErrors) 
   EXPECT_EQ(run(poses).signatures[0].distances.size(), 3U);
   Json alone = document();
   alone.erase("reference");
-  write_shape_comparison(path("out"), run());
-  write_shape_comparison(path("out"), run(alone));
+  test::publish(path("out"), run());
+  test::publish(path("out"), run(alone));
   EXPECT_FALSE(fs::exists(path("out") / "errors.csv")) << "of the earlier run";
   EXPECT_FALSE(fs::exists(path("out") / "distances.csv"));
   EXPECT_TRUE(fs::exists(path("out") / "timings.csv"));

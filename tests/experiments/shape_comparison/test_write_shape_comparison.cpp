@@ -4,6 +4,7 @@
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
+#include "tests/experiments/shape_comparison/published_comparison.h"
 #include "tests/support/csv_records.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -56,7 +57,7 @@ class WriteShapeComparison : public testing::Test {
                            {.field = 0, .histograms = second, .ranges = {{0, 1}, {0, 8}}, .distances = {0, 2.25}}};
   }
   [[nodiscard]] std::filesystem::path out(const std::string& name) const { return folder_.path() / "out" / name; }
-  void write() const { write_shape_comparison(folder_.path() / "out", results_); }
+  void write() const { test::publish(folder_.path() / "out", results_); }
   [[nodiscard]] auto row(const char* file, const char* signature, const char* shape) const {
     return test::csv_record(out(file), {{"signature", signature}, {"shape", shape}});
   }

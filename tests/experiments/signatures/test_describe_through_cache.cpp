@@ -5,6 +5,7 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
+#include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
@@ -54,8 +55,9 @@ class DescribeThroughCache : public testing::Test {
     return document;
   }
   ExperimentResults run(const Json& document, Cache& cache, int threads = 2) const {
-    return run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"),
-                          {.threads = threads}, cache);
+    return run_experiment(configuration_from_json(document, "test.json", "."),
+                          {.generated_folder = folder("generated"), .distance_files = {}}, {.threads = threads}, cache,
+                          *single_process());
   }
   ExperimentResults run(const Json& document, int threads = 2) const {
     Cache used(cache());
@@ -67,7 +69,7 @@ class DescribeThroughCache : public testing::Test {
   /// Result files by name, without timings; those of the manifest are removed.
   [[nodiscard]] std::map<std::string, std::string> files_of(const ExperimentResults& results) const {
     fs::remove_all(folder("out"));
-    write_results(folder("out"), results);
+    test::publish(folder("out"), results);
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder("out"))) {
       const std::string name = entry.path().lexically_relative(folder("out")).string();
