@@ -84,7 +84,9 @@ bool have_area_of(std::span<const PolygonTriangle> triangles, std::span<const Ei
 
 /// Rotates each triangle to begin with its smallest corner, then sorts all in ascending order.
 void sort_triangles(std::vector<PolygonTriangle>& triangles) {
-  for (PolygonTriangle& triangle : triangles) std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+  for (PolygonTriangle& triangle : triangles) {
+    std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
+  }
   std::ranges::sort(triangles);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,12 +23,16 @@ struct DenseSamples {
 
 /// Returns the cosine of the angle between the normals of two samples; its absolute value if they are not in the same
 /// sheet.
-inline double normal_agreement(const Points& normals, const std::vector<std::int32_t>& sheets, std::int32_t i,
-                               std::int32_t j) {
-  const double product = normals.row(i).dot(normals.row(j));
-  const std::int32_t sheet = sheets[static_cast<std::size_t>(i)];
-  return sheet >= 0 && sheet == sheets[static_cast<std::size_t>(j)] ? product : std::abs(product);
+inline double normal_agreement(const DenseSamples& samples, std::int32_t i, std::int32_t j) {
+  const double product = samples.normals.row(i).dot(samples.normals.row(j));
+  const std::int32_t sheet = samples.sheets[static_cast<std::size_t>(i)];
+  return sheet >= 0 && sheet == samples.sheets[static_cast<std::size_t>(j)] ? product : std::abs(product);
 }
+
+/// Returns true if two samples at a positive distance lie on the same sheet, judged by the angle of their normals and
+/// their distances from each other's tangent plane. On a circular arc with a turn of t, both distances are sin(t / 2)
+/// of the distance between the samples.
+bool on_same_sheet(const DenseSamples& samples, std::int32_t i, std::int32_t j, double distance);
 
 /// Samples a mesh at `count` points, uniform by area and stratified along a Morton curve of its triangles. Duplicate
 /// triangles count once. Sheets are the orientable pieces connected by edges of exactly two triangles.

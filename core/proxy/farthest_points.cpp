@@ -83,9 +83,9 @@ class FarthestPointSelection {
     double farthest = 0;
     for (Eigen::Index i = block.first; i < block.last; ++i) {
       const double squared = (samples_.points.row(i) - samples_.points.row(sample)).squaredNorm();
-      if (squared < squared_[i] && (squared <= always_covered_ ||
-                                    normal_agreement(samples_.normals, samples_.sheets, static_cast<std::int32_t>(i),
-                                                     static_cast<std::int32_t>(sample)) > agreeing)) {
+      if (squared < squared_[i] &&
+          (squared <= always_covered_ ||
+           normal_agreement(samples_, static_cast<std::int32_t>(i), static_cast<std::int32_t>(sample)) > agreeing)) {
         squared_[i] = squared;
         result_.nearest[static_cast<std::size_t>(i)] = place;
       }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "shapegauge/core/proxy/farthest_points.h"
 #include "shapegauge/core/proxy/local_connectivity.h"
 #include "shapegauge/core/proxy/local_delaunay.h"
+#include "shapegauge/core/proxy/sample_connectivity.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/link_components.h"
 #include "shapegauge/core/shape/point_cloud.h"
@@ -22,37 +24,32 @@ namespace shapegauge {
 
 namespace {
 
-/// Points of a proxy before neighbours are computed.
+/// Samples chosen as points of a proxy, before neighbours are computed.
 struct ProxyPoints {
-  Points points;
-  Points normals;
-  std::vector<std::int32_t> sheets;
-  std::vector<std::int32_t> triangles;  ///< triangle of the mesh that contains each; empty for a cloud
-  Eigen::VectorXd areas;
+  DenseSamples at;                    ///< with the areas and mean normals of the samples that each point covers
+  std::vector<std::int32_t> samples;  ///< sample chosen for each point
   double covering_radius;
 };
 
 /// Computes the areas and mean normals of the samples covered by each chosen one.
 ProxyPoints proxy_points(const DenseSamples& samples, const FarthestPoints& farthest) {
   const Eigen::Index count = std::ssize(farthest.chosen);
-  ProxyPoints proxy{samples.points(farthest.chosen, Eigen::all),
-                    Points::Zero(count, 3),
-                    {},
-                    {},
-                    Eigen::VectorXd::Zero(count),
-                    farthest.covering_radius};
+  ProxyPoints proxy{
+      {samples.points(farthest.chosen, Eigen::all), Points::Zero(count, 3), Eigen::VectorXd::Zero(count), {}, {}},
+      farthest.chosen,
+      farthest.covering_radius};
   for (const std::int32_t sample : farthest.chosen) {
-    proxy.sheets.push_back(samples.sheets[static_cast<std::size_t>(sample)]);
-    if (!samples.triangles.empty()) proxy.triangles.push_back(samples.triangles[static_cast<std::size_t>(sample)]);
+    proxy.at.sheets.push_back(samples.sheets[static_cast<std::size_t>(sample)]);
+    if (!samples.triangles.empty()) proxy.at.triangles.push_back(samples.triangles[static_cast<std::size_t>(sample)]);
   }
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
     const std::int32_t place = farthest.nearest[static_cast<std::size_t>(i)];
     const Eigen::RowVector3d own = samples.normals.row(farthest.chosen[static_cast<std::size_t>(place)]);
     const double sign = own.dot(samples.normals.row(i)) < 0 ? -1 : 1;
-    proxy.areas[place] += samples.areas[i];
-    proxy.normals.row(place) += sign * samples.areas[i] * samples.normals.row(i);
+    proxy.at.areas[place] += samples.areas[i];
+    proxy.at.normals.row(place) += sign * samples.areas[i] * samples.normals.row(i);
   }
-  for (Eigen::Index i = 0; i < count; ++i) proxy.normals.row(i).normalize();
+  for (Eigen::Index i = 0; i < count; ++i) proxy.at.normals.row(i).normalize();
   return proxy;
 }
 
@@ -70,43 +67,51 @@ double radius_of_spacing(const Points& points) {
   return *middle / 2;
 }
 
-/// Returns true if two points lie on the same sheet, judged by the angle of their normals and their distances from each
-/// other's tangent plane. On a circular arc with a turn of t, both distances are sin(t / 2) of the distance between the
-/// points.
-bool on_same_sheet(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, double distance) {
-  constexpr double least_agreement = -0.3;  // sharp edges are passed, the rim of a thin wall is not
-  constexpr double tolerance = 0.2;
-  const double agreement = normal_agreement(proxy.normals, proxy.sheets, i, j);
-  const Eigen::RowVector3d direction = (proxy.points.row(j) - proxy.points.row(i)) / distance;
-  const double off_i = direction.dot(proxy.normals.row(i));
-  const double off_j = direction.dot(proxy.normals.row(j));
-  return agreement > least_agreement && off_i * off_i + off_j * off_j < 1 - agreement + tolerance;
-}
+/// Tests whether neighbouring points are connected along the surface between them. Touching parts are close in space
+/// but far apart along the surface.
+class PointConnectivity {
+ public:
+  PointConnectivity(const ProxyPoints& proxy, const DenseSamples& samples, const LocalConnectivity& triangles)
+      : proxy_(proxy), samples_(samples), across_triangles_(triangles) {}
 
-/// Returns true if no path on the mesh connects two points inside the ball about their midpoint. Touching parts are
-/// close in space but far apart along the surface. An arc that turns by less than half a circle lies inside this ball.
-/// Not tested for points of different components.
-bool far_along_surface(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, double distance,
-                       LocalConnectivity& connectivity) {
-  const std::int32_t from = proxy.triangles[static_cast<std::size_t>(i)];
-  const std::int32_t to = proxy.triangles[static_cast<std::size_t>(j)];
-  if (from == to || !connectivity.of_one_component(from, to)) return false;
-  const Eigen::Vector3d midpoint = (proxy.points.row(i) + proxy.points.row(j)).transpose() / 2;
-  if (connectivity.connected_in_ball(from, to, midpoint, distance / 2)) return false;
-  return !connectivity.met_border() || !connectivity.connected_in_ball(from, to, midpoint, distance, Joint::vertex);
-}
+  /// Returns true if a path connects two points in the ball about their midpoint; an arc that turns by less than half a
+  /// circle lies inside. The path crosses triangles of a component of a mesh; elsewhere it passes through samples.
+  bool connected(std::int32_t i, std::int32_t j, double distance) {
+    const Eigen::Vector3d midpoint = (proxy_.at.points.row(i) + proxy_.at.points.row(j)).transpose() / 2;
+    if (proxy_.at.triangles.empty()) return through_samples(i, j, midpoint, distance);
+    const std::int32_t from = proxy_.at.triangles[static_cast<std::size_t>(i)];
+    const std::int32_t to = proxy_.at.triangles[static_cast<std::size_t>(j)];
+    if (from == to) return true;
+    if (!across_triangles_.of_one_component(from, to)) return through_samples(i, j, midpoint, distance);
+    if (across_triangles_.connected_in_ball(from, to, midpoint, distance / 2)) return true;
+    return across_triangles_.met_border() &&
+           across_triangles_.connected_in_ball(from, to, midpoint, distance, Joint::vertex);
+  }
+
+ private:
+  bool through_samples(std::int32_t i, std::int32_t j, const Eigen::Vector3d& midpoint, double distance) {
+    if (!across_samples_) across_samples_.emplace(samples_);
+    return across_samples_->connected_in_ball(proxy_.samples[static_cast<std::size_t>(i)],
+                                              proxy_.samples[static_cast<std::size_t>(j)], midpoint, distance);
+  }
+
+  const ProxyPoints& proxy_;
+  const DenseSamples& samples_;
+  LocalConnectivity across_triangles_;
+  std::optional<SampleConnectivity> across_samples_;  ///< made when first needed
+};
 
 /// Returns each pair of neighbours once, the lesser point first.
-std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, LocalConnectivity connectivity, int neighbours) {
-  const PointNeighbours nearest = nearest_neighbours(proxy.points, neighbours);
+std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, PointConnectivity connectivity, int neighbours) {
+  const PointNeighbours nearest = nearest_neighbours(proxy.at.points, neighbours);
   const double reach = 2.5 * proxy.covering_radius;
   std::vector<Segment> pairs;
   for (std::int32_t i = 0; i < nearest.indices.rows(); ++i) {
     for (Eigen::Index k = 0; k < nearest.indices.cols(); ++k) {
       const std::int32_t j = nearest.indices(i, k);
       const double distance = nearest.distances(i, k);
-      if (!(distance > 0 && distance <= reach) || !on_same_sheet(proxy, i, j, distance)) continue;
-      if (!proxy.triangles.empty() && far_along_surface(proxy, i, j, distance, connectivity)) continue;
+      if (!(distance > 0 && distance <= reach) || !on_same_sheet(proxy.at, i, j, distance)) continue;
+      if (!connectivity.connected(i, j, distance)) continue;
       pairs.push_back({std::min(i, j), std::max(i, j), distance});
     }
   }
@@ -267,13 +272,14 @@ SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& option
   const std::vector<HalfEdge> uses = half_edges(framed.triangles, merged);
   const DenseSamples samples = dense_samples(framed, uses, Eigen::Index{options.points} * options.samples_per_point);
   ProxyPoints chosen = proxy_points(samples, farthest_points(samples, options.points));
-  chosen.covering_radius = std::max(chosen.covering_radius, radius_of_spacing(chosen.points));
+  chosen.covering_radius = std::max(chosen.covering_radius, radius_of_spacing(chosen.at.points));
   SurfaceProxy proxy;
-  proxy.points = chosen.points;
-  proxy.normals = unsigned_normals(chosen.normals);
-  proxy.areas = chosen.areas;
+  proxy.points = chosen.at.points;
+  proxy.normals = unsigned_normals(chosen.at.normals);
+  proxy.areas = chosen.at.areas;
   proxy.covering_radius = chosen.covering_radius;
-  std::vector<Segment> segments = neighbour_pairs(chosen, LocalConnectivity(framed, merged, uses), options.neighbours);
+  std::vector<Segment> segments = neighbour_pairs(
+      chosen, PointConnectivity(chosen, samples, LocalConnectivity(framed, merged, uses)), options.neighbours);
   set_arcs(proxy, segments);
   proxy.components = link_components(proxy.points, 8, segments);
   proxy.stiffness = stiffness_of(proxy, segments);

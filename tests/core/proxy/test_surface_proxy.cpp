@@ -140,14 +140,19 @@ TEST(SurfaceProxy, TwoSheetsAreTwoComponentsThatAreLinked) {
   EXPECT_TRUE(proxy_geodesics(proxy, 10).distances.allFinite());
 }
 
-TEST(SurfaceProxy, PartsThatTouchAreNotJoined) {
-  // A flat ring with a gap of a thousandth of its radius.
+/// A flat ring of radii 1 and 1.2 that lacks a sector.
+Shape open_ring(double missing_angle) {
   Shape ring = test::rectangle(1, 1, 300, 12);
   for (auto vertex : ring.vertices.rowwise()) {
-    const double angle = (2 * pi - 0.001) * vertex[0];
+    const double angle = (2 * pi - missing_angle) * vertex[0];
     const double radius = 1 + 0.2 * vertex[1];
     vertex = Eigen::RowVector3d(radius * std::cos(angle), radius * std::sin(angle), 0);
   }
+  return ring;
+}
+
+TEST(SurfaceProxy, PartsThatTouchAreNotJoined) {
+  const Shape ring = open_ring(0.001);
   const SurfaceProxy proxy = surface_proxy(ring);
   EXPECT_EQ(proxy.components, 1);
   for (std::size_t i = 0; i + 1 < proxy.first_arc.size(); ++i) {
@@ -159,6 +164,18 @@ TEST(SurfaceProxy, PartsThatTouchAreNotJoined) {
   }
   const double longest = proxy_geodesics(proxy, 100).distances.maxCoeff();
   EXPECT_NEAR(longest, 2 * pi, 0.05 * 2 * pi);
+}
+
+TEST(SurfaceProxy, PartsAsFarApartAsNeighboursAreNotJoined) {
+  // The gaps are as wide as neighbours are apart, and several times as wide as samples are.
+  const SurfaceProxy cloud = surface_proxy(test::random_points(open_ring(0.03), 24000, 1));
+  EXPECT_GT(2.5 * cloud.covering_radius, 0.036);
+  EXPECT_NEAR(proxy_geodesics(cloud, 100).distances.maxCoeff(), 2 * pi, 0.05 * 2 * pi);
+  Shape right = test::rectangle(1, 1, 20, 20);
+  right.vertices.col(0).array() += 1.05;
+  const SurfaceProxy halves = surface_proxy(test::joined({test::rectangle(1, 1, 20, 20), right}));
+  EXPECT_GT(2.5 * halves.covering_radius, 0.05);
+  EXPECT_EQ(halves.components, 2);
 }
 
 TEST(SurfaceProxy, EigenvaluesConvergeWithTheNumberOfPoints) {
