@@ -120,16 +120,17 @@ std::vector<Eigen::Vector2d> flattened(const BoundaryLoop& loop, const Points& p
   return polygon;
 }
 
-double gap_in_mesh(const Shape& mesh, double limit) {
+GapSizes gaps_in_mesh(const Shape& mesh, double limit) {
   std::vector<BoundaryLoop> loops = boundary_loops(mesh);
   std::ranges::sort(loops, std::greater<>(), &BoundaryLoop::radius_bound);
-  double gap = 0;
+  GapSizes gaps;
   for (const BoundaryLoop& loop : loops) {
-    if (loop.radius_bound() <= gap) break;
+    if (loop.radius_bound() <= gaps.within_limit) break;
     const double radius = inscribed_circle_radius(flattened(loop, mesh.vertices));
-    if (radius <= limit) gap = std::max(gap, radius);
+    gaps.widest = std::max(gaps.widest, radius);
+    if (radius <= limit) gaps.within_limit = std::max(gaps.within_limit, radius);
   }
-  return gap;
+  return gaps;
 }
 
 }  // namespace
@@ -183,10 +184,14 @@ double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon) {
   return best;
 }
 
-double gap_size(const Shape& shape, double limit) {
+GapSizes gap_sizes(const Shape& shape, double limit) {
   require_usable(shape);
-  return is_cloud(shape) ? distance_to_sixth(shape.vertices, 0.999) : gap_in_mesh(shape, limit);
+  if (!is_cloud(shape)) return gaps_in_mesh(shape, limit);
+  const double gap = distance_to_sixth(shape.vertices, 0.999);
+  return {gap, gap};
 }
+
+double gap_size(const Shape& shape, double limit) { return gap_sizes(shape, limit).within_limit; }
 
 double point_spacing(const Shape& shape) {
   require_usable(shape);

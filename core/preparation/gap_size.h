@@ -33,6 +33,15 @@ std::vector<BoundaryLoop> boundary_loops(const Shape& shape);
 /// fewer than three corners.
 double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon);
 
+/// Radii of the widest gap of a shape and of the widest that is not wider than a limit, in the shape's units.
+struct GapSizes {
+  double widest = 0;
+  double within_limit = 0;
+};
+
+/// Computes both sizes at once; gap_size() describes them.
+GapSizes gap_sizes(const Shape& shape, double limit);
+
 /// Computes the radius of the widest gap of a shape, in the shape's units. A larger offset closes all gaps.
 ///
 /// For a mesh: the radius of the largest circle that fits into a hole; each hole is a boundary loop projected along its

@@ -25,7 +25,9 @@ AutomaticOffset automatic_offset(const Shape& shape, const AutomaticOffsetOption
   const VertexNeighbours neighbours = vertex_neighbours(shape);
   const NoiseLevel noise = noise_level(shape, neighbours);
   AutomaticOffset result;
-  result.gap = spare * gap_size(shape, options.most / spare * diagonal) / diagonal;
+  const GapSizes gaps = gap_sizes(shape, options.most / spare * diagonal);
+  result.gap = spare * gaps.within_limit / diagonal;
+  result.widest_gap = gaps.widest / diagonal;
   if (is_noisy(noise, neighbours)) result.noise = 2 * noise.deviation / diagonal;
   const double needed = std::max({options.least, result.gap, result.noise});
   result.offset = std::min(needed, options.most);

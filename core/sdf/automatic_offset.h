@@ -15,10 +15,11 @@ struct AutomaticOffsetOptions {
 
 /// Automatically chosen offset and its reasons.
 struct AutomaticOffset {
-  double offset = 0;  ///< fraction of the bounding-box diagonal
-  double gap = 0;     ///< offset that closes the gaps (gap_size()), as a fraction of the diagonal
-  double noise = 0;   ///< offset that smooths the noise: twice its standard deviation (noise_level()), as a fraction of
-                      ///< the diagonal
+  double offset = 0;      ///< fraction of the bounding-box diagonal
+  double gap = 0;         ///< offset that closes the gaps (gap_size()), as a fraction of the diagonal
+  double widest_gap = 0;  ///< of all, whatever the bounds (gap_size()), as a fraction of the diagonal
+  double noise = 0;  ///< offset that smooths the noise: twice its standard deviation (noise_level()), as a fraction of
+                     ///< the diagonal
   bool sufficient = true;  ///< false if gaps or noise would need more than `most`
 };
 

@@ -29,12 +29,13 @@ std::string advice(const ChosenOffset& chosen, Audience audience) {
 
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
   ChosenOffset chosen;
-  if (given) {
-    chosen.offset = *given;
-  } else {
+  if (!given) {
     chosen.automatic = automatic_offset(shape);
     chosen.offset = chosen.automatic->offset;
+    chosen.gap = chosen.automatic->widest_gap;
+    return chosen;
   }
+  chosen.offset = *given;
   const double gap = gap_size(shape);
   if (gap > 0) chosen.gap = gap / bounding_box_diagonal(shape);
   return chosen;

@@ -29,6 +29,11 @@ TEST(AutomaticOffset, OfACrackedMeshClosesItsGaps) {
   EXPECT_GT(chosen.gap, 0.01);
   EXPECT_EQ(chosen.offset, chosen.gap);
   EXPECT_TRUE(chosen.sufficient);
+  // The widest gap does not depend on the bound; the gap that the offset closes does.
+  const AutomaticOffset bounded = automatic_offset(cracked, {.most = chosen.gap / 2});
+  EXPECT_EQ(bounded.widest_gap, chosen.widest_gap);
+  EXPECT_NEAR(bounded.widest_gap, chosen.gap / 1.1, 1e-12);
+  EXPECT_LT(bounded.gap, chosen.gap / 2);
 }
 
 TEST(AutomaticOffset, OfANoisyMeshIsTwiceTheNoise) {
