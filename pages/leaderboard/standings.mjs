@@ -50,7 +50,7 @@ function methodCell(index, report) {
   const source = url ? make('a', { href: url, rel: 'noopener' }, paper || url) : paper;
   const parts = [authors, source].filter((part) => part);
   const about = parts.length ? make('span', { class: 'about' }, parts[0], ...(parts[1] ? ['. ', parts[1]] : [])) : null;
-  return make('div', {}, swatch(index), title, about);
+  return make('div', { class: 'method-name' }, swatch(index), title, about);
 }
 
 export function showDownloads({ downloads }, name) {

@@ -10,7 +10,13 @@ import { saveButton } from '../report/svg_file.mjs';
 
 const step = 24; // from name to name
 const bar = 9; // from bar to bar
-const side = 240; // for names
+const mostLetters = 26; // of a name
+
+// The width for names on either side, and how many letters fit, in a drawing of that width.
+export function nameSpace(whole) {
+  const side = Math.min(240, 0.35 * whole);
+  return { side, letters: Math.min(mostLetters, Math.floor((side - 14) / 6.6) - 6) };
+}
 
 // Where the names stand: the better half on the left, the others on the right, the outermost at the bottom of each.
 export function namePlaces(count) {
@@ -32,15 +38,18 @@ function drawCriticalDifference(state) {
   const bars = table.groups.filter(([first, last]) => last > first);
   const names = Math.ceil(methods.length / 2);
   const place = byId('difference-chart');
+  const whole = widthIn(place, 1000);
+  const { side, letters } = nameSpace(whole);
   const { svg, area, width } = drawing(place, {
-    width: widthIn(place, 1000), height: 92 + bars.length * bar + names * step, left: side, right: side, top: 58,
+    width: whole, height: 92 + bars.length * bar + names * step, left: side, right: side, top: 58,
     bottom: 10, label: `Critical difference of mean ranks, ${words.join(', ')}`,
   });
   const x = d3.scaleLinear([1, Math.max(2, methods.length)], [0, width]);
   drawRuler(area, x, table, methods.length);
   bars.forEach(([first, last], line) => drawBar(area, x, table, { first, last }, 14 + line * bar));
   const below = 26 + bars.length * bar;
-  namePlaces(methods.length).forEach((at, position) => drawName(area, x, state, { ...at, position, below, width }));
+  const space = { below, width, letters };
+  namePlaces(methods.length).forEach((at, position) => drawName(area, x, state, { ...at, ...space, position }));
   place.append(saveButton(svg.node(), `critical_difference_${state.measure}`));
 }
 
@@ -63,7 +72,7 @@ function drawBar(area, x, { order, mean_ranks: ranks }, { first, last }, height)
     .attr('x2', x(ranks[order[last]]) + 3).attr('y1', height).attr('y2', height);
 }
 
-function drawName(area, x, { table, report }, { left, line, position, below, width }) {
+function drawName(area, x, { table, report }, { left, line, position, below, width, letters }) {
   const method = table.order[position];
   const rank = table.mean_ranks[method];
   const height = below + (line + 0.5) * step;
@@ -72,7 +81,7 @@ function drawName(area, x, { table, report }, { left, line, position, below, wid
   group.append('path').attr('class', 'leader').attr('d', `M${x(rank)},0V${height}H${edge}`);
   group.append('path').attr('class', 'sign').attr('transform', `translate(${x(rank)},0)`).attr('d', signOf(method))
     .style('fill', colourOf(method));
-  const name = shortened(report.methods[method].name, 26);
+  const name = shortened(report.methods[method].name, letters);
   group.append('text').attr('x', edge + (left ? -6 : 6)).attr('y', height).attr('dy', '0.32em')
     .attr('text-anchor', left ? 'end' : 'start')
     .text((left ? [name, number(rank, 3)] : [number(rank, 3), name]).join('  '));

@@ -14,7 +14,7 @@ export function showMethods(state) {
   let sort = null; // as the reader chose
   state.show(['protocol', 'average', 'measure'], () => {
     const { table, words, report: { datasets, methods } } = state;
-    const nameCell = (index) => make('span', {}, swatch(index), methods[index].name);
+    const nameCell = (index) => make('span', { class: 'method-name' }, swatch(index), methods[index].name);
     const columns = [{ title: 'Method', text: (index) => methods[index].name, cell: nameCell }];
     datasets.forEach(({ name }, set) => {
       const value = (index) => table.values[set][index];

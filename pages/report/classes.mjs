@@ -107,7 +107,7 @@ function drawCells(place, chart) {
   const shown = state.visibleMethods;
   const step = 21;
   const names = shown.map((index) => shortened(state.report.methods[index].name, 30));
-  const space = 12 + 6.4 * Math.max(...names.map((name) => name.length));
+  const space = 16 + 6.6 * Math.max(...names.map((name) => name.length));
   const { svg, area, width } = drawing(place, {
     width: widthIn(place, 1110), height: rows.length * step + 0.87 * space + 4, left,
     right: Math.min(100, 0.5 * space), top: 0.87 * space, bottom: 4, label,

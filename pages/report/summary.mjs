@@ -18,7 +18,7 @@ export function showSummary(state) {
     const methodCell = (index) => {
       const { name, settings } = report.methods[index];
       const title = settings.map(([key, value]) => `${key}: ${value}`).join(', ');
-      return make('span', { title: title || null }, swatch(index), name, ...failedNote(index));
+      return make('span', { class: 'method-name', title: title || null }, swatch(index), name, ...failedNote(index));
     };
     const columns = [{ title: 'Method', text: (index) => report.methods[index].name, cell: methodCell }];
     if (report.methods.some(({ distance }) => distance)) {

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 
 import { MultiDatasetState, contests } from '../../pages/multi_dataset/multi_dataset_state.mjs';
-import { namePlaces } from '../../pages/multi_dataset/critical_difference.mjs';
+import { namePlaces, nameSpace } from '../../pages/multi_dataset/critical_difference.mjs';
 
 function sampleMultiDataset() {
   const tables = ['psb', 'paper'].flatMap((protocol) => ['micro', 'macro'].flatMap((average) =>
@@ -15,6 +15,13 @@ test('the table is that of the chosen protocol, average and measure', () => {
   assert.deepEqual(state.table, { protocol: 'psb', average: 'micro', measure: 'mAP' });
   state.change({ protocol: 1, average: 'macro', measure: 0 });
   assert.deepEqual(state.table, { protocol: 'paper', average: 'macro', measure: 'NN' });
+});
+
+test('a narrow diagram of critical differences leaves room for its ruler', () => {
+  assert.deepEqual(nameSpace(1000), { side: 240, letters: 26 });
+  const { side, letters } = nameSpace(420);
+  assert.ok(420 - 2 * side > 120);
+  assert.ok(letters >= 10 && 6.6 * (letters + 6) + 14 <= side);
 });
 
 test('a contest is seen from both sides', () => {
