@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array all_blocks = {Named<Blocks>{Blocks::classes, "classes"},
                                    Named<Blocks>{Blocks::queries, "queries"}};
-constexpr std::array averages = {Named<Average>{Average::micro, "micro"}, Named<Average>{Average::macro, "macro"}};
+constexpr std::array all_averages = {Named<Average>{Average::micro, "micro"}, Named<Average>{Average::macro, "macro"}};
 
 std::map<int, double> sizes_of(std::span<const int> classes) {
   std::map<int, double> sizes;
@@ -60,9 +60,9 @@ Units class_units(const Eigen::MatrixXd& per_query, std::span<const int> classes
 std::string name_of(Blocks blocks) { return name_in<Blocks>(all_blocks, blocks); }
 std::optional<Blocks> blocks_of(std::string_view name) { return value_in<Blocks>(all_blocks, name); }
 std::vector<std::string> blocks_names() { return names_in<Blocks>(all_blocks); }
-std::string name_of(Average average) { return name_in<Average>(averages, average); }
-std::optional<Average> average_of(std::string_view name) { return value_in<Average>(averages, name); }
-std::vector<std::string> average_names() { return names_in<Average>(averages); }
+std::string name_of(Average average) { return name_in<Average>(all_averages, average); }
+std::optional<Average> average_of(std::string_view name) { return value_in<Average>(all_averages, name); }
+std::vector<std::string> average_names() { return names_in<Average>(all_averages); }
 
 Units units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, Blocks blocks, Average average) {
   if (per_query.rows() == 0) throw ArgumentError("statistics need at least one query");

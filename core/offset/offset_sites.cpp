@@ -203,7 +203,7 @@ void NearbySites::collect_row(const Eigen::Vector3i& begin, int end) {
     x_.insert(x_.end(), &chunk.x[first], &chunk.x[last]);
     y_.insert(y_.end(), &chunk.y[first], &chunk.y[last]);
     z_.insert(z_.end(), &chunk.z[first], &chunk.z[last]);
-    for (std::size_t i = first; i < last; ++i) site_.push_back(number_before + static_cast<std::uint32_t>(i));
+    for (std::size_t k = first; k < last; ++k) site_.push_back(number_before + static_cast<std::uint32_t>(k));
   }
 }
 

@@ -322,7 +322,8 @@ std::optional<Eigen::Vector3d> Solver::refine(const Sample& sample, const Eigen:
 
 /// Returns q: the nearer of the points of E(r) nearest to p raised on either side.
 Eigen::Vector3d Solver::search(const Search& task, Scratch& scratch, OffsetOutcome& outcome) const {
-  const auto& [index, sample, places] = task;
+  const Sample& sample = task.sample;
+  const std::array<Eigen::Vector3d, 2>& places = task.places;
   constexpr double apart = 2;
   constexpr std::size_t max_starts = 3;
   constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -117,7 +117,8 @@ std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, PointConnectivity
   }
   const auto ends = [](const Segment& pair) { return std::tuple(pair.a, pair.b); };
   std::ranges::sort(pairs, {}, ends);
-  pairs.erase(std::ranges::unique(pairs, {}, ends).begin(), pairs.end());
+  const auto same_ends = [&](const Segment& a, const Segment& b) { return ends(a) == ends(b); };
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), same_ends), pairs.end());
   return pairs;
 }
 
