@@ -32,7 +32,7 @@ struct Learnt {
 Lessons lessons_of(const DescribedModels& models, const PlannedDescriptor& planned, const DescriptorChoice& choice) {
   Lessons lessons;
   for (const auto& [index, model] : models) {
-    const auto is_missing = [&](std::size_t field) { return !model.fields[field].error.empty(); };
+    const auto is_missing = [&fields = model.fields](std::size_t field) { return !fields[field].error.empty(); };
     if (std::ranges::any_of(planned.fields, is_missing)) continue;
     Lesson& lesson = lessons[index];
     for (std::size_t k = 0; k < planned.fields.size(); ++k) {

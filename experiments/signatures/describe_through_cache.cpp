@@ -325,13 +325,13 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
   };
   if (!described.is_complete()) {
     PreparedModel prepared = prepare_model(perturbed(), configuration.preparation);
-    FieldSource source(prepared.prepared.shape);
-    describe_fields(prepared, source, configuration.signatures, described.missing(), parallel, configuration.on_error,
+    FieldSource fields(prepared.prepared.shape);
+    describe_fields(prepared, fields, configuration.signatures, described.missing(), parallel, configuration.on_error,
                     [&](std::size_t field, const PreparedShape&, const Samples& samples, const FieldValues& computed) {
                       described.take_values(field, samples, computed);
                     });
     described.complete(std::move(prepared.description));
-    described.describe(source);
+    described.describe(fields);
     described.draw(prepared.prepared.shape);
   } else if (described.is_drawing_missing()) {
     described.draw(prepare_shape(perturbed().shape, configuration.preparation).shape);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <rapidcheck/gtest.h>
+#include <utility>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/friedman_test.h"
@@ -123,9 +125,10 @@ RC_GTEST_PROP(RankComparison, GroupsAreThoseOfThePValues, ()) {
   std::vector<std::size_t> place(comparison.order.size());
   for (std::size_t i = 0; i < place.size(); ++i) place[comparison.order[i]] = i;
   for (const RankDifference& pair : comparison.pairs) {
-    const auto [low, high] = std::minmax(place[pair.first], place[pair.second]);
-    const bool together = std::ranges::any_of(
-        comparison.groups, [&](const HomogeneousGroup& group) { return group.first <= low && high <= group.last; });
+    const std::pair<std::size_t, std::size_t> ends = std::minmax(place[pair.first], place[pair.second]);
+    const bool together = std::ranges::any_of(comparison.groups, [&](const HomogeneousGroup& group) {
+      return group.first <= ends.first && ends.second <= group.last;
+    });
     if (std::abs(pair.p - 0.05) > 1e-9) RC_ASSERT(together == (pair.p > 0.05));
   }
 }

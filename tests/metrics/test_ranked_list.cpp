@@ -117,7 +117,6 @@ TEST(RankedList, MayEndEarly) {
 }
 
 TEST(RankedList, FindsNothingWhereAllTargetsAreInfinitelyFar) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   DistanceMatrix distances = DistanceMatrix::Constant(4, 4, infinity);
   distances.diagonal().setZero();
   const std::vector<int> labels{0, 0, 1, 1};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -96,7 +97,7 @@ TEST(PolygonFaces, OfConcavePolygonsCoverThemOnce) {
   expect_covered(star(10, 0.3), 10 * 0.5 * 0.3 * std::sin(2 * std::numbers::pi / 10));
   for (std::size_t first = 0; first < u_profile().size(); ++first) {
     Corners turned = u_profile();
-    std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
     expect_covered(turned, area_of_u);
   }
 }
@@ -231,7 +232,7 @@ TEST(PolygonFaces, WhereManyCornersMeetAreTriangulatedAtOnce) {
     polygon.emplace_back(radius * std::cos(angle + 1e-4), radius * std::sin(angle + 1e-4), 0);
     area += radius * radius / 2 * std::sin(1e-4);
   }
-  std::ranges::rotate(polygon, polygon.begin() + 1);
+  std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
   expect_covered(polygon, area);
 }
 

@@ -112,9 +112,9 @@ TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
     EXPECT_GT(outcome.used, 0U);
     for (const int size : {2, 3}) {
       const std::string together = std::string(name) + "/" + std::to_string(size);
-      test::on_thread_ranks(size, [&](Communicator& ranks) {
+      test::on_thread_ranks(size, [&, &configuration = document](Communicator& ranks) {
         Cache own;
-        const RunOutcome shared = run(document, together, own, ranks);
+        const RunOutcome shared = run(configuration, together, own, ranks);
         EXPECT_EQ(shared.files, ranks.rank() == 0 ? outcome.files : std::vector<std::string>());
       });
       EXPECT_EQ(results(together), results(alone));
