@@ -97,6 +97,15 @@ TEST_F(NormalsCommand, WarnsOfAnOffsetBelowTheGaps) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.errors, HasSubstr("the offset is smaller than the gaps of the shape (4."));
   EXPECT_THAT(outcome.errors, HasSubstr(" or auto\n"));
+  // The recommended offset suffices and is not much wider than the gaps.
+  const std::string option = "use --offset ";
+  const std::size_t begin = outcome.errors.find(option);
+  ASSERT_NE(begin, std::string::npos) << outcome.errors;
+  const double enough = std::stod(outcome.errors.substr(begin + option.size()));
+  EXPECT_GT(enough, 0.04);
+  EXPECT_LT(enough, 0.06);
+  const Outcome again = normals("cloud.off", fmt::format("--offset {}", enough), "x.csv");
+  EXPECT_THAT(again.errors, testing::Not(HasSubstr("gaps")));
 }
 
 TEST_F(NormalsCommand, DenoisesBeforeWhereThereIsNoise) {

@@ -127,6 +127,24 @@ TEST_F(SdfCommand, TimingsCountTheSamples) {
   EXPECT_EQ(timings["shape"]["triangles"], shape.triangles.rows());
 }
 
+TEST_F(SdfCommand, TimingsHaveTheGapOfAMissingTriangle) {
+  const Shape open{shape.vertices, shape.triangles.bottomRows(shape.triangles.rows() - 1)};
+  write_off(at("open.off"), open);
+  ASSERT_EQ(run_executable("sdf '" + at("open.off") + "' --method offset_sdf --offset 0.2 -o '" + at("x.csv") +
+                           "' --timings '" + at("t.json") + "'")
+                .status,
+            0);
+  const auto offset = nlohmann::json::parse(text_of(at("t.json"))).at("offset");
+  EXPECT_EQ(offset["offset"], 0.2);
+  EXPECT_EQ(offset["automatic"], false);
+  // The gap is as wide as the inscribed circle: its radius is twice the area by the perimeter.
+  const Eigen::Vector3d a = shape.vertices.row(shape.triangles(0, 0));
+  const Eigen::Vector3d b = shape.vertices.row(shape.triangles(0, 1));
+  const Eigen::Vector3d c = shape.vertices.row(shape.triangles(0, 2));
+  const double radius = (b - a).cross(c - a).norm() / ((b - a).norm() + (c - b).norm() + (a - c).norm());
+  EXPECT_NEAR(offset["gap_fraction"].get<double>() * bounding_box_diagonal(open), radius, 0.02 * radius);
+}
+
 TEST_F(SdfCommand, TheSameBytesForAnyNumberOfThreads) {
   for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
     ASSERT_EQ(sdf("--method offset_sdf --threads 1 -o '" + at(std::string("1") + file) + "'").status, 0);
