@@ -77,11 +77,14 @@ TEST(MethodStandings, ShareLettersExactlyWhereTheTestFindsNoDifference) {
     EXPECT_EQ(standings[a].interval->low, intervals[a].low);
     EXPECT_EQ(standings[a].interval->high, intervals[a].high);
     std::size_t better = 0;
+    std::size_t worse = 0;
     for (std::size_t b = 0; b < standings.size(); ++b) {
       const bool differ = p(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) <= 0.05;
       better += differ && standings[b].average > standings[a].average ? 1 : 0;
+      worse += differ && standings[b].average < standings[a].average ? 1 : 0;
     }
     EXPECT_EQ(standings[a].best_rank, better + 1) << a;
+    EXPECT_EQ(standings[a].worst_rank, standings.size() - worse) << a;
   }
 }
 

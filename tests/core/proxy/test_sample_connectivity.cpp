@@ -59,6 +59,7 @@ TEST(SampleConnectivity, PathsStayInTheBall) {
   horseshoe.points.row(0) << 10, 0, 0;
   horseshoe.points.row(110) << 11, 0, 0;
   EXPECT_TRUE(connected(horseshoe, 9, 100)) << "at the end";
+  EXPECT_FALSE(connected(horseshoe, 39, 130)) << "3 from the end, beyond the ball's radius of 2.25";
   EXPECT_FALSE(connected(horseshoe, 99, 190)) << "at the other end";
 }
 
