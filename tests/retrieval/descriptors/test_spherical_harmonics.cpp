@@ -47,7 +47,7 @@ TEST(HarmonicNorms, DoNotChangeWhenTheFunctionTurns) {
 }
 
 TEST(HarmonicNorms, WantAValueForEachDirection) {
-  EXPECT_THROW(HarmonicTransform(4).norms(Eigen::VectorXd::Zero(7)), ArgumentError);
+  EXPECT_THROW(static_cast<void>(HarmonicTransform(4).norms(Eigen::VectorXd::Zero(7))), ArgumentError);
 }
 
 double distance_of_harmonics(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
