@@ -68,13 +68,21 @@ FieldFunction with_outcomes(FieldFunction compute) {
 
 }  // namespace
 
-FieldSource::FieldSource(const Shape& shape) : shape_(&shape), proxy_(shape) {}
+FieldSource::FieldSource(const Shape& shape, std::optional<ShapeDiagnostics> known)
+    : shape_(&shape), known_(std::move(known)), proxy_(shape) {}
 
 FieldSource::~FieldSource() = default;
 
 const OffsetSdfSolver& FieldSource::offset_sdf_solver() {
   if (!offset_sdf_solver_) offset_sdf_solver_ = std::make_unique<OffsetSdfSolver>(*shape_);
   return *offset_sdf_solver_;
+}
+
+const AutomaticOffset& FieldSource::automatic_offset() {
+  if (!automatic_offset_) {
+    automatic_offset_ = known_ ? shapegauge::automatic_offset(*shape_, *known_) : shapegauge::automatic_offset(*shape_);
+  }
+  return *automatic_offset_;
 }
 
 const Spectrum& FieldSource::spectrum(int eigenvalues) {

@@ -15,6 +15,8 @@
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/registry.h"
 #include "shapegauge/core/fields/proxy_source.h"
+#include "shapegauge/core/preparation/diagnostics.h"
+#include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -25,7 +27,8 @@ class OffsetSdfSolver;
 /// Shape for which several fields are computed, with the data they share. Keeps a reference to the shape.
 class FieldSource {
  public:
-  explicit FieldSource(const Shape& shape);
+  /// `known` are diagnostics of the shape, at this scale or another one.
+  explicit FieldSource(const Shape& shape, std::optional<ShapeDiagnostics> known = {});
   ~FieldSource();
   FieldSource(const FieldSource&) = delete;
   FieldSource& operator=(const FieldSource&) = delete;
@@ -37,6 +40,9 @@ class FieldSource {
   /// Returns the solver, built on first use. Throws as its constructor does.
   const OffsetSdfSolver& offset_sdf_solver();
 
+  /// Returns the automatic offset, chosen on first use. Throws as automatic_offset() does.
+  const AutomaticOffset& automatic_offset();
+
   /// Returns the laplacian_spectrum() with that many eigenvalues, computed on first use. Throws as laplacian_spectrum()
   /// does.
   const Spectrum& spectrum(int eigenvalues);
@@ -46,7 +52,9 @@ class FieldSource {
 
  private:
   const Shape* shape_;
+  std::optional<ShapeDiagnostics> known_;
   std::unique_ptr<OffsetSdfSolver> offset_sdf_solver_;
+  std::optional<AutomaticOffset> automatic_offset_;
   std::map<int, std::unique_ptr<Spectrum>> spectra_;  ///< by number of eigenvalues
   ProxySource proxy_;
 };

@@ -38,7 +38,7 @@ FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePla
   return {.versions = std::move(versions),
           .compute = [offset, accuracy](FieldSource& source, const Samples& samples, bool parallel) {
             OffsetSdfOptions options{.accuracy = accuracy, .parallel = parallel};
-            options.offset = offset ? *offset : automatic_offset(source.shape()).offset;
+            options.offset = offset ? *offset : source.automatic_offset().offset;
             const OffsetSdfSolver& solver = source.offset_sdf_solver();
             OffsetSdfResult result = solver.solve(samples, options);
             const OffsetSdfOutcomes& outcomes = result.outcomes;

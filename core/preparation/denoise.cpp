@@ -25,12 +25,17 @@ struct Neighbour {
   std::int32_t vertex;
 };
 
-/// Returns the sorted neighbours of each welded vertex; those across edges with two triangles occur twice.
-BucketSorted<Neighbour> neighbouring_places(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
+/// Returns the sorted neighbours of each welded vertex; those across edges with two triangles occur twice. Marks the
+/// vertices of the distinct triangles as used.
+BucketSorted<Neighbour> neighbouring_places(const Triangles& triangles, const Welding& welding,
+                                            std::vector<bool>& used) {
+  const std::vector<std::int32_t>& merged = welding.vertices;
   std::vector<Neighbour> neighbours;
   neighbours.reserve(6 * static_cast<std::size_t>(triangles.rows()));
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    if (!welding.is_distinct(f)) continue;
     for (int k = 0; k < 3; ++k) {
+      used[static_cast<std::size_t>(triangles(f, k))] = true;
       const std::int32_t a = merged[static_cast<std::size_t>(triangles(f, k))];
       const std::int32_t b = merged[static_cast<std::size_t>(triangles(f, (k + 1) % 3))];
       if (a == b) continue;
@@ -46,14 +51,14 @@ BucketSorted<Neighbour> neighbouring_places(const Triangles& triangles, const st
   return counted;
 }
 
-/// Computes unoriented vertex normals, independent of the triangles' orientation. Coincident vertices have the same.
-Points unsigned_normals(const Points& vertices, const Triangles& triangles) {
-  const std::vector<std::int32_t> merged = welded_vertices(vertices);
+/// Computes unoriented vertex normals, independent of the triangles' orientation. Welded vertices have the same.
+Points unsigned_normals(const Points& vertices, const Triangles& triangles, const Welding& welding) {
   const auto place_of = [&](Eigen::Index vertex) {
-    return static_cast<std::size_t>(merged[static_cast<std::size_t>(vertex)]);
+    return static_cast<std::size_t>(welding.vertices[static_cast<std::size_t>(vertex)]);
   };
   std::vector<Eigen::Matrix3d> spread(static_cast<std::size_t>(vertices.rows()), Eigen::Matrix3d::Zero());
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    if (!welding.is_distinct(f)) continue;
     const Eigen::Vector3d a = vertices.row(triangles(f, 0));
     const Eigen::Vector3d b = vertices.row(triangles(f, 1));
     const Eigen::Vector3d c = vertices.row(triangles(f, 2));
@@ -144,12 +149,10 @@ void step(const PaddedPoints& before, const VertexNeighbours& neighbours, double
 
 }  // namespace
 
-VertexNeighbours vertex_neighbours(const Shape& given) {
-  require_usable(given);
-  const Shape shape = without_duplicates(given);
-  const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
-  const BucketSorted<Neighbour> places = neighbouring_places(shape.triangles, merged);
-  const std::vector<bool> used = used_vertices(shape);
+VertexNeighbours vertex_neighbours(const Shape& shape, const Welding& welding) {
+  const std::vector<std::int32_t>& merged = welding.vertices;
+  std::vector<bool> used(merged.size());
+  const BucketSorted<Neighbour> places = neighbouring_places(shape.triangles, welding, used);
   VertexNeighbours result;
   result.first.reserve(merged.size() + 1);
   result.neighbours.reserve(places.values.size() / 2);
@@ -167,14 +170,23 @@ VertexNeighbours vertex_neighbours(const Shape& given) {
   return result;
 }
 
-NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
+VertexNeighbours vertex_neighbours(const Shape& shape) {
+  require_usable(shape);
+  return vertex_neighbours(shape, welding_of(shape));
+}
+
+NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours, const Welding& welding) {
   constexpr double pass_band = 0.1;
   constexpr double deviation_of_median = 1.4826;  // of the size of a normally distributed value
   const Points smoothed = taubin_smoothed(shape.vertices, neighbours, pass_band);
-  const Heights heights{shape.vertices - smoothed, unsigned_normals(smoothed, without_duplicates(shape).triangles)};
+  const Heights heights{shape.vertices - smoothed, unsigned_normals(smoothed, shape.triangles, welding)};
   return {.deviation = deviation_of_median * median_or_zero(unshared_heights(heights, neighbours)),
           .edge_length = mean_edge_length(smoothed, neighbours),
           .agreement = agreement_of(heights, neighbours)};
+}
+
+NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
+  return noise_level(shape, neighbours, welding_of(shape));
 }
 
 bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours) {
@@ -204,8 +216,10 @@ Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbour
 }
 
 DenoisedShape denoised(Shape shape) {
-  const VertexNeighbours neighbours = vertex_neighbours(shape);
-  const NoiseLevel noise = noise_level(shape, neighbours);
+  require_usable(shape);
+  const Welding welding = welding_of(shape);
+  const VertexNeighbours neighbours = vertex_neighbours(shape, welding);
+  const NoiseLevel noise = noise_level(shape, neighbours, welding);
   DenoisedShape result{.shape = std::move(shape), .noise = noise};
   if (!is_noisy(noise, neighbours)) return result;
   result.pass_band = std::clamp(0.025 / noise.relative(), 0.02, 0.3);

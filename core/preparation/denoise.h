@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -26,6 +27,9 @@ struct VertexNeighbours {
 /// (require_usable()).
 VertexNeighbours vertex_neighbours(const Shape& shape);
 
+/// The same for a usable shape and its welding_of().
+VertexNeighbours vertex_neighbours(const Shape& shape, const Welding& welding);
+
 /// Noise of the vertices of a mesh.
 struct NoiseLevel {
   double deviation = 0;    ///< standard deviation along the normal, in the shape's units
@@ -45,6 +49,9 @@ struct NoiseLevel {
 /// contribute to the deviation; `agreement` separates them from noise. Independent of the orientation of triangles. All
 /// zero for a cloud.
 NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours);
+
+/// The same with the shape's welding_of().
+NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours, const Welding& welding);
 
 /// Returns true for clearly noisy vertices: at least 500 used, distinct vertices, a relative() of at least 0.1, and an
 /// agreement below 0.56, which features do not reach.

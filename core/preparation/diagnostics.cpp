@@ -56,10 +56,9 @@ std::size_t count_degenerate(const Shape& shape) {
   return count;
 }
 
-std::size_t count_duplicates(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
-  const std::vector<std::int32_t> first = first_duplicates(triangles, merged);
+std::size_t count_duplicates(const Welding& welding) {
   std::size_t count = 0;
-  for (std::size_t f = 0; f < first.size(); ++f) count += first[f] == static_cast<std::int32_t>(f) ? 0 : 1;
+  for (Eigen::Index f = 0; f < std::ssize(welding.triangles); ++f) count += welding.is_distinct(f) ? 0 : 1;
   return count;
 }
 
@@ -75,8 +74,8 @@ std::size_t count_components(const std::vector<CornerIndices>& corners, std::siz
   return static_cast<std::size_t>(std::ranges::count(is_part, true));
 }
 
-void diagnose_edges(const Shape& shape, const std::vector<std::int32_t>& merged, ShapeDiagnostics& found) {
-  const std::vector<HalfEdge> uses = half_edges(shape.triangles, merged);
+void diagnose_edges(const Shape& shape, const Welding& welding, ShapeDiagnostics& found) {
+  const std::vector<HalfEdge> uses = half_edges(shape.triangles, welding);
   std::vector<double> boundary;
   found.watertight = !uses.empty();
   for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
@@ -92,11 +91,11 @@ void diagnose_edges(const Shape& shape, const std::vector<std::int32_t>& merged,
   found.boundary_length = std::accumulate(boundary.begin(), boundary.end(), 0.0);
 }
 
-void diagnose_gaps_and_noise(const Shape& shape, ShapeDiagnostics& found) {
+void diagnose_gaps_and_noise(const Shape& shape, const Welding& welding, ShapeDiagnostics& found) {
   if (is_cloud(shape) || found.boundary_edges > 0) found.gap_size = gap_size(shape);
   found.point_spacing = point_spacing(shape);
-  const VertexNeighbours neighbours = vertex_neighbours(shape);
-  const NoiseLevel noise = noise_level(shape, neighbours);
+  const VertexNeighbours neighbours = vertex_neighbours(shape, welding);
+  const NoiseLevel noise = noise_level(shape, neighbours, welding);
   found.noise_deviation = noise.deviation;
   found.noisy = is_noisy(noise, neighbours);
 }
@@ -106,7 +105,8 @@ void diagnose_gaps_and_noise(const Shape& shape, ShapeDiagnostics& found) {
 ShapeDiagnostics diagnose(const Shape& shape) {
   require_usable(shape);
   ShapeDiagnostics found;
-  const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
+  const Welding welding = welding_of(shape);
+  const std::vector<std::int32_t>& merged = welding.vertices;
   found.vertices = merged.size();
   for (std::size_t i = 0; i < merged.size(); ++i) {
     if (static_cast<std::size_t>(merged[i]) != i) ++found.coincident_vertices;
@@ -117,9 +117,9 @@ ShapeDiagnostics diagnose(const Shape& shape) {
   found.area = surface_area(shape);
   found.degenerate_triangles = count_degenerate(shape);
   found.components = count_components(merged_corners(shape.triangles, merged), merged.size());
-  found.duplicate_triangles = count_duplicates(shape.triangles, merged);
-  diagnose_edges(shape, merged, found);
-  diagnose_gaps_and_noise(shape, found);
+  found.duplicate_triangles = count_duplicates(welding);
+  diagnose_edges(shape, welding, found);
+  diagnose_gaps_and_noise(shape, welding, found);
   return found;
 }
 

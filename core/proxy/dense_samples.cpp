@@ -105,7 +105,8 @@ TriangleSheets triangle_sheets(std::span<const HalfEdge> uses, std::size_t trian
 }
 
 /// Returns the first of each set of duplicate triangles, along a Morton curve of their centroids.
-std::vector<std::int32_t> ordered_triangles(std::span<const HalfEdge> uses, std::vector<CanonicalTriangle>& triangles) {
+std::vector<std::int32_t> ordered_triangles(std::span<const HalfEdge> uses,
+                                            const std::vector<CanonicalTriangle>& triangles) {
   std::vector<char> counts(triangles.size(), 0);
   for (const HalfEdge& use : uses) counts[static_cast<std::size_t>(use.triangle)] = 1;
   std::vector<std::int32_t> order;
@@ -118,19 +119,22 @@ std::vector<std::int32_t> ordered_triangles(std::span<const HalfEdge> uses, std:
     const auto& corners = triangles[static_cast<std::size_t>(order[i])].corners;
     centroids.row(static_cast<Eigen::Index>(i)) = ((corners[0] + corners[1] + corners[2]) / 3).transpose();
   }
+  struct Place {
+    std::uint64_t code;
+    std::int32_t triangle;
+  };
+  std::vector<Place> places(order.size());
   const std::vector<std::uint64_t> codes = morton_codes(centroids);
-  std::vector<std::size_t> places(order.size());
-  std::iota(places.begin(), places.end(), std::size_t{0});
-  const auto corners_of = [&](std::size_t place) {
-    const auto& corners = triangles[static_cast<std::size_t>(order[place])].corners;
+  for (std::size_t i = 0; i < order.size(); ++i) places[i] = {codes[i], order[i]};
+  const auto corners_of = [&](const Place& place) {
+    const auto& corners = triangles[static_cast<std::size_t>(place.triangle)].corners;
     return std::tuple(coordinates_of(corners[0]), coordinates_of(corners[1]), coordinates_of(corners[2]));
   };
-  std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
-    return codes[a] != codes[b] ? codes[a] < codes[b] : corners_of(a) < corners_of(b);
+  std::ranges::sort(places, [&](const Place& a, const Place& b) {
+    return a.code != b.code ? a.code < b.code : corners_of(a) < corners_of(b);
   });
-  std::vector<std::int32_t> sorted(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = order[places[i]];
-  return sorted;
+  std::ranges::transform(places, order.begin(), &Place::triangle);
+  return order;
 }
 
 /// Returns the k-th point of a low-discrepancy sequence on the triangle (Roberts 2018, the R2 sequence, folded at the

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace shapegauge {
 
@@ -34,25 +34,26 @@ LocalConnectivity::LocalConnectivity(const Shape& shape, std::span<const std::in
   });
   across_edges_ = bucket_sort(pairs, on_border_.size(), [](const Neighbour& pair) { return pair.of; });
   for (std::size_t t = 0; t < on_border_.size(); ++t) component_.push_back(pieces.find(static_cast<std::int32_t>(t)));
-  if (std::ranges::count(on_border_, 1) > 0) across_vertices_ = across_vertices(shape, merged);
+  if (std::ranges::count(on_border_, 1) > 0) set_fans(shape, merged);
 }
 
-LocalConnectivity::Neighbours LocalConnectivity::across_vertices(const Shape& shape,
-                                                                 std::span<const std::int32_t> merged) {
-  std::vector<Neighbour> corners;  // of a vertex, a triangle
+void LocalConnectivity::set_fans(const Shape& shape, std::span<const std::int32_t> merged) {
+  std::vector<Neighbour> corners;
+  corners.reserve(3 * on_border_.size());
   for (Eigen::Index t = 0; t < shape.triangles.rows(); ++t) {
     for (int k = 0; k < 3; ++k) corners.push_back({merged[at(shape.triangles(t, k))], static_cast<std::int32_t>(t)});
   }
-  const Neighbours around = bucket_sort(corners, merged.size(), [](const Neighbour& corner) { return corner.of; });
-  std::vector<Neighbour> pairs;
-  for (const Neighbour& corner : corners) {
-    for (std::size_t k = around.first[at(corner.of)]; k < around.first[at(corner.of) + 1]; ++k) {
-      const std::int32_t other = around.values[k].triangle;
-      if (other != corner.triangle) pairs.push_back({corner.triangle, other});
-    }
+  fans_ = bucket_sort(corners, merged.size(), [](const Neighbour& corner) { return corner.of; });
+  fan_used_by_.assign(merged.size(), 0);
+  corners_.reserve(on_border_.size());
+  for (std::size_t t = 0; t < on_border_.size(); ++t) {
+    corners_.push_back({corners[3 * t].of, corners[3 * t + 1].of, corners[3 * t + 2].of});
   }
-  return bucket_sort(pairs, static_cast<std::size_t>(shape.triangles.rows()),
-                     [](const Neighbour& pair) { return pair.of; });
+}
+
+std::span<const LocalConnectivity::Neighbour> LocalConnectivity::of(const Neighbours& neighbours, std::int32_t key) {
+  const std::size_t first = neighbours.first[at(key)];
+  return std::span(neighbours.values).subspan(first, neighbours.first[at(key) + 1] - first);
 }
 
 void LocalConnectivity::visit(std::int32_t triangle) {
@@ -61,20 +62,32 @@ void LocalConnectivity::visit(std::int32_t triangle) {
   queue_.push_back(triangle);
 }
 
+/// Calls use(neighbour) for the neighbours of a triangle, those about a vertex only once for the same mark: a fan of n
+/// triangles has n^2 pairs of neighbours.
+template <typename Use>
+void LocalConnectivity::for_each_neighbour(std::int32_t triangle, Joint joint, std::int32_t mark, Use use) {
+  if (joint == Joint::edge) {
+    for (const Neighbour& neighbour : of(across_edges_, triangle)) use(neighbour.triangle);
+    return;
+  }
+  for (const std::int32_t vertex : corners_[at(triangle)]) {
+    if (std::exchange(fan_used_by_[at(vertex)], mark) == mark) continue;
+    for (const Neighbour& neighbour : of(fans_, vertex)) use(neighbour.triangle);
+  }
+}
+
 /// Walks greedily to the neighbour in the ball nearest to the target, as long as the distance decreases.
-void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius,
-                                     const Neighbours& neighbours) {
+void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, Joint joint) {
   const Eigen::Vector3d target = spheres_.col(to).head<3>();
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = (spheres_.col(queue_.back()).head<3>() - target).squaredNorm();
   for (std::int32_t here = queue_.back(); here != to;) {
     std::int32_t best = -1;
-    for (std::size_t k = neighbours.first[at(here)]; k < neighbours.first[at(here) + 1]; ++k) {
-      const std::int32_t neighbour = neighbours.values[k].triangle;
+    for_each_neighbour(here, joint, -search_, [&](std::int32_t neighbour) {
       const double distance = (spheres_.col(neighbour).head<3>() - target).squaredNorm();
-      if (!(distance < nearest) || !meets(neighbour, centre, radius)) continue;
+      if (!(distance < nearest) || !meets(neighbour, centre, radius)) return;
       nearest = distance;
       best = neighbour;
-    }
+    });
     if (best < 0) return;
     visit(best);
     here = best;
@@ -83,18 +96,15 @@ void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& cen
 
 bool LocalConnectivity::connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre,
                                           double radius, Joint joint) {
-  const Neighbours& neighbours = joint == Joint::edge ? across_edges_ : across_vertices_;
   ++search_;
   met_border_ = false;
   queue_.clear();
   visit(from);
-  walk_towards(to, centre, radius, neighbours);
+  walk_towards(to, centre, radius, joint);
   for (std::size_t next = 0; next < queue_.size() && !visited(to); ++next) {
-    const std::size_t triangle = at(queue_[next]);
-    for (std::size_t k = neighbours.first[triangle]; k < neighbours.first[triangle + 1]; ++k) {
-      const std::int32_t neighbour = neighbours.values[k].triangle;
+    for_each_neighbour(queue_[next], joint, search_, [&](std::int32_t neighbour) {
       if (!visited(neighbour) && meets(neighbour, centre, radius)) visit(neighbour);
-    }
+    });
   }
   return visited(to);
 }

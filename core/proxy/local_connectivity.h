@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -41,19 +42,25 @@ class LocalConnectivity {
   using Neighbours = BucketSorted<Neighbour>;
 
   static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-  static Neighbours across_vertices(const Shape& shape, std::span<const std::int32_t> merged);
+  /// Returns the neighbours with that key.
+  static std::span<const Neighbour> of(const Neighbours& neighbours, std::int32_t key);
+  void set_fans(const Shape& shape, std::span<const std::int32_t> merged);
   [[nodiscard]] bool visited(std::int32_t triangle) const { return visited_by_[at(triangle)] == search_; }
   [[nodiscard]] bool meets(std::int32_t triangle, const Eigen::Vector3d& centre, double radius) const {
     const double reach = radius + spheres_(3, triangle);
     return (spheres_.col(triangle).head<3>() - centre).squaredNorm() <= reach * reach;
   }
   void visit(std::int32_t triangle);
-  void walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, const Neighbours& neighbours);
+  template <typename Use>
+  void for_each_neighbour(std::int32_t triangle, Joint joint, std::int32_t mark, Use use);
+  void walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, Joint joint);
 
-  Neighbours across_edges_;      ///< by triangle
-  Neighbours across_vertices_;   ///< by triangle; empty without boundary edges
-  Eigen::Matrix4Xd spheres_;     ///< by triangle: centre and radius
-  std::vector<char> on_border_;  ///< by triangle
+  Neighbours across_edges_;                           ///< by triangle
+  Neighbours fans_;                                   ///< triangles by vertex; empty without boundary edges
+  std::vector<std::array<std::int32_t, 3>> corners_;  ///< by triangle: welded vertices; empty without boundary edges
+  std::vector<std::int32_t> fan_used_by_;             ///< by vertex: mark of the last use of its fan
+  Eigen::Matrix4Xd spheres_;                          ///< by triangle: centre and radius
+  std::vector<char> on_border_;                       ///< by triangle
   std::vector<std::int32_t> component_;
   std::vector<std::int32_t> visited_by_;  ///< by triangle: number of the last search that visited it
   std::vector<std::int32_t> queue_;       ///< triangles in the order of visits

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -71,8 +72,8 @@ double radius_of_spacing(const Points& points) {
 /// but far apart along the surface.
 class PointConnectivity {
  public:
-  PointConnectivity(const ProxyPoints& proxy, const DenseSamples& samples, const LocalConnectivity& triangles)
-      : proxy_(proxy), samples_(samples), across_triangles_(triangles) {}
+  PointConnectivity(const ProxyPoints& proxy, const DenseSamples& samples, LocalConnectivity triangles)
+      : proxy_(proxy), samples_(samples), across_triangles_(std::move(triangles)) {}
 
   /// Returns true if a path connects two points in the ball about their midpoint; an arc that turns by less than half a
   /// circle lies inside. The path crosses triangles of a component of a mesh; elsewhere it passes through samples.
@@ -105,20 +106,25 @@ class PointConnectivity {
 std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, PointConnectivity connectivity, int neighbours) {
   const PointNeighbours nearest = nearest_neighbours(proxy.at.points, neighbours);
   const double reach = 2.5 * proxy.covering_radius;
-  std::vector<Segment> pairs;
+  std::vector<Segment> candidates;  // from a point to one of its nearest: most pairs occur in both directions
   for (std::int32_t i = 0; i < nearest.indices.rows(); ++i) {
     for (Eigen::Index k = 0; k < nearest.indices.cols(); ++k) {
       const std::int32_t j = nearest.indices(i, k);
       const double distance = nearest.distances(i, k);
-      if (!(distance > 0 && distance <= reach) || !on_same_sheet(proxy.at, i, j, distance)) continue;
-      if (!connectivity.connected(i, j, distance)) continue;
-      pairs.push_back({std::min(i, j), std::max(i, j), distance});
+      if (distance > 0 && distance <= reach && on_same_sheet(proxy.at, i, j, distance)) {
+        candidates.push_back({i, j, distance});
+      }
     }
   }
-  const auto ends = [](const Segment& pair) { return std::tuple(pair.a, pair.b); };
-  std::ranges::sort(pairs, {}, ends);
-  const auto same_ends = [&](const Segment& a, const Segment& b) { return ends(a) == ends(b); };
-  pairs.erase(std::unique(pairs.begin(), pairs.end(), same_ends), pairs.end());
+  std::ranges::sort(candidates, {}, [](const Segment& pair) {
+    return std::tuple(std::min(pair.a, pair.b), std::max(pair.a, pair.b), pair.a);
+  });
+  std::vector<Segment> pairs;
+  for (const auto& [i, j, distance] : candidates) {
+    const Segment pair{std::min(i, j), std::max(i, j), distance};
+    const bool is_known = !pairs.empty() && pairs.back().a == pair.a && pairs.back().b == pair.b;
+    if (!is_known && connectivity.connected(i, j, distance)) pairs.push_back(pair);
+  }
   return pairs;
 }
 

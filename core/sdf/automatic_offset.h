@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -28,5 +29,9 @@ struct AutomaticOffset {
 /// leaves open are ignored. Noise is ignored for clouds, where it cannot be distinguished from the point spacing.
 /// Throws InputError if the shape is unusable (require_usable()) or has no extent, or if the bounds are out of order.
 AutomaticOffset automatic_offset(const Shape& shape, const AutomaticOffsetOptions& options = {});
+
+/// The same for a shape whose diagnose() is known, at this scale or another one, which saves most of the time.
+AutomaticOffset automatic_offset(const Shape& shape, const ShapeDiagnostics& known,
+                                 const AutomaticOffsetOptions& options = {});
 
 }  // namespace shapegauge

@@ -108,13 +108,18 @@ std::vector<std::int32_t> first_duplicates(const Triangles& triangles, std::span
   return result;
 }
 
-std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std::int32_t> merged) {
-  const std::vector<std::int32_t> first = first_duplicates(triangles, merged);
+Welding welding_of(const Shape& shape) {
+  Welding welding{welded_vertices(shape.vertices), {}};
+  welding.triangles = first_duplicates(shape.triangles, welding.vertices);
+  return welding;
+}
+
+std::vector<HalfEdge> half_edges(const Triangles& triangles, const Welding& welding) {
   std::vector<HalfEdge> uses;
   uses.reserve(3 * static_cast<std::size_t>(triangles.rows()));
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    if (first[static_cast<std::size_t>(f)] != f) continue;
-    const std::array<std::int32_t, 3> corners = corner_places(triangles, f, merged);
+    if (!welding.is_distinct(f)) continue;
+    const std::array<std::int32_t, 3> corners = corner_places(triangles, f, welding.vertices);
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t from = corners[k];
@@ -126,7 +131,11 @@ std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std
                       .forward = from < to});
     }
   }
-  return sorted(uses, merged.size());
+  return sorted(uses, welding.vertices.size());
+}
+
+std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std::int32_t> merged) {
+  return half_edges(triangles, {{merged.begin(), merged.end()}, first_duplicates(triangles, merged)});
 }
 
 bool is_watertight(const Shape& shape) {

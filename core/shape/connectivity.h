@@ -64,6 +64,18 @@ std::vector<std::int32_t> welded_vertices(const Points& vertices);
 /// it is a duplicate. Corners are compared by welded_vertices().
 std::vector<std::int32_t> first_duplicates(const Triangles& triangles, std::span<const std::int32_t> merged);
 
+/// Identities of a mesh's elements by position: shared by computations on the same mesh.
+struct Welding {
+  std::vector<std::int32_t> vertices;   ///< welded_vertices()
+  std::vector<std::int32_t> triangles;  ///< first_duplicates()
+
+  [[nodiscard]] bool is_distinct(Eigen::Index triangle) const {
+    return triangles[static_cast<std::size_t>(triangle)] == triangle;
+  }
+};
+
+Welding welding_of(const Shape& shape);
+
 /// Half-edge: a side of a triangle and its undirected edge, with welded vertex indices (welded_vertices()).
 struct HalfEdge {
   std::int32_t low;       ///< lesser vertex of the edge
@@ -77,6 +89,9 @@ struct HalfEdge {
 
 /// Returns the half-edges of all triangles with three distinct corners, sorted by edge and then by triangle. Of
 /// duplicate triangles only the first has half-edges (first_duplicates()).
+std::vector<HalfEdge> half_edges(const Triangles& triangles, const Welding& welding);
+
+/// The same for the welded_vertices().
 std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std::int32_t> merged);
 
 /// Calls visit(std::span<const HalfEdge>) with the half-edges of each edge.

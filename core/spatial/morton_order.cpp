@@ -9,11 +9,14 @@ namespace {
 
 constexpr int bits_per_axis = 21;
 
-/// Spreads the lowest 21 bits, with two zeros after each.
+/// Spreads the lowest 21 bits, with two zeros after each: halves of runs of bits move apart, from 32 bits down to one.
 std::uint64_t spread(std::uint64_t bits) {
-  std::uint64_t result = 0;
-  for (int i = 0; i < bits_per_axis; ++i) result |= ((bits >> i) & 1U) << (3 * i);
-  return result;
+  static_assert(bits_per_axis <= 21);
+  bits = (bits | bits << 32U) & 0x001f00000000ffffULL;
+  bits = (bits | bits << 16U) & 0x001f0000ff0000ffULL;
+  bits = (bits | bits << 8U) & 0x100f00f00f00f00fULL;
+  bits = (bits | bits << 4U) & 0x10c30c30c30c30c3ULL;
+  return (bits | bits << 2U) & 0x1249249249249249ULL;
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::multimap<std::string, std::size_t> models_by_contents(const ShapeIndex& ind
 ModelDescription description_of(const Shape& shape, const Configuration& configuration,
                                 std::span<const PlannedField> plan) {
   PreparedModel prepared = prepare_model({.shape = shape, .chosen = {}}, configuration.preparation);
-  FieldSource source(prepared.prepared.shape);
+  FieldSource source(prepared.prepared.shape, prepared.known_diagnostics());
   std::vector<ScalarField> fields(plan.size());
   describe_fields(prepared, source, configuration.signatures, plan, true, OnError::stop,
                   [&](std::size_t field, const PreparedShape&, const Samples& samples, const FieldValues& computed) {

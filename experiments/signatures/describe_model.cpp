@@ -148,9 +148,10 @@ void describe_field(const ScalarField& field, const PlannedField& planned,
   }
 }
 
-PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation) {
+PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation,
+                            const ShapeDiagnostics* known) {
   ModelDescription description;
-  description.diagnostics = diagnose(perturbed.shape);
+  description.diagnostics = known != nullptr ? *known : diagnose(perturbed.shape);
   description.chosen = std::move(perturbed.chosen);
   PreparedShape prepared = prepare_shape(std::move(perturbed.shape), preparation);
   description.area = prepared.area;
@@ -200,7 +201,7 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
   PreparedModel model = prepare_model(std::move(perturbed), preparation);
-  FieldSource source(model.prepared.shape);
+  FieldSource source(model.prepared.shape, model.known_diagnostics());
   describe_fields(model, source, signatures, plan, parallel, OnError::stop, observe);
   return std::move(model.description);
 }

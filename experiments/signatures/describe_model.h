@@ -97,10 +97,17 @@ using FieldObserver =
 struct PreparedModel {
   PreparedShape prepared;
   ModelDescription description;  ///< without fields and histograms
+
+  /// Returns the diagnostics of the prepared shape, except for its scale; nothing if the preparation smoothed it.
+  [[nodiscard]] std::optional<ShapeDiagnostics> known_diagnostics() const {
+    return prepared.pass_band > 0 ? std::nullopt : std::optional(description.diagnostics);
+  }
 };
 
-/// Prepares a shape. Throws InputError for an unusable one.
-PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation);
+/// Prepares a shape. `known` are its diagnostics if they have been computed before. Throws InputError for an unusable
+/// one.
+PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation,
+                            const ShapeDiagnostics* known = nullptr);
 
 /// Computes the planned fields and their histograms on a prepared shape, and adds them to its description. `source` is
 /// that of the prepared shape; `parallel` distributes the samples over threads. Throws InputError for a field that the

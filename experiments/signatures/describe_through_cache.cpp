@@ -74,6 +74,9 @@ class DescribedModel {
     for (PartlyKnownField& field : fields_) lookup_field(field);
   }
 
+  /// Returns the diagnostics if lookup() found them, otherwise null.
+  [[nodiscard]] const ShapeDiagnostics* known_diagnostics() const { return shape_ ? &shape_->diagnostics : nullptr; }
+
   /// Returns the fields that lookup() did not find, in the order of the plan.
   [[nodiscard]] std::vector<PlannedField> missing() const {
     std::vector<PlannedField> missing;
@@ -324,8 +327,8 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
     return perturb_model(read_shape(file), configuration.perturbations, configuration.seed, source.id, model);
   };
   if (!described.is_complete()) {
-    PreparedModel prepared = prepare_model(perturbed(), configuration.preparation);
-    FieldSource fields(prepared.prepared.shape);
+    PreparedModel prepared = prepare_model(perturbed(), configuration.preparation, described.known_diagnostics());
+    FieldSource fields(prepared.prepared.shape, prepared.known_diagnostics());
     describe_fields(prepared, fields, configuration.signatures, described.missing(), parallel, configuration.on_error,
                     [&](std::size_t field, const PreparedShape&, const Samples& samples, const FieldValues& computed) {
                       described.take_values(field, samples, computed);

@@ -1,4 +1,6 @@
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -48,6 +50,28 @@ TEST(LocalConnectivity, SquaresThatShareACornerAreConnectedAcrossVerticesOnly) {
   EXPECT_FALSE(connectivity.of_one_component(0, 2));
   EXPECT_FALSE(connectivity.connected_in_ball(0, 2, corner, 3, Joint::edge));
   EXPECT_TRUE(connectivity.connected_in_ball(0, 2, corner, 3, Joint::vertex));
+}
+
+TEST(LocalConnectivity, AFanIsPassedOnceHoweverManyTrianglesItHas) {
+  // Triangles that share the origin only: n^2 pairs of neighbours.
+  constexpr int count = 20'000;
+  Shape fan;
+  fan.vertices = Points::Zero(2 * count + 1, 3);
+  fan.triangles.resize(count, 3);
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < 2; ++k) {
+      const double angle = 2 * std::numbers::pi * (i + 0.5 * k) / count;
+      fan.vertices.row(2 * i + k + 1) << std::cos(angle), std::sin(angle), 0;
+    }
+    fan.triangles.row(i) << 0, 2 * i + 1, 2 * i + 2;
+  }
+  LocalConnectivity connectivity = connectivity_of(fan);
+  for (int to = 1; to < count; to += 1999) {
+    EXPECT_FALSE(connectivity.connected_in_ball(0, to, {0, 0, 0}, 2, Joint::edge));
+    EXPECT_TRUE(connectivity.met_border());
+    EXPECT_TRUE(connectivity.connected_in_ball(0, to, {0, 0, 0}, 2, Joint::vertex));
+  }
+  EXPECT_FALSE(connectivity.connected_in_ball(0, count / 2, {1, 0, 0}, 0.4, Joint::vertex));
 }
 
 TEST(LocalConnectivity, BordersAreMetWhereThereAreSome) {

@@ -46,6 +46,24 @@ TEST(AutomaticOffset, OfANoisyMeshIsTwiceTheNoise) {
   EXPECT_EQ(chosen.offset, chosen.noise);
 }
 
+TEST(AutomaticOffset, FollowsFromDiagnosticsAtAnyScale) {
+  RandomNumbers random(1);
+  const Shape sphere = test::sphere(1, 5);
+  const Shape cracked = remove_faces(test::torus(2, 0.7, 24, 48), 0.1, random);
+  const Shape noisy = vertex_noise(sphere, {.amplitude = 0.01, .distribution = NoiseDistribution::gaussian}, random);
+  for (const Shape& shape : {sphere, cracked, noisy, test::random_points(sphere, 3000, 2)}) {
+    Shape scaled = shape;
+    scaled.vertices *= 0.3;
+    const AutomaticOffset expected = automatic_offset(scaled);
+    const AutomaticOffset known = automatic_offset(scaled, diagnose(shape));
+    EXPECT_EQ(known.gap, expected.gap);
+    EXPECT_EQ(known.widest_gap, expected.widest_gap);
+    EXPECT_NEAR(known.noise, expected.noise, 1e-12);
+    EXPECT_NEAR(known.offset, expected.offset, 1e-12);
+    EXPECT_EQ(known.sufficient, expected.sufficient);
+  }
+}
+
 TEST(AutomaticOffset, ClosesARandomCloudOfASphere) {
   // Without a leak no value is far below the diameter: a ray through a hole would end half way, in the inside.
   const Shape sphere = test::sphere(1, 5);
