@@ -1,12 +1,15 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/datasets/layouts/layouts.h"
@@ -22,7 +25,14 @@ struct LookArguments {
   fs::path folder;
   fs::path classification;
   std::string layout;
+  std::string split = "all";
   int threads = 0;
+};
+
+struct LabelsArguments {
+  std::shared_ptr<LookArguments> dataset;
+  fs::path output;
+  bool replace = false;
 };
 
 struct GenerateArguments {
@@ -38,17 +48,29 @@ std::string proposed_configuration(const DatasetLocation& location) {
   if (!location.classification.empty()) {
     const fs::path relative = location.classification.lexically_relative(location.root);
     const bool below = !relative.empty() && *relative.begin() != "..";
-    dataset["classification"] = below ? relative.string() : fs::absolute(location.classification).string();
+    dataset["classification"] = below ? relative.string() : fs::absolute(location.classification).lexically_normal().string();
   }
+  if (location.split != "all") dataset["split"] = location.split;
   return fmt::format("\"dataset\": {}", dataset.dump());
 }
 
-DatasetLocation location_of(const LookArguments& arguments) {
+DatasetLocation location_of_all(const LookArguments& arguments) {
   if (arguments.layout.empty()) return recognise_dataset(arguments.folder, arguments.classification);
   DatasetLocation location{
       .layout = arguments.layout, .root = arguments.folder, .classification = arguments.classification};
   const std::string_view usual = dataset_layouts().at(arguments.layout).usual_classification;
   if (location.classification.empty() && !usual.empty()) location.classification = arguments.folder / usual;
+  return location;
+}
+
+// Throws InputError for a split of a layout that has none.
+DatasetLocation location_of(const LookArguments& arguments) {
+  DatasetLocation location = location_of_all(arguments);
+  if (arguments.split != "all" && !dataset_layouts().at(location.layout).has_splits) {
+    throw InputError(
+        fmt::format("{}: the layout {} has no splits; omit --split", arguments.folder.string(), location.layout));
+  }
+  location.split = arguments.split;
   return location;
 }
 
@@ -115,6 +137,32 @@ int generate(const GenerateArguments& arguments) {
   return exit_success;
 }
 
+// Returns the table of models that 'evaluate --labels' reads.
+Table label_table(const Dataset& dataset) {
+  const bool has_subclasses =
+      std::ranges::any_of(dataset.models, [](const Model& model) { return !model.subclass.empty(); });
+  Table table{.header = {"id", "class"}, .rows = {}};
+  if (has_subclasses) table.header.emplace_back("subclass");
+  for (const Model& model : dataset.models) {
+    table.rows.push_back({model.id, dataset.classes[static_cast<std::size_t>(model.label)]});
+    if (has_subclasses) table.rows.back().push_back(model.subclass);
+  }
+  return table;
+}
+
+int print_labels(const LabelsArguments& arguments) {
+  const OutputFile output{.path = arguments.output, .what = "--output", .extensions = {".csv"}};
+  const DatasetLocation location = location_of(*arguments.dataset);
+  check_output_files({&location.classification, 1}, {&output, 1}, arguments.replace);
+  const std::string text = to_csv(label_table(find_dataset(location)));
+  if (arguments.output.empty()) {
+    print_output("{}", text);
+  } else {
+    write_file_atomically(arguments.output, text);
+  }
+  return exit_success;
+}
+
 std::vector<std::string> layout_names() {
   std::vector<std::string> names;
   for (const DatasetLayout& layout : dataset_layouts().entries()) names.emplace_back(layout.name);
@@ -128,6 +176,9 @@ std::shared_ptr<LookArguments> add_look_arguments(CLI::App* command) {
                       "Classification (.cla) or CSV table, if not in the folder");
   command->add_option("--layout", arguments->layout, "Layout of the data set (default: detected)")
       ->check(CLI::IsMember(layout_names()));
+  command->add_option("--split", arguments->split, "Part of the data set, for layouts that have splits")
+      ->check(CLI::IsMember({"all", "train", "val", "test"}))
+      ->capture_default_str();
   return arguments;
 }
 
@@ -166,6 +217,16 @@ void add_dataset_command(CLI::App& app, int& status) {
   const auto validate_arguments = add_look_arguments(validate_command);
   add_threads_option(*validate_command, validate_arguments->threads);
   validate_command->callback([validate_arguments, &status] { status = validate(*validate_arguments); });
+
+  CLI::App* labels_command =
+      dataset->add_subcommand("labels", "Print the models and their classes as a table for 'evaluate --labels'");
+  labels_command->footer("Example: shapegauge dataset labels shapenet --split test -o test.csv");
+  const auto labels_arguments = std::make_shared<LabelsArguments>();
+  labels_arguments->dataset = add_look_arguments(labels_command);
+  labels_command->add_option("-o,--output", labels_arguments->output,
+                             "CSV file for the table (default: standard output)");
+  add_replace_option(*labels_command, labels_arguments->replace);
+  labels_command->callback([labels_arguments, &status] { status = print_labels(*labels_arguments); });
 
   add_generate(dataset, status);
 }

@@ -19,7 +19,7 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
   begin_option_group(command, input_options);
   command.add_option(
       "--labels", files.labels,
-      "Classes of the models: .cla, a table (id, class and optionally split), a list of classes, one per "
+      "Classes of the models: .cla, a table (id, class and optionally subclass and split), a list of classes, one per "
       "line, an integer .npy, or a folder of class folders");
   command.add_option("--targets", files.targets, "Classes of the targets, if --labels are those of the queries");
   command.add_option("--qrels", files.qrels, "TREC relevance judgements in place of --labels");

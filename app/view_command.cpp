@@ -140,7 +140,7 @@ void add_field(const WantedField& wanted, const GivenOffset& offset, const Colou
 }
 
 /// Returns the vertical direction of --up or, for "auto", the convention of the file format: z for CAD, printing and
-/// scanning (STL, PLY, 3MF, text clouds), y for the others. Nothing for "principal".
+/// scanning (STL, PLY, text clouds), y for the others. Nothing for "principal".
 std::optional<Eigen::Vector3d> up_of(const std::string& word, const std::string& input) {
   if (word == "principal") return std::nullopt;
   std::string axis = word;
@@ -189,7 +189,7 @@ ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField
   remark_on_cavities(view.shape, measures_hull, remarks);
   if (view.normals.rows() == 0) view.normals = samples.normals;
   const Eigen::Index count = samples.points.rows();
-  view = coarse_view(std::move(view), arguments.most_faces);
+  view = coarse_view(std::move(view), samples, arguments.most_faces);
   if (!arguments.no_parts) add_parts(arguments.parts, view, remarks);  // of what is shown: they would take longest
   const Eigen::Index kept = cloud ? view.shape.vertices.rows() : view.shape.triangles.rows();
   const std::string counts = fmt::format("{} {}", count, cloud ? "points" : "faces");
@@ -284,7 +284,7 @@ void add_view_command(CLI::App& app, int& status) {
   add_colour_options(*command, arguments->colours);
   command
       ->add_option("--up", arguments->up,
-                   "Vertical axis of the initial view; auto: z for STL, PLY, 3MF and text clouds, y for other formats; "
+                   "Vertical axis of the initial view; auto: z for STL, PLY and text clouds, y for other formats; "
                    "principal: the shape's own axes")
       ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z", "principal"}))
       ->capture_default_str();

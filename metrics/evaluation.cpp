@@ -27,7 +27,9 @@ void check_square(const DistanceTable& distances, std::span<const int> labels) {
 
 void check_task(std::size_t rows, std::size_t columns, const RetrievalTask& task, const EvaluationOptions& options) {
   const bool fits = task.query_classes.size() == rows && task.own_column.size() == rows &&
-                    task.target_classes.size() == columns && (task.judged.empty() || task.judged.size() == rows);
+                    task.target_classes.size() == columns && (task.judged.empty() || task.judged.size() == rows) &&
+                    (!has_grades(task) || !task.judged.empty() ||
+                     (task.query_subclasses.size() == rows && task.target_subclasses.size() == columns));
   if (!fits) {
     throw ArgumentError("the retrieval task is for " + std::to_string(task.query_classes.size()) + " queries and " +
                         std::to_string(task.target_classes.size()) + " targets, the distance matrix is " +
@@ -95,6 +97,8 @@ RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Inde
                      .own_column = {},
                      .judged = {},
                      .grades = {},
+                     .query_subclasses = {},
+                     .target_subclasses = task.target_subclasses,
                      .judged_irrelevant = {},
                      .lists_may_end_early = task.lists_may_end_early};
   const auto copy = [&](const auto& from, auto& to) {
@@ -104,6 +108,7 @@ RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Inde
   copy(task.own_column, part.own_column);
   copy(task.judged, part.judged);
   copy(task.grades, part.grades);
+  copy(task.query_subclasses, part.query_subclasses);
   copy(task.judged_irrelevant, part.judged_irrelevant);
   return part;
 }

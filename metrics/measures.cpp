@@ -67,7 +67,7 @@ double normalised_discounted_gain(const RankedList& list) {
   if (list.grades.empty()) return fraction_of_ideal_gain(list, gain_by_log_of_next_rank);
   double ideal = 0;
   for (std::size_t i = 0; i < list.grades.size(); ++i) ideal += list.grades[i] * gain_by_log_of_next_rank(i + 1);
-  return graded_gain_of_hits(list, gain_by_log_of_next_rank) / ideal;
+  return graded_gain_of_hits(list, gain_by_log_of_next_rank, list.length) / ideal;
 }
 
 double binary_preference(const RankedList& list) {
@@ -92,6 +92,44 @@ double area_under_curve(const RankedList& list) {
   }
   return sum / static_cast<double>(list.relevant);
 }
+
+// The measures of SHREC'16 and '17 on ShapeNetCore look at whole lists of at most this length.
+constexpr std::size_t longest_list = 1000;
+
+std::size_t considered_ranks(const RankedList& list) { return std::min(list.length, longest_list); }
+
+// The number of relevant models that a list of the longest length can hold.
+std::size_t findable(const RankedList& list) { return std::min(list.relevant, longest_list); }
+
+double precision_of_list(const RankedList& list) {
+  if (list.length == 0) return 0;
+  return precision_at(list, considered_ranks(list));
+}
+
+double recall_of_list(const RankedList& list) {
+  return hits_among_first(list, considered_ranks(list)) / static_cast<double>(findable(list));
+}
+
+double f1_of_list(const RankedList& list) {
+  const std::size_t ranks = considered_ranks(list);
+  return 2 * hits_among_first(list, ranks) / static_cast<double>(ranks + findable(list));
+}
+
+double average_precision_of_list(const RankedList& list) {
+  return precisions_at_hits(list, considered_ranks(list)) / static_cast<double>(findable(list));
+}
+
+double graded_gain_of_list(const RankedList& list) {
+  double ideal = 0;
+  for (std::size_t i = 0; i < findable(list); ++i) {
+    ideal += (list.grades.empty() ? 1 : list.grades[i]) * gain_by_log_of_rank(i + 1);
+  }
+  return graded_gain_of_hits(list, gain_by_log_of_rank, considered_ranks(list)) / ideal;
+}
+
+constexpr std::string_view shapenet_source =
+    "Savva and others, Large-scale 3D shape retrieval from ShapeNet Core55, Eurographics Workshop on 3D Object "
+    "Retrieval 2016 and 2017, and the contest's evaluation program.";
 
 // Returns the library's measures, in the order of listings.
 std::vector<MeasureDefinition> own_measures() {
@@ -254,11 +292,59 @@ std::vector<MeasureDefinition> own_measures() {
                     "Under paper the same as ST.",
           .value = bulls_eye,
       },
+      {
+          .name = "P@N",
+          .title = "precision of the list",
+          .definition =
+              "The fraction of hits among the first N ranks, where N is the length of the list, at most 1000.",
+          .source = std::string(shapenet_source),
+          .caveat = "The method chooses N. A list of all models has the frequency of the class as its precision: "
+                    "meant for lists that end. The contest's lists begin with the query: use the protocol paper.",
+          .value = precision_of_list,
+      },
+      {
+          .name = "R@N",
+          .title = "recall of the list",
+          .definition = "The hits among the first N ranks, N as in P@N, divided by R or by 1000 if R is larger.",
+          .source = std::string(shapenet_source),
+          .caveat = "1 for a list of all models, if there are at most 1000.",
+          .value = recall_of_list,
+      },
+      {
+          .name = "F1@N",
+          .title = "F1 of the list",
+          .definition = "The harmonic mean of P@N and R@N, by query: 2c / (N + min(R, 1000)) for c hits.",
+          .source = std::string(shapenet_source),
+          .caveat = "The mean over queries is not the harmonic mean of the means of P@N and R@N.",
+          .value = f1_of_list,
+      },
+      {
+          .name = "mAP@N",
+          .title = "mean average precision of the list",
+          .definition = "Of one query: the sum of the precisions at the hits among the first N ranks, N as in P@N, "
+                        "divided by min(R, 1000).",
+          .source = std::string(shapenet_source),
+          .caveat = "As in the evaluation program from February 2017 on. Before, in the report of 2016, the sum was "
+                    "divided by the number of hits in the list, so that short lists scored higher.",
+          .value = average_precision_of_list,
+      },
+      {
+          .name = "nDCG@N",
+          .title = "normalised discounted cumulative gain of the list, graded",
+          .definition = "A hit gains its grade at rank 1 and its grade / log2(i) at rank i >= 2, among the first N "
+                        "ranks, N as in P@N; the sum is divided by that of the min(R, 1000) largest grades.",
+          .source = std::string(shapenet_source),
+          .caveat = "Grades are those of the judgements or of subclasses: 3 for the query's subclass, 2 for a model "
+                    "of the class as such, 1 for another subclass; 1 without either. As in the program from February "
+                    "2017 on; before, the ideal had the models of the list only.",
+          .value = graded_gain_of_list,
+      },
   };
 }
 
 constexpr std::size_t largest_k = 1000000000;
 constexpr std::string_view ranks_suffix = "@k";
+constexpr std::string_view list_suffix = "@N";
 constexpr std::string_view other_name_of_map = "AP";
 
 std::size_t ranks_of(std::string_view name, std::string_view digits) {
@@ -276,7 +362,8 @@ std::size_t ranks_of(std::string_view name, std::string_view digits) {
 void check_measure(const MeasureDefinition& definition) {
   const std::string& name = definition.name;
   const bool at_k = name.ends_with(ranks_suffix);
-  const std::string stem = at_k ? name.substr(0, name.size() - ranks_suffix.size()) : name;
+  const bool of_list = name.ends_with(list_suffix);
+  const std::string stem = at_k || of_list ? name.substr(0, name.size() - ranks_suffix.size()) : name;
   if (stem.empty() || stem.find_first_of(" \t,@") != std::string::npos || name == other_name_of_map) {
     throw ArgumentError("\"" + name + "\" cannot be the name of a measure");
   }
@@ -296,7 +383,7 @@ Registry<MeasureDefinition>& measure_definitions() {
 
 Measure measure_of(std::string_view name) {
   if (name == other_name_of_map) name = "mAP";
-  const std::size_t at = name.find('@');
+  const std::size_t at = name.ends_with(list_suffix) ? std::string_view::npos : name.find('@');
   const std::string stem(name.substr(0, at));
   const MeasureDefinition* const definition =
       measure_definitions().find(at == std::string_view::npos ? stem : stem + std::string(ranks_suffix));

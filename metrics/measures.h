@@ -15,8 +15,8 @@ namespace shapegauge {
 /// Measure of the ranked answer to one query: a number from 0 to 1, larger being better, for every list with at least
 /// one relevant model. Exactly one of the two functions is set.
 struct MeasureDefinition {
-  std::string name;          ///< in tables and options; ends in "@k" if it has a cutoff
-  std::string title{};       ///< full name
+  std::string name;     ///< in tables and options; ends in "@k" if it has a cutoff, in "@N" if the list's end is one
+  std::string title{};  ///< full name
   std::string definition{};  ///< h(i) is 1 where rank i is a hit, R the number of relevant models
   std::string source{};
   std::string caveat{};
@@ -25,7 +25,7 @@ struct MeasureDefinition {
 };
 
 /// Returns the registry of measures: those of the library (measures.cpp), followed by those added. An entry must have
-/// the function that its name implies, and no blank, comma or @ in its name other than that of "@k".
+/// the function that its name implies, and no blank, comma or @ in its name other than that of "@k" or "@N".
 Registry<MeasureDefinition>& measure_definitions();
 
 /// Measure as shown in tables, with its cutoff if any: "FT", "P@10".

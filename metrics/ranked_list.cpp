@@ -125,11 +125,7 @@ class Query {
 
   [[nodiscard]] bool is_relevant(Eigen::Index column) const { return shapegauge::is_relevant(task_, row_, column); }
 
-  [[nodiscard]] double grade(Eigen::Index column) const {
-    if (task_.grades.empty()) return 1;
-    const std::vector<Eigen::Index>& judged = task_.judged[i_];
-    return task_.grades[i_][static_cast<std::size_t>(std::ranges::lower_bound(judged, column) - judged.begin())];
-  }
+  [[nodiscard]] double grade(Eigen::Index column) const { return grade_of(task_, row_, column); }
 
   // Returns true for a judged column that is not relevant.
   [[nodiscard]] bool is_judged(Eigen::Index column) const {
@@ -244,13 +240,17 @@ void append_tied(Runs& runs, const Tied& tied, Ties ties) {
   }
 }
 
-// Returns all grades, the largest first; the query itself has the largest grade.
-std::vector<double> grades_of(const Answer& answer, bool starts_with_query) {
+// Returns all grades, the largest first. A query in its own list has the largest of them, or that of its subclass.
+std::vector<double> grades_of(const Answer& answer, const RetrievalTask& task, bool starts_with_query) {
   std::vector<double> grades = answer.not_found;
   for (const Tied& tied : answer.tied) {
     for (const Hit& hit : tied.hits) grades.push_back(hit.grade);
   }
-  if (starts_with_query && !grades.empty()) grades.push_back(*std::ranges::max_element(grades));
+  if (starts_with_query && !task.query_subclasses.empty()) {
+    grades.push_back(subclass_grade(0, 0));
+  } else if (starts_with_query && !grades.empty()) {
+    grades.push_back(*std::ranges::max_element(grades));
+  }
   std::ranges::sort(grades, std::greater<>());
   return grades;
 }
@@ -295,7 +295,7 @@ RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task
   collect_hits(distances, query, row, is_empty, answer);
   collect_misses(distances, query, row, is_empty, answer);
   std::vector<double> grades;
-  if (!task.grades.empty()) grades = grades_of(answer, starts_with_query);
+  if (has_grades(task)) grades = grades_of(answer, task, starts_with_query);
   Runs runs;
   if (starts_with_query) append(runs, Hit{.column = -1, .grade = grades.empty() ? 1 : grades.front()});
   for (const Tied& tied : answer.tied) {
@@ -349,14 +349,39 @@ double gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank)) {
   return sum;
 }
 
-double graded_gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank)) {
+double graded_gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank), std::size_t count) {
   double sum = 0;
   std::size_t rank = 0;
   for (const RankRun& run : list.runs) {
+    if (rank >= count) break;
+    const std::size_t looked_at = std::min(count - rank, run.size);
     if (run.hits > 0) {
       const double grade = run.grade * static_cast<double>(run.hits) / static_cast<double>(run.size);
-      for (std::size_t i = 1; i <= run.size; ++i) sum += grade * gain(rank + i);
+      for (std::size_t i = 1; i <= looked_at; ++i) sum += grade * gain(rank + i);
     }
+    rank += run.size;
+  }
+  return sum;
+}
+
+double precisions_at_hits(const RankedList& list, std::size_t count) {
+  double sum = 0;
+  std::size_t rank = 0;
+  double hits_before = 0;
+  for (const RankRun& run : list.runs) {
+    if (rank >= count) break;
+    const std::size_t looked_at = std::min(count - rank, run.size);
+    const auto hits = static_cast<double>(run.hits);
+    const auto size = static_cast<double>(run.size);
+    // Given a hit at the i-th place of the run, each place before it is a hit with the same probability.
+    const double others = run.size > 1 ? (hits - 1) / (size - 1) : 0;
+    if (run.hits > 0) {
+      for (std::size_t i = 1; i <= looked_at; ++i) {
+        const double hits_there = hits_before + 1 + static_cast<double>(i - 1) * others;
+        sum += hits / size * hits_there / static_cast<double>(rank + i);
+      }
+    }
+    hits_before += hits;
     rank += run.size;
   }
   return sum;

@@ -55,8 +55,11 @@ double hits_among_first(const RankedList& list, std::size_t count);
 /// Returns the mean sum of gain(rank) over all hits; ranks count from 1.
 double gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank));
 
-/// Returns the mean sum of grade times gain(rank) over all hits.
-double graded_gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank));
+/// Returns the mean sum of grade times gain(rank) over the hits among the first `count` ranks.
+double graded_gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank), std::size_t count);
+
+/// Returns the mean sum of the precisions at the hits among the first `count` ranks.
+double precisions_at_hits(const RankedList& list, std::size_t count);
 
 /// Returns, by hit of the list, the mean number of judged misses before it, limited to `most`.
 std::vector<double> misses_before_hits(const RankedList& list, std::size_t most);

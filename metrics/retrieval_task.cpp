@@ -21,6 +21,35 @@ bool is_relevant(const RetrievalTask& task, Eigen::Index row, Eigen::Index colum
   return task.target_classes[static_cast<std::size_t>(column)] == task.query_classes[i];
 }
 
+int subclass_grade(int query, int model) {
+  if (query == model) return 3;
+  return model == no_subclass ? 2 : 1;
+}
+
+std::vector<int> numbered_subclasses(std::span<const std::string> names) {
+  std::unordered_map<std::string, int> known;
+  std::vector<int> numbers;
+  numbers.reserve(names.size());
+  for (const std::string& name : names) {
+    const int next = static_cast<int>(known.size());
+    numbers.push_back(name.empty() ? no_subclass : known.emplace(name, next).first->second);
+  }
+  if (known.empty()) numbers.clear();
+  return numbers;
+}
+
+bool has_grades(const RetrievalTask& task) { return !task.grades.empty() || !task.query_subclasses.empty(); }
+
+double grade_of(const RetrievalTask& task, Eigen::Index row, Eigen::Index column) {
+  const auto i = static_cast<std::size_t>(row);
+  if (!task.query_subclasses.empty()) {
+    return subclass_grade(task.query_subclasses[i], task.target_subclasses[static_cast<std::size_t>(column)]);
+  }
+  if (task.grades.empty()) return 1;
+  const std::vector<Eigen::Index>& judged = task.judged[i];
+  return task.grades[i][static_cast<std::size_t>(std::ranges::lower_bound(judged, column) - judged.begin())];
+}
+
 std::vector<std::size_t> relevant_counts(const RetrievalTask& task) {
   std::unordered_map<int, std::size_t> targets_of_class;
   for (const int target : task.target_classes) ++targets_of_class[target];

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace shapegauge {
@@ -16,6 +17,9 @@ using DistanceTable = Eigen::Ref<const DistanceMatrix>;
 /// Class of a row that is not a query, or of a column that is not a target.
 inline constexpr int no_class = std::numeric_limits<int>::min();
 
+/// Subclass of a model that belongs to its class as such, not to one of the subclasses.
+inline constexpr int no_subclass = -1;
+
 /// Interpretation of a distance matrix: which rows are queries, which columns are the models to be retrieved (the
 /// targets), and which targets are relevant to which query.
 struct RetrievalTask {
@@ -27,6 +31,10 @@ struct RetrievalTask {
   std::vector<std::vector<Eigen::Index>> judged;
   /// By row: positive grades of the relevant columns. All 1 if empty. Only used by graded measures.
   std::vector<std::vector<int>> grades;
+  /// By row and by column: subclasses, which grade relevant columns as subclass_grade() does, if there are no
+  /// judgements. Both empty: all grades are 1.
+  std::vector<int> query_subclasses{};
+  std::vector<int> target_subclasses{};
   /// By row: the columns judged as not relevant, ascending. If empty, all that are not relevant.
   std::vector<std::vector<Eigen::Index>> judged_irrelevant;
   /// A NaN distance means that the model is missing from the query's answer, because the list was truncated.
@@ -38,6 +46,20 @@ RetrievalTask leave_one_out(std::span<const int> labels);
 
 /// Returns true if the target in the column is relevant to the query in the row.
 bool is_relevant(const RetrievalTask& task, Eigen::Index row, Eigen::Index column);
+
+/// Returns the grade of a model of the query's class: 3 in the same subclass, 2 if the model has none, 1 in another
+/// subclass. Source: Savva and others, Large-scale 3D shape retrieval from ShapeNet Core55, Eurographics Workshop on 3D
+/// Object Retrieval 2016, where a model without a subclass has its class's name as one.
+int subclass_grade(int query, int model);
+
+/// Numbers subclasses by name: equal names have equal numbers, an empty name is no_subclass. Empty if all names are.
+std::vector<int> numbered_subclasses(std::span<const std::string> names);
+
+/// Returns true if relevant targets may have grades other than 1.
+bool has_grades(const RetrievalTask& task);
+
+/// Returns the grade of a relevant column.
+double grade_of(const RetrievalTask& task, Eigen::Index row, Eigen::Index column);
 
 /// Returns, by row, the number of relevant targets without the query itself; 0 for rows that are not queries.
 std::vector<std::size_t> relevant_counts(const RetrievalTask& task);

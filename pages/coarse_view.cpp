@@ -6,14 +6,14 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <nanoflann.hpp>
 #include <numeric>
 #include <set>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/perturbation/decimate.h"
+#include "shapegauge/core/shape/point_cloud.h"
 
 namespace shapegauge {
 
@@ -110,25 +110,17 @@ Shape coarse_mesh(const Shape& mesh, Eigen::Index faces) {
   return coarse.triangles.rows() > 0 ? coarse : largest_faces(collapsed, faces);
 }
 
-using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3>;
-
-/// Returns, for each sample, the first of the four nearest ones in the tree whose normal does not point the opposite
-/// way.
+/// Returns, for each sample, the first of the four nearest ones whose normal does not point the opposite way.
 std::vector<std::int32_t> nearest_places(const Samples& places, const Samples& among) {
-  const Tree tree(3, among.points);
-  std::vector<std::int32_t> nearest(static_cast<std::size_t>(places.points.rows()));
-  parallel_for(std::size_t{0}, nearest.size(), [&](std::size_t i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    std::array<Eigen::Index, 4> found{};
-    std::array<double, 4> distances{};
-    const Eigen::RowVector3d point = places.points.row(row);
-    const std::size_t count = tree.index->knnSearch(point.data(), found.size(), found.data(), distances.data());
-    const auto facing =
-        std::find_if(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
-                     [&](Eigen::Index other) { return places.normals.row(row).dot(among.normals.row(other)) >= 0; });
-    const bool any = facing != found.begin() + static_cast<std::ptrdiff_t>(count);
-    nearest[i] = static_cast<std::int32_t>(any ? *facing : found.front());
-  });
+  const PointNeighbours found = nearest_among(places.points, among.points, 4);
+  std::vector<std::int32_t> nearest;
+  nearest.reserve(static_cast<std::size_t>(places.points.rows()));
+  for (Eigen::Index row = 0; row < places.points.rows(); ++row) {
+    const auto candidates = found.indices.row(row);
+    const auto facing = std::ranges::find_if(
+        candidates, [&](std::int32_t other) { return places.normals.row(row).dot(among.normals.row(other)) >= 0; });
+    nearest.push_back(facing != candidates.end() ? *facing : candidates[0]);
+  }
   return nearest;
 }
 
@@ -137,9 +129,15 @@ std::vector<std::int32_t> nearest_places(const Samples& places, const Samples& a
 Shape coarse_shape(const Shape& shape, Eigen::Index faces) {
   if (!is_cloud(shape)) return shape.triangles.rows() > faces ? coarse_mesh(shape, faces) : shape;
   if (shape.vertices.rows() <= faces) return shape;
-  const Samples chosen = sample_surface_of(shape, faces);
-  Shape cloud{.vertices = chosen.points, .triangles = {}};
-  if (shape.normals.rows() > 0) cloud.normals = chosen.normals;
+  RandomNumbers random(1);
+  const auto n = static_cast<std::size_t>(shape.vertices.rows());
+  const std::vector<bool> chosen = random_subset(n, static_cast<std::size_t>(faces), random);
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (chosen[i]) rows.push_back(static_cast<Eigen::Index>(i));
+  }
+  Shape cloud{.vertices = shape.vertices(rows, Eigen::all), .triangles = {}};
+  if (shape.normals.rows() > 0) cloud.normals = shape.normals(rows, Eigen::all);
   return cloud;
 }
 
@@ -189,12 +187,12 @@ std::vector<std::int32_t> CarriedValues::labels(const std::vector<std::int32_t>&
   return result;
 }
 
-ShapeView coarse_view(ShapeView view, Eigen::Index faces) {
+ShapeView coarse_view(ShapeView view, const Samples& samples, Eigen::Index faces) {
   Shape coarse = coarse_shape(view.shape, faces);
   if (coarse.vertices.rows() == view.shape.vertices.rows() && coarse.triangles.rows() == view.shape.triangles.rows()) {
     return view;
   }
-  const CarriedValues carried(sample_shape(view.shape, view.site), sample_shape(coarse, view.site));
+  const CarriedValues carried(samples, sample_shape(coarse, view.site));
   for (ViewField& field : view.fields) field.values = carried.means(field.values);
   if (view.normals.rows() > 0) view.normals = carried.directions(view.normals);
   if (!view.parts.empty()) view.parts = carried.labels(view.parts);

@@ -39,7 +39,7 @@ class CarriedValues {
   std::vector<std::int32_t> nearest_to_;  ///< by target
 };
 
-/// Returns the view of the coarse_shape().
-ShapeView coarse_view(ShapeView view, Eigen::Index faces);
+/// Returns the view of the coarse_shape(). `samples` are those of the view's shape, at its site.
+ShapeView coarse_view(ShapeView view, const Samples& samples, Eigen::Index faces);
 
 }  // namespace shapegauge

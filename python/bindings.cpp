@@ -170,6 +170,7 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
 struct WantedEvaluation {
   std::vector<int> labels;                   ///< of the rows; negative for no class
   std::vector<int> targets;                  ///< of the columns, if they are other models; otherwise empty
+  std::vector<int> subclasses;               ///< of the models, see numbered_subclasses(); empty for none
   std::optional<Eigen::MatrixXi> relevance;  ///< grades in place of classes; 0 for not relevant
   bool square = true;                        ///< row i and column i are the same model
   bool negated = false;                      ///< the values are similarities
@@ -209,6 +210,7 @@ RetrievalTask task_of(const WantedEvaluation& wanted) {
     std::ranges::transform(wanted.targets, std::back_inserter(task.target_classes), class_or_none);
     task.own_column.assign(wanted.labels.size(), -1);
   }
+  task.query_subclasses = task.target_subclasses = wanted.subclasses;
   if (!wanted.relevance) return task;
   const Eigen::MatrixXi& grades = *wanted.relevance;
   task.judged.resize(wanted.labels.size());
@@ -357,20 +359,21 @@ void bind_evaluation(py::module_& module) {
              return formatted(summary_table(one), format);
            })
       .def(py::pickle(&state_of, &evaluation_of));
-  module.def(
-      "evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
-                     const std::optional<std::vector<int>>& targets, const std::optional<Eigen::MatrixXi>& relevance,
-                     const std::string& protocol, const std::string& ties, const std::vector<std::string>& measures,
-                     const std::string& curve, int minimum_class_size, bool negated, int threads) {
-        const WantedEvaluation wanted{.labels = labels,
-                                      .targets = targets.value_or(std::vector<int>()),
-                                      .relevance = relevance,
-                                      .square = !targets,
-                                      .negated = negated,
-                                      .options = options_of(protocol, ties, measures, minimum_class_size, curve)};
-        const EvaluatedMatrix evaluated = evaluate_matrix(distances, wanted, threads);
-        return py::make_tuple(evaluated.evaluation, evaluated.warnings);
-      });
+  module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
+                            const std::optional<std::vector<int>>& targets, const std::vector<int>& subclasses,
+                            const std::optional<Eigen::MatrixXi>& relevance, const std::string& protocol,
+                            const std::string& ties, const std::vector<std::string>& measures, const std::string& curve,
+                            int minimum_class_size, bool negated, int threads) {
+    const WantedEvaluation wanted{.labels = labels,
+                                  .targets = targets.value_or(std::vector<int>()),
+                                  .subclasses = subclasses,
+                                  .relevance = relevance,
+                                  .square = !targets,
+                                  .negated = negated,
+                                  .options = options_of(protocol, ties, measures, minimum_class_size, curve)};
+    const EvaluatedMatrix evaluated = evaluate_matrix(distances, wanted, threads);
+    return py::make_tuple(evaluated.evaluation, evaluated.warnings);
+  });
   module.def("intervals", &intervals);
   module.def("feature_distances",
              [](const Eigen::Ref<const Signatures>& features, const std::string& distance, int threads) {

@@ -32,6 +32,9 @@ std::vector<CsvRow> parse_word_table(std::string_view text, const std::string& s
 /// Names of the column with the class of each model, in order of preference.
 inline constexpr std::array<std::string_view, 3> class_column_names{"class", "label", "category"};
 
+/// Names of the column with the subclass of a model, in lower case.
+inline constexpr std::array<std::string_view, 2> subclass_column_names{"subclass", "subcategory"};
+
 /// Returns the index of the first column with one of these lower-case names, ignoring case; nothing if there is none.
 std::optional<std::size_t> find_column(const CsvRow& header, std::span<const std::string_view> names);
 

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <set>
+#include <system_error>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/compressed_files.h"
+#include "shapegauge/datasets/files/model_ids.h"
 
 namespace shapegauge {
 
@@ -74,6 +76,32 @@ class Queries {
   std::vector<std::unordered_set<std::string>> models_;
 };
 
+// Returns the files of a folder with a list each, in natural order of names. Hidden entries are skipped.
+std::vector<std::filesystem::path> list_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().filename().string().starts_with(".")) continue;
+    if (entry.is_directory(error)) {
+      throw InputError(fmt::format("{}: expected a file for each query with its ranked list, found the folder {}",
+                                   folder.string(), quoted_word(entry.path().filename().string())));
+    }
+    files.push_back(entry.path());
+  }
+  if (error) throw InputError(fmt::format("{}: cannot read the folder: {}", folder.string(), error.message()));
+  if (files.empty()) throw InputError(fmt::format("{}: no ranked lists in this folder", folder.string()));
+  std::ranges::sort(files, natural_less, [](const std::filesystem::path& file) { return file.filename().string(); });
+  return files;
+}
+
+RankedAnswers read_folder_of_lists(const std::filesystem::path& folder) {
+  RankedAnswers result;
+  for (const std::filesystem::path& file : list_files(folder)) {
+    result.answers.push_back(parse_ranked_list(read_plain_bytes(file), file.filename().string(), file.string()));
+  }
+  return result;
+}
+
 }  // namespace
 
 RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
@@ -114,6 +142,16 @@ RankedAnswers parse_ranked_lists(std::string_view text, const std::string& sourc
   return result;
 }
 
+RankedAnswers::Answer parse_ranked_list(std::string_view text, const std::string& query, const std::string& source) {
+  RankedAnswers::Answer answer{.query = query, .models = {}};
+  Queries queries;
+  for (const WordLine& line : word_lines(text, source, " \t,")) {
+    queries.add_model(0, line.words[0], line.where);
+    answer.models.emplace_back(line.words[0], static_cast<double>(answer.models.size() + 1));
+  }
+  return answer;
+}
+
 Judgements parse_qrels(std::string_view text, const std::string& source) {
   Judgements result;
   Queries queries;
@@ -141,12 +179,16 @@ Judgements parse_qrels(std::string_view text, const std::string& source) {
 }
 
 bool is_ranked_answers_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return true;
   const std::string extension = format_extension(path);
   if (extension == ".run" || extension == ".trec" || extension == ".lists") return true;
   return extension == ".txt" && begins_like_a_run(read_plain_bytes(path));
 }
 
 RankedAnswers read_ranked_answers(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return read_folder_of_lists(path);
   const std::string text = read_plain_bytes(path);
   return format_extension(path) == ".lists" ? parse_ranked_lists(text, path.string())
                                             : parse_trec_run(text, path.string());

@@ -40,16 +40,21 @@ RankedAnswers parse_trec_run(std::string_view text, const std::string& source);
 /// lines.
 RankedAnswers parse_ranked_lists(std::string_view text, const std::string& source);
 
+/// Parses the ranked list of one query: one line a model, best first, of its id and optionally a distance, which is
+/// ignored. Throws InputError, with the line, for a repeated model and no lines.
+RankedAnswers::Answer parse_ranked_list(std::string_view text, const std::string& query, const std::string& source);
+
 /// Parses TREC judgements (qrels): lines `query iteration model grade`; positive grades are relevant. Throws
 /// InputError, with the line, for a wrong number of words, a grade that is not an integer, a model judged twice for a
 /// query, and no lines.
 Judgements parse_qrels(std::string_view text, const std::string& source);
 
 /// Returns true for a TREC run (.run, .trec, or .txt with a matching first line) or ranked lists (.lists), also
-/// compressed with `.gz`.
+/// compressed with `.gz`, and for a folder, which has a list for each query.
 bool is_ranked_answers_file(const std::filesystem::path& path);
 
-/// Reads a TREC run or ranked lists, by the name's extension.
+/// Reads a TREC run or ranked lists, by the name's extension, or a folder with a file for each query, named by its id,
+/// as parse_ranked_list() parses. Throws InputError also for a folder without files, or with folders.
 RankedAnswers read_ranked_answers(const std::filesystem::path& path);
 
 /// Reads TREC judgements, compressed or not.

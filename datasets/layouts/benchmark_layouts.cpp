@@ -188,6 +188,7 @@ Dataset find_shapenet_dataset(const DatasetLocation& location) {
   if (rows.empty()) throw InputError(fmt::format("{}: no models", source));
   const std::size_t id = shapenet_column(rows[0], "id", source);
   const std::size_t synset = shapenet_column(rows[0], "synsetId", source);
+  const auto subclass = find_column(rows[0], std::array<std::string_view, 1>{"subsynsetid"});
   const std::size_t split = shapenet_column(rows[0], "split", source);
   Dataset dataset;
   std::set<std::string> ids;
@@ -196,7 +197,8 @@ Dataset find_shapenet_dataset(const DatasetLocation& location) {
     if (location.split != "all" && row.cells[split] != location.split) continue;
     add_model({.id = row.cells[id],
                .file = shapenet_file(location.root, row.cells[split], row.cells[synset], row.cells[id]),
-               .label = label_in(dataset.classes, row.cells[synset])},
+               .label = label_in(dataset.classes, row.cells[synset]),
+               .subclass = subclass && row.cells[*subclass] != row.cells[synset] ? row.cells[*subclass] : ""},
               ids, dataset);
   }
   std::ranges::sort(dataset.models, natural_less, &Model::id);

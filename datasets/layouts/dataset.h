@@ -20,6 +20,7 @@ struct Model {
   std::string id;
   std::filesystem::path file;  ///< may be absent, which check_models() reports
   int label = 0;               ///< index into Dataset::classes
+  std::string subclass = {};   ///< name of the subclass, for graded measures; empty for none
 };
 
 /// Entries of folders that are skipped in the search for shapes, without hidden ones.

@@ -71,6 +71,7 @@ ModelLabels all_are_both(Classification classification, const fs::path& path) {
           .queries = models,
           .targets = models,
           .models = models,
+          .subclasses = {},
           .separate_sets = false,
           .listed = false,
           .without_ids = false,
@@ -81,6 +82,7 @@ ModelLabels all_are_both(Classification classification, const fs::path& path) {
 struct LabelColumns {
   std::optional<std::size_t> id;
   std::optional<std::size_t> name;
+  std::optional<std::size_t> subclass;
   std::optional<std::size_t> split;
   bool named = false;  // the first row says so
 };
@@ -90,14 +92,17 @@ LabelColumns columns_of(const CsvRow& first, const std::string& source) {
   static constexpr std::array<std::string_view, 1> splits{"split"};
   LabelColumns columns{.id = find_column(first, ids),
                        .name = find_column(first, class_column_names),
+                       .subclass = find_column(first, subclass_column_names),
                        .split = find_column(first, splits)};
   columns.named = columns.id || columns.name;
   const bool two = first.cells.size() == 2;
-  if (!columns.named && two) return {.id = 0, .name = 1, .split = std::nullopt, .named = false};
+  if (!columns.named && two)
+    return {.id = 0, .name = 1, .subclass = std::nullopt, .split = std::nullopt, .named = false};
   if (columns.id && columns.name) return columns;
-  throw InputError(fmt::format(
-      "{}: the first row must name the columns id and class (and may name split), unless there are two columns only",
-      source));
+  throw InputError(
+      fmt::format("{}: the first row must name the columns id and class (and may name subclass and split), unless "
+                  "there are two columns only",
+                  source));
 }
 
 void check_cells(const CsvRow& row, const LabelColumns& where_is, const std::string& where) {
@@ -117,6 +122,9 @@ ModelLabels parse_label_table(const std::vector<CsvRow>& rows, const std::string
     check_cells(rows[i], columns, where);
     collector.add(cells[*columns.id], cells[*columns.name], where);
     labels.models.push_back(cells[*columns.id]);
+    if (columns.subclass && !cells[*columns.subclass].empty() && cells[*columns.subclass] != cells[*columns.name]) {
+      labels.subclasses.emplace(canonical_model_id(cells[*columns.id]), cells[*columns.subclass]);
+    }
     const Roles roles = columns.split ? roles_of(cells[*columns.split], where) : Roles{};
     if (roles.query) labels.queries.push_back(cells[*columns.id]);
     if (roles.target) labels.targets.push_back(cells[*columns.id]);
@@ -291,10 +299,12 @@ ModelLabels read_query_and_target_labels(const fs::path& queries, const fs::path
                      .queries = of_queries.models,
                      .targets = of_targets.models,
                      .models = of_queries.models,
+                     .subclasses = of_queries.subclasses,
                      .separate_sets = true,
                      .listed = of_queries.listed && of_targets.listed,
                      .without_ids = false,
                      .source = fmt::format("{} and {}", queries.string(), targets.string())};
+  labels.subclasses.insert(of_targets.subclasses.begin(), of_targets.subclasses.end());
   const auto class_of_query = class_names_by_model(of_queries.classification);
   for (const ModelClass& added : of_targets.classification.classes) {
     ModelClass& same = class_named(added.name, labels.classification.classes);

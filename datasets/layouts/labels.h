@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "shapegauge/datasets/files/classification.h"
@@ -11,22 +12,23 @@ namespace shapegauge {
 
 /// Classes of models, and the roles of models as queries and targets.
 struct ModelLabels {
-  Classification classification;     ///< of all models
-  std::vector<std::string> queries;  ///< ids as in the classification
-  std::vector<std::string> targets;  ///< ids as in the classification
-  std::vector<std::string> models;   ///< all models, in the order of the file
-  bool separate_sets = false;        ///< some models are only queries or only targets
-  bool listed = false;               ///< the file is a list of models, one a line, without groups
-  bool without_ids = false;          ///< the file has no ids: models are 0, 1, ... in its order
-  std::string source;                ///< prefixes error messages
+  Classification classification;                            ///< of all models
+  std::vector<std::string> queries;                         ///< ids as in the classification
+  std::vector<std::string> targets;                         ///< ids as in the classification
+  std::vector<std::string> models;                          ///< all models, in the order of the file
+  std::unordered_map<std::string, std::string> subclasses;  ///< by canonical id; models without one are absent
+  bool separate_sets = false;                               ///< some models are only queries or only targets
+  bool listed = false;       ///< the file is a list of models, one a line, without groups
+  bool without_ids = false;  ///< the file has no ids: models are 0, 1, ... in its order
+  std::string source;        ///< prefixes error messages
 };
 
 /// Reads labels from one of these:
 /// - a `.cla` file;
 /// - a folder with one folder of models a class; ids are paths below it without extensions;
 /// - a table (any other file) separated by commas, semicolons or tabs, whose first row names the columns, ignoring
-///   case: id (name, model, file), class (label, category) and optionally split: query (test, probe), target (train,
-///   gallery), both, or empty. Without such a row the two columns are id and class;
+///   case: id (name, model, file), class (label, category) and optionally subclass (subcategory) and split: query
+///   (test, probe), target (train, gallery), both, or empty. Without such a row the two columns are id and class;
 /// - lines of an id and a class separated by blanks, if every id has a digit, ids are unique and classes repeat;
 /// - a list: one class a line, or a `.npy` array of integers or strings. Models then have no ids.
 ///

@@ -31,6 +31,7 @@ struct ModelColumns {
   std::size_t id = 0;
   std::size_t path = 0;
   std::size_t name = 0;  ///< of the class
+  std::optional<std::size_t> subclass;
 };
 
 ModelColumns model_columns(const CsvRow& header, const std::string& source) {
@@ -41,7 +42,10 @@ ModelColumns model_columns(const CsvRow& header, const std::string& source) {
     throw InputError(fmt::format("{}:{}: the first row must name the columns id, path and class; there is no \"{}\"",
                                  source, header.line, names.front()));
   };
-  return {.id = column(ids), .path = column(paths), .name = column(class_column_names)};
+  return {.id = column(ids),
+          .path = column(paths),
+          .name = column(class_column_names),
+          .subclass = find_column(header, subclass_column_names)};
 }
 
 const std::string& cell(const CsvRow& row, std::size_t position, const std::string& name, const std::string& source) {
@@ -58,9 +62,9 @@ int label_of(const std::string& name, Dataset& dataset) {
 }
 
 /// Finds a data set of the layout "csv": a table with the columns id, path and class, named in its first row in any
-/// order and case, separated by commas, semicolons or tabs. Paths are relative to the root. Additional columns are
-/// allowed. Throws InputError, with the line, for a table that is absent, empty or lacks a column, a row of another
-/// length, an empty cell, and a repeated id.
+/// order and case, separated by commas, semicolons or tabs, and optionally subclass. Paths are relative to the root.
+/// Additional columns are allowed. Throws InputError, with the line, for a table that is absent, empty or lacks a
+/// column, a row of another length, an empty cell, and a repeated id.
 Dataset find_csv_dataset(const DatasetLocation& location) {
   const std::string source = location.classification.string();
   const std::vector<CsvRow> rows = parse_word_table(read_file_bytes(location.classification), source);
@@ -73,7 +77,9 @@ Dataset find_csv_dataset(const DatasetLocation& location) {
     const CsvRow& row = rows[i];
     Model model{.id = cell(row, columns.id, "id", source),
                 .file = location.root / cell(row, columns.path, "path", source),
-                .label = label_of(cell(row, columns.name, "class", source), dataset)};
+                .label = label_of(cell(row, columns.name, "class", source), dataset),
+                .subclass = columns.subclass ? row.cells[*columns.subclass] : ""};
+    if (model.subclass == row.cells[columns.name]) model.subclass.clear();
     const auto [earlier, added] = lines.emplace(model.id, row.line);
     if (!added) {
       throw InputError(fmt::format("{}:{}: repeated model {}; it was first in line {}", source, row.line, model.id,

@@ -160,7 +160,8 @@ EvaluationData open_judged(const EvaluationFiles& files) {
   }
   if (judgements.graded) {
     data.task.warnings.emplace_back(
-        "the judgements have grades above 1, which only nDCG uses; for all other measures, every positive grade means "
+        "the judgements have grades above 1, which only nDCG and nDCG@N use; for all other measures, every positive "
+        "grade means "
         "relevant");
   }
   return data;

@@ -28,6 +28,7 @@ class LabelledModels {
     int label = 0;  // index of its class
     bool query = false;
     bool target = false;
+    std::string subclass;
   };
 
   explicit LabelledModels(const ModelLabels& labels) : source_(labels.source) {
@@ -36,6 +37,7 @@ class LabelledModels {
         known_[canonical_model_id(model)].label = static_cast<int>(i);
       }
     }
+    for (const auto& [model, subclass] : labels.subclasses) known_.at(model).subclass = subclass;
     for (const std::string& model : labels.queries) known_.at(canonical_model_id(model)).query = true;
     for (const std::string& model : labels.targets) known_.at(canonical_model_id(model)).target = true;
   }
@@ -52,6 +54,20 @@ class LabelledModels {
   std::string source_;
   std::unordered_map<std::string, Known> known_;
 };
+
+// Sets the subclasses of rows and columns, if any model has one.
+void set_subclasses(const LabelledModels& models, const std::vector<std::string>& rows,
+                    const std::vector<std::string>& columns, RetrievalTask& task) {
+  std::vector<std::string> names;
+  for (const auto* ids : {&rows, &columns}) {
+    for (const std::string& id : *ids) names.push_back(models.at(id).subclass);
+  }
+  const std::vector<int> numbers = numbered_subclasses(names);
+  if (numbers.empty()) return;
+  const auto end_of_rows = numbers.begin() + std::ssize(rows);
+  task.query_subclasses.assign(numbers.begin(), end_of_rows);
+  task.target_subclasses.assign(end_of_rows, numbers.end());
+}
 
 std::vector<std::string> class_names_of(const ModelLabels& labels) {
   std::vector<std::string> names;
@@ -223,6 +239,7 @@ EvaluationTask task_of_labels(const MatrixIds& ids, const ModelLabels& labels) {
     const LabelledModels::Known& known = models.at(id);
     task.retrieval.target_classes.push_back(known.target ? known.label : no_class);
   }
+  set_subclasses(models, ids.rows, ids.columns, task.retrieval);
   check_all_there(labels.queries, rows, labels.source);
   check_all_there(labels.targets, columns, labels.source);
   return task;
@@ -298,6 +315,9 @@ RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labe
     task.retrieval.own_column.push_back(own == columns.end() ? -1 : own->second);
   }
   add_empty_rows(ranked);
+  std::vector<std::string> targets;
+  for (const auto& [id, column] : columns) targets.push_back(id);
+  set_subclasses(models, task.query_ids, targets, task.retrieval);
   task.coverage = coverage_of(ranked, answered_rows, missing);
   warn_of_coverage("queries", unanswered, task);
   return ranked;

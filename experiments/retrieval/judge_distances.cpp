@@ -158,6 +158,7 @@ double largest_of_first(const NamedDistance& distance, const SharedSignatures& s
 DistanceJudge::DistanceJudge(std::span<const int> labels, const Range& own, const JudgedMethod& wanted,
                              Communicator& ranks)
     : task_(leave_one_out(labels)), ranks_(&ranks) {
+  task_.query_subclasses = task_.target_subclasses = wanted.subclasses;
   const auto first = static_cast<Eigen::Index>(own.first);
   const auto last = static_cast<Eigen::Index>(own.last);
   on_all_ranks(ranks, [&] {

@@ -41,8 +41,9 @@ double largest_of_first(const NamedDistance& distance, const SharedSignatures& s
 struct JudgedMethod {
   std::vector<EvaluationOptions> evaluations;
   bool overview = false;
-  double largest = 0;          ///< largest_of_first(), for an overview of many models
-  std::filesystem::path file;  ///< `.npy` file for the matrix; not written if empty
+  std::vector<int> subclasses = {};  ///< of the models, see numbered_subclasses()
+  double largest = 0;                ///< largest_of_first(), for an overview of many models
+  std::filesystem::path file;        ///< `.npy` file for the matrix; not written if empty
 };
 
 /// Results of judging a method's distances; on rank 0.

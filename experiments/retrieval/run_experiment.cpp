@@ -34,6 +34,13 @@ std::vector<int> labels_of(const std::vector<Model>& models) {
   return labels;
 }
 
+std::vector<int> subclasses_of(const std::vector<Model>& models) {
+  std::vector<std::string> names;
+  names.reserve(models.size());
+  for (const Model& model : models) names.push_back(model.subclass);
+  return numbered_subclasses(names);
+}
+
 /// By signature: true if its distances are derived or others derive from them, which needs whole matrices.
 std::vector<bool> taking_part_in_derived(const std::vector<SignatureConfiguration>& signatures) {
   std::vector<bool> takes_part(signatures.size());
@@ -150,7 +157,9 @@ class MethodsRun {
         whole_(configuration.signatures.size()) {}
 
   /// Adds the methods and, on rank 0, their results. Collective.
-  void run(const std::vector<int>& labels, ComputedSignatures& computed, ExperimentResults& results) {
+  void run(ComputedSignatures& computed, ExperimentResults& results) {
+    const std::vector<int> labels = labels_of(results.models);
+    subclasses_ = subclasses_of(results.models);
     check_size(labels.size());
     for (const std::vector<ModelFailure>& without : computed.without) holders_.emplace_back(without, labels.size());
     double evaluating = 0;
@@ -243,6 +252,7 @@ class MethodsRun {
                                     .measures = configuration_->measures,
                                     .minimum_class_size = configuration_->minimum_class_size});
     }
+    wanted.subclasses = subclasses_;
     wanted.overview = configuration_->report.wanted;
     if (wanted.overview && std::ssize(labels) > largest_heat_map) {
       wanted.largest = whole ? largest_of_whole(whole_[i], holders.places().front())
@@ -298,6 +308,7 @@ class MethodsRun {
   Cache* cache_;
   Communicator* ranks_;
   std::vector<bool> in_derived_;       ///< by signature
+  std::vector<int> subclasses_;        ///< of the models; empty: none
   std::vector<DistanceMatrix> whole_;  ///< by signature; on rank 0
   std::vector<Holders> holders_;       ///< by signature
 };
@@ -333,7 +344,7 @@ void run_stages(const Configuration& configuration, const RunPlaces& places, con
   results.viewed = std::move(computed.viewed);
   results.timings.emplace_back("signatures", stopwatch.lap());
 
-  MethodsRun(configuration, places, control, cache, ranks).run(labels_of(results.models), computed, results);
+  MethodsRun(configuration, places, control, cache, ranks).run(computed, results);
 }
 
 }  // namespace

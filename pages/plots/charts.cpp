@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/pages/palette.h"
 
 namespace shapegauge {
@@ -49,18 +51,14 @@ double widest(const std::vector<std::string>& texts) {
   return width;
 }
 
-std::vector<std::string> labels_of(const std::vector<double>& ticks) {
-  std::vector<std::string> labels;
-  for (const double tick : ticks) labels.push_back(tick_label(tick));
-  return labels;
-}
-
 void draw_x_axis(Drawing& drawing, const ChartFrame& frame, const ChartAxis& axis, bool grid) {
-  for (const double tick : axis_ticks(axis)) {
-    const double x = frame.x(axis, tick);
+  const std::vector<double> ticks = axis_ticks(axis);
+  const std::vector<std::string> labels = tick_labels(ticks);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const double x = frame.x(axis, ticks[i]);
     if (grid) drawing.line({x, frame.top}, {x, frame.bottom()}, page_colour("grid"), 0.7);
     drawing.line({x, frame.bottom()}, {x, frame.bottom() + 4}, ink(), 0.8);
-    drawing.text({.text = tick_label(tick),
+    drawing.text({.text = labels[i],
                   .place = {x, frame.bottom() + 15},
                   .size = font_size,
                   .colour = ink(),
@@ -74,11 +72,13 @@ void draw_x_axis(Drawing& drawing, const ChartFrame& frame, const ChartAxis& axi
 }
 
 void draw_y_axis(Drawing& drawing, const ChartFrame& frame, const ChartAxis& axis) {
-  for (const double tick : axis_ticks(axis)) {
-    const double y = frame.y(axis, tick);
+  const std::vector<double> ticks = axis_ticks(axis);
+  const std::vector<std::string> labels = tick_labels(ticks);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const double y = frame.y(axis, ticks[i]);
     drawing.line({frame.left, y}, {frame.right(), y}, page_colour("grid"), 0.7);
     drawing.line({frame.left - 4, y}, {frame.left, y}, ink(), 0.8);
-    drawing.text({.text = tick_label(tick),
+    drawing.text({.text = labels[i],
                   .place = {frame.left - 7, y + 3.5},
                   .size = font_size,
                   .colour = ink(),
@@ -144,7 +144,7 @@ std::vector<std::string> names_of(const std::vector<Series>& series) {
 /// Computes the frame of a chart with an axis on its left and the legend below.
 ChartFrame frame_of(Drawing& drawing, const std::string& title, const ChartAxis& y, const Legend& legend) {
   ChartFrame frame;
-  frame.left = 26 + widest(labels_of(axis_ticks(y)));
+  frame.left = 26 + widest(tick_labels(axis_ticks(y)));
   frame.top = top_margin(title);
   frame.width = drawing.width - frame.left - 14;
   frame.height = drawing.height - frame.top - 38;
@@ -240,9 +240,22 @@ std::vector<double> axis_ticks(const ChartAxis& axis, std::size_t wanted) {
   return ticks;
 }
 
-std::string tick_label(double value) {
-  const std::string text = fmt::format("{:.4g}", value);
-  return text == "-0" || std::abs(value) < 1e-300 ? "0" : text;
+std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < ticks.size(); ++i) distance = std::min(distance, std::abs(ticks[i] - ticks[i - 1]));
+  const auto is_exact = [&](int digits) {
+    return std::ranges::all_of(ticks, [&](double tick) {
+      return std::abs(parse_number(fmt::format("{:.{}g}", tick, digits)).value_or(tick) - tick) <= distance / 100;
+    });
+  };
+  int digits = 4;
+  while (digits < 15 && !is_exact(digits)) ++digits;
+  std::vector<std::string> labels;
+  for (const double tick : ticks) {
+    const bool is_zero = std::abs(tick) < std::max(1e-300, std::isfinite(distance) ? distance / 1e6 : 0);
+    labels.push_back(is_zero ? "0" : fmt::format("{:.{}g}", tick, digits));
+  }
+  return labels;
 }
 
 Drawing draw_chart(const CurveChart& chart) {
@@ -359,7 +372,8 @@ Drawing draw_chart(const ColourBar& bar) {
   constexpr double width = 14;
   constexpr double top = 22;
   const std::vector<double> ticks = axis_ticks(bar.axis);
-  const double room = std::max(width + 10 + widest(labels_of(ticks)), estimated_text_width(bar.axis.label, font_size));
+  const std::vector<std::string> labels = tick_labels(ticks);
+  const double room = std::max(width + 10 + widest(labels), estimated_text_width(bar.axis.label, font_size));
   Drawing drawing{.width = room + 8, .height = bar.height + top + 8, .elements = {}};
   drawing.text({.text = bar.axis.label, .place = {0, 10}, .size = font_size, .colour = ink()});
   for (int k = 0; k < steps; ++k) {
@@ -371,10 +385,10 @@ Drawing draw_chart(const ColourBar& bar) {
     const Colour colour = bar.below && value < *bar.below ? bar.below_colour : colour_of(part);
     drawing.rectangle({0, top + from}, {width, std::min(bar.height - from, 2 * bar.height / steps)}, colour);
   }
-  for (const double tick : ticks) {
-    const double y = top + bar.height * (1 - bar.axis.part(tick));
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const double y = top + bar.height * (1 - bar.axis.part(ticks[i]));
     drawing.line({width, y}, {width + 4, y}, ink(), 0.8);
-    drawing.text({.text = tick_label(tick), .place = {width + 7, y + 3.5}, .size = font_size, .colour = ink()});
+    drawing.text({.text = labels[i], .place = {width + 7, y + 3.5}, .size = font_size, .colour = ink()});
   }
   return drawing;
 }

@@ -36,8 +36,8 @@ struct ChartAxis {
 /// more than a decade, the powers of ten, with 2 and 5 times these if there is room.
 std::vector<double> axis_ticks(const ChartAxis& axis, std::size_t wanted = 6);
 
-/// Formats a tick with the digits that distinguish it from the others of an axis.
-std::string tick_label(double value);
+/// Formats the ticks of an axis with as many digits as needed, at least 4, to round by 1 % of their distance at most.
+std::vector<std::string> tick_labels(const std::vector<double>& ticks);
 
 /// Size of a chart in points; a column of most journals is 3.5 inches wide.
 struct ChartSize {

@@ -180,15 +180,16 @@ def _class_numbers(labels: Any, models: int, missing_labels: str,
 def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None, *, measures: Union[str, Iterable[str]] = (),
              ties: str = "index", minimum_class_size: int = 2, similarity: bool = False, missing_labels: str = "error",
              threads: int = 0, name: str = "method", distance: Optional[str] = None, targets: Any = None,
-             relevance: Any = None, curve: str = "", confidence: Optional[float] = None, blocks: str = "classes",
-             resamples: int = 10000, seed: int = 1) -> Scores:
+             subclasses: Any = None, relevance: Any = None, curve: str = "", confidence: Optional[float] = None,
+             blocks: str = "classes", resamples: int = 10000, seed: int = 1) -> Scores:
     """Evaluates distances against the classes of the models: labels[i] is the class of row i and column i.
 
     distances: n x n floats; similarities with similarity=True; or, with distance="l2" or a descriptor's name, features,
     one row a model. labels: text or integers. protocol: "psb", "paper" or "trec" (default: psb, or trec with relevance).
     measures: names of measures (default: those of the protocol). ties: "index", "optimistic", "pessimistic" or
     "expected". missing_labels: "error", or "no_class": a model without a label is not a query, and relevant to none.
-    targets: labels of the columns, if they are other models than the rows. relevance: n x n grades in place of labels, 0
+    targets: labels of the columns, if they are other models than the rows. subclasses: those of the models, which grade
+    models of one class for nDCG@N; None, "" or the model's label for none. relevance: n x n grades in place of labels, 0
     for not relevant. curve: "psb", "paper", "trec" or "raw" (default: that of the protocol). confidence: confidence level
     of `intervals`, such as 0.95. blocks: unit of resampling, "classes" or "queries".
 
@@ -199,7 +200,8 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
     if protocol is None:
         protocol = "psb" if relevance is None else "trec"
     scores = _evaluate(distances, labels, protocol, measures, ties, minimum_class_size, similarity, missing_labels,
-                       threads, word(name, "name"), "", distance=distance, targets=targets, relevance=relevance, curve=curve)
+                       threads, word(name, "name"), "", distance=distance, targets=targets, subclasses=subclasses, relevance=relevance,
+                       curve=curve)
     if confidence is not None:
         low_and_high = _native.intervals(scores._native, _confidence(confidence), word(blocks, "blocks"),
                                          whole_number(resamples, "resamples", 1, 10000000),
@@ -235,9 +237,22 @@ def _grades(relevance: Any, shape: tuple[int, ...]) -> _numpy.ndarray:
     return _numpy.ascontiguousarray(grades, dtype=_numpy.int32)
 
 
+def _subclass_numbers(subclasses: Any, labels: Any) -> list[int]:
+    """Numbers of the subclasses, -1 for none; empty if there are none at all."""
+    if subclasses is None:
+        return []
+    names, of_models = _label_list(subclasses), _label_list(labels)
+    if len(names) != len(of_models):
+        raise InputError(f"there are {len(names)} subclasses for {len(of_models)} models")
+    numbers: dict[str, int] = {}
+    return [-1 if _is_missing(name) or str(name) in ("", str(label)) else numbers.setdefault(str(name), len(numbers))
+            for name, label in zip(names, of_models)]
+
+
 def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: str, minimum_class_size: int,
               similarity: bool, missing_labels: str, threads: int, name: str, prefix: str, *,
-              distance: Optional[str] = None, targets: Any = None, relevance: Any = None, curve: str = "") -> Scores:
+              distance: Optional[str] = None, targets: Any = None, subclasses: Any = None, relevance: Any = None,
+              curve: str = "") -> Scores:
     similarity = switch(similarity, "similarity")
     if distance is not None and similarity:
         raise InputError("distance applies to features, which are not similarities; omit similarity")
@@ -246,6 +261,8 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
     if labels is not None and relevance is not None:
         raise InputError("give labels, or relevance in their place, not both")
     rectangular = targets is not None or relevance is not None
+    if subclasses is not None and rectangular:
+        raise InputError("subclasses apply to labels of rows and columns alike; with targets give relevance instead")
     matrix = _distances_of(distances, distance, rectangular, threads)
     square = targets is None and matrix.shape[0] == matrix.shape[1]
     names: list[Any] = []
@@ -258,7 +275,8 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
         names, both = _class_numbers(_label_list(labels) + _label_list(targets), sum(matrix.shape), missing_labels,
                                      "labels and targets")
         numbers, columns = both[:matrix.shape[0]], both[matrix.shape[0]:]
-    native, warnings = _native.evaluate(-matrix if similarity else matrix, numbers, None if square else columns, grades,
+    native, warnings = _native.evaluate(-matrix if similarity else matrix, numbers, None if square else columns,
+                                        _subclass_numbers(subclasses, labels), grades,
                                         word(protocol, "protocol"), word(ties, "ties"), words(measures, "measures"),
                                         word(curve, "curve"),
                                         whole_number(minimum_class_size, "minimum_class_size", 2, 1000000), similarity,

@@ -48,6 +48,7 @@ def evaluate(
     distances: ndarray,
     labels: list[int],
     targets: Optional[list[int]],
+    subclasses: list[int],
     relevance: Optional[ndarray],
     protocol: str,
     ties: str,

@@ -65,12 +65,13 @@ std::map<std::string, std::string> results_in(const std::filesystem::path& folde
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().lexically_relative(folder).string();
-    if (entry.is_regular_file() && name != "shape_seconds.csv") files[name] = test::text_of(entry.path());
+    if (!entry.is_regular_file() || entry.path().filename() == "shape_seconds.csv") continue;
+    files[name] = test::text_of(entry.path());
+    if (entry.path().filename() != "manifest.json") continue;
+    nlohmann::json manifest = nlohmann::json::parse(files.at(name));
+    manifest.erase("execution");
+    files[name] = manifest.dump();
   }
-  if (!files.contains("manifest.json")) return files;
-  nlohmann::json manifest = nlohmann::json::parse(files.at("manifest.json"));
-  manifest.erase("execution");
-  files["manifest.json"] = manifest.dump();
   return files;
 }
 

@@ -66,6 +66,36 @@ TEST_F(DatasetCommand, InfoCountsWhatIsSkipped) {
   EXPECT_THAT(outcome.output, HasSubstr("\nskipped: 1 file that is not a shape, 1 folder\n"));
 }
 
+TEST_F(DatasetCommand, InfoCountsASplit) {
+  for (const char* name : {"bed/train/1.off", "bed/test/2.off", "bed/test/3.off", "sofa/test/4.off"}) {
+    write_text(at("parts/" + std::string(name)), test::text_of(at("T0.off")));
+  }
+  const Outcome outcome = run_executable("dataset info '" + at("parts") + "' --split test");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("layout folders: 3 models in 2 classes"));
+  EXPECT_THAT(outcome.output, HasSubstr("\"split\":\"test\""));
+  const Outcome without = run_executable("dataset info '" + folder() + "' --split test");
+  EXPECT_EQ(without.status, 2);
+  EXPECT_THAT(without.errors, HasSubstr("the layout shrec11 has no splits"));
+}
+
+TEST_F(DatasetCommand, LabelsAreWhatEvaluateReads) {
+  write_text(at("all.csv"),
+             "id,synsetId,subSynsetId,modelId,split\n000001,7,7,a,test\n000002,7,8,b,test\n000003,9,9,c,train\n");
+  const std::string command = "dataset labels '" + folder() + "' --layout shapenet --split test";
+  EXPECT_EQ(run_executable(command).output, "id,class,subclass\n000001,7,\n000002,7,8\n");
+  ASSERT_EQ(run_executable(command + " -o '" + at("labels.csv") + "'").status, 0);
+  write_text(at("lists/000001"), "000001 0\n000002 0.5\n");
+  write_text(at("lists/000002"), "000002 0\n");
+  const Outcome outcome =
+      run_executable("evaluate '" + at("lists") + "' --labels '" + at("labels.csv") +
+                     "' --protocol paper --measures P@N,R@N,F1@N,mAP@N,nDCG@N --format csv --unit fraction --digits 4");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  // Query 1 finds both, with the grades 3 and 1; query 2 finds itself only, not the model of grade 2.
+  EXPECT_THAT(outcome.output, HasSubstr("lists,paper,micro,1.0000,0.7500,0.8333,0.7500,0.8000\n"));
+  EXPECT_EQ(run_executable(command + " -o '" + at("labels.csv") + "'").status, 2) << "exists";
+}
+
 TEST_F(DatasetCommand, ValidateNamesWhatCannotBeUsed) {
   EXPECT_EQ(dataset("validate").output, "9 of 9 models can be used\n");
   write_text(at("T2.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");

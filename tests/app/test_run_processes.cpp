@@ -116,6 +116,32 @@ TEST_F(RunProcesses, AnyNumberOfProcessesGivesTheSameBytes) {
   }
 }
 
+TEST_F(RunProcesses, SeveralDataSetsGiveTheSameBytes) {
+  if (!missing().empty()) GTEST_SKIP() << missing();
+  test::write_small_dataset(at("second"));
+  write_text(at("second/test.cla"), "PSB 1\n2 5\n\nsphere 0 3\n0\n3\n6\n\nbox 0 2\n1\n4\n");
+  json configuration = json::parse(text_of(at("small.json")));
+  json second = configuration["dataset"];
+  second["root"] = "second";
+  configuration["datasets"] = {configuration["dataset"], second};
+  configuration["datasets"][0]["name"] = "first";
+  configuration["datasets"][1]["name"] = "second";
+  configuration.erase("dataset");
+  write_text(at("small.json"), configuration.dump());
+  const auto expected = results_of_one();
+  ASSERT_TRUE(expected.contains("first/distances/sum.npy") && expected.contains("second/features/bag.npy"));
+  for (const int ranks : {2, 3}) {
+    SCOPED_TRACE(ranks);
+    const std::string output = "out" + std::to_string(ranks);
+    const Outcome outcome = run_ranks(ranks, output);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    EXPECT_EQ(results_in(at(output)), expected);
+    const json manifest = json::parse(text_of(at(output) / "second/manifest.json"));
+    EXPECT_EQ(manifest["execution"].value("processes", 1), ranks);
+  }
+}
+
 TEST_F(RunProcesses, MatricesThatNobodyWantsAreNotWritten) {
   if (!missing().empty()) GTEST_SKIP() << missing();
   ASSERT_EQ(run_ranks(2, "out", "--set keep_distances=false").status, 0);

@@ -196,8 +196,9 @@ TEST(MeasureRegistry, NoMeasureIsNamedTwice) {
 
 TEST(MeasureRegistry, OtherNamesAreErrors) {
   EXPECT_THAT(measure_error_of("PP"), HasSubstr("no measure \"PP\"; did you mean"));
+  EXPECT_THAT(measure_error_of("FT@N"), HasSubstr("no measure \"FT@N\""));
   EXPECT_THAT(measure_error_of("FT@3"), HasSubstr("no measure \"FT@3\""));
-  for (const char* name : {"P@0", "P@", "P@x", "P@-1", "P@1.5", "P@k", "P@99999999999"}) {
+  for (const char* name : {"P@0", "P@", "P@x", "P@-1", "P@1.5", "P@k", "P@M", "P@99999999999"}) {
     EXPECT_THAT(measure_error_of(name),
                 HasSubstr("needs a number of ranks from 1 to 1000000000 after the @, as in P@10"));
   }
@@ -223,12 +224,13 @@ TEST(MeasureRegistry, TakesAMeasureFromOutsideTheLibrary) {
 TEST(MeasureRegistry, RefusesWhatItCouldNotServe) {
   const auto half = [](const RankedList&) { return 0.5; };
   const auto half_at = [](const RankedList&, std::size_t) { return 0.5; };
-  for (const char* name : {"", "@k", "a b", "a,b", "a@3", "FT", "AP"}) {
+  for (const char* name : {"", "@k", "@N", "a b", "a,b", "a@3", "FT", "AP"}) {
     EXPECT_THROW(measure_definitions().add({.name = name, .value = half}), ArgumentError) << name;
   }
   EXPECT_THROW(measure_definitions().add({.name = "P@k", .value_at = half_at}), ArgumentError);
   EXPECT_THROW(measure_definitions().add({.name = "X", .value_at = half_at}), ArgumentError);
   EXPECT_THROW(measure_definitions().add({.name = "X@k", .value = half}), ArgumentError);
+  EXPECT_THROW(measure_definitions().add({.name = "X@N", .value_at = half_at}), ArgumentError);
   EXPECT_THROW(measure_definitions().add({.name = "X", .value = half, .value_at = half_at}), ArgumentError);
   EXPECT_THROW(measure_definitions().add({.name = "X"}), ArgumentError);
   EXPECT_THAT(measure_error_of("X"), HasSubstr("no measure"));

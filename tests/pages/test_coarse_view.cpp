@@ -110,7 +110,8 @@ TEST(CarriedValues, ValuesThatAreMissingAreLeftOutAndStayMissingWhereThereIsNoOt
 
 TEST(CoarseView, KeepsWhatEachBallHas) {
   const ShapeView fine = test_view::balls();
-  const ShapeView coarse = coarse_view(fine, 400);
+  const Samples samples = sample_shape(fine.shape, fine.site);
+  const ShapeView coarse = coarse_view(fine, samples, 400);
   ASSERT_LE(coarse.shape.triangles.rows(), 400);
   const Samples places = sample_shape(coarse.shape, SampleSite::faces);
   ASSERT_EQ(std::ssize(coarse.parts), places.points.rows());
@@ -123,7 +124,7 @@ TEST(CoarseView, KeepsWhatEachBallHas) {
     parts.insert(coarse.parts[static_cast<std::size_t>(i)]);
   }
   EXPECT_EQ(parts.size(), 2U);
-  EXPECT_EQ(coarse_view(fine, 5000).shape.triangles, fine.shape.triangles);
+  EXPECT_EQ(coarse_view(fine, samples, 5000).shape.triangles, fine.shape.triangles);
 }
 
 }  // namespace

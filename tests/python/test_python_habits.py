@@ -99,6 +99,21 @@ def test_features_are_compared_by_a_distance():
         sg.evaluate(features, labels, distance="l1", similarity=True)
 
 
+def test_subclasses_grade_models_of_a_class():
+    # The query first, then a model of another subclass, of none, and of its own.
+    distances = np.array([[0, 1, 2, 3], [1, 0, 2, 3], [1, 2, 0, 3], [1, 2, 3, 0]], dtype=float)
+    scores = sg.evaluate(distances, list("aaaa"), "paper", measures=["nDCG@N"], subclasses=["x", "y", "a", "x"])
+    gains = 3 + 1 + 2 / np.log2(3) + 3 / np.log2(4)
+    ideal = 3 + 3 + 2 / np.log2(3) + 1 / np.log2(4)
+    assert abs(scores.per_query["nDCG@N"][0] - gains / ideal) < 1e-12
+    plain = sg.evaluate(distances, list("aaaa"), "paper", measures=["nDCG@N"], subclasses=[None, "", "a", "a"])
+    assert plain["nDCG@N"] == 1
+    with pytest.raises(sg.InputError, match="3 subclasses for 4 models"):
+        sg.evaluate(distances, list("aaaa"), subclasses=list("xyz"))
+    with pytest.raises(sg.InputError, match="relevance instead"):
+        sg.evaluate(distances, list("aaaa"), targets=list("aaaa"), subclasses=list("xyzx"))
+
+
 def test_relevance_takes_the_place_of_labels():
     distances, labels = toy()
     same = np.equal.outer(labels, labels)

@@ -25,6 +25,30 @@ TEST(RankedAnswers, OfListsAreInTheirOrder) {
   EXPECT_THAT(lists.answers[0].models, ElementsAre(Pair("c", 1), Pair("a", 2), Pair("b", 3)));
 }
 
+TEST(RankedAnswers, OfAFolderHaveAFileForEachQuery) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder.path() / "10", "2 0.5\n10 0.7\n");
+  test::write_text(folder.path() / "2", "7\r\n\n10\r\n");
+  test::write_text(folder.path() / ".hidden", "x\n");
+  ASSERT_TRUE(is_ranked_answers_file(folder.path()));
+  const RankedAnswers lists = read_ranked_answers(folder.path());
+  ASSERT_EQ(lists.answers.size(), 2U);
+  EXPECT_EQ(lists.answers[0].query, "2");
+  EXPECT_THAT(lists.answers[0].models, ElementsAre(Pair("7", 1), Pair("10", 2)));
+  EXPECT_THAT(lists.answers[1].models, ElementsAre(Pair("2", 1), Pair("10", 2)));
+}
+
+TEST(RankedAnswers, FaultsOfAFolderAreOneError) {
+  const test::TemporaryFolder folder;
+  const auto error = [&] { return test::input_error_of([&] { read_ranked_answers(folder.path()); }); };
+  EXPECT_THAT(error(), HasSubstr("no ranked lists"));
+  test::write_text(folder.path() / "2", "7 1\n8 2\n7 3\n");
+  EXPECT_THAT(error(), HasSubstr("2:3: repeated model \"7\""));
+  test::write_text(folder.path() / "2", "7 1\n");
+  std::filesystem::create_directory(folder.path() / "test_normal");
+  EXPECT_THAT(error(), HasSubstr("\"test_normal\""));
+}
+
 TEST(RankedAnswers, JudgementsKeepWhatIsRelevant) {
   const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq2 0 a -1\nq1 0 c 2\n", "j");
   ASSERT_EQ(judgements.queries.size(), 2U);

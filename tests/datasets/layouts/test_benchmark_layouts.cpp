@@ -108,6 +108,10 @@ TEST_F(BenchmarkLayouts, ShapeNetsTableNamesSplitsAndSynsets) {
       "000003,02691156,y,c,test\n");
   EXPECT_THAT(recognised(), ElementsAre("shapenet", "000001:04090263", "000002:04090263", "000003:02691156"));
   EXPECT_THAT(recognised("test"), ElementsAre("shapenet", "000002:04090263", "000003:02691156"));
+  add("all.csv", "id,synsetId,subSynsetId,modelId,split\n000002,04090263,04090263,b,test\n000003,02691156,2,c,test\n");
+  const Dataset dataset = find_dataset(recognise_dataset(root()));
+  EXPECT_EQ(dataset.models[0].subclass, "");  // of the class as such
+  EXPECT_EQ(dataset.models[1].subclass, "2");
   add("all.csv", "ID;SynsetID;Split\n000003;02691156;test\n");
   EXPECT_THAT(recognised(), ElementsAre("shapenet", "000003:02691156"));
   add("all.csv", "id,synsetId,split\n000001,1\n");

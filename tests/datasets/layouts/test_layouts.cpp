@@ -162,6 +162,10 @@ TEST_F(Layouts, FoldersErrors) {
 
 TEST_F(Layouts, CsvTakesTheTable) {
   write("sub/x.off");
+  write("models.csv", "id,path,class,Subcategory\n1,a.off,red,dark\n2,b.off,red,\n3,c.off,red,red\n");
+  EXPECT_EQ(find("csv").models[0].subclass, "dark");
+  EXPECT_EQ(find("csv").models[1].subclass, "");
+  EXPECT_EQ(find("csv").models[2].subclass, "");
   write("models.csv", "class,id,path,remark\r\nred,m10,\"sub/x.off\",\r\nblue,m2,sub/x.off,\"a, b\"\r\n");
   const Dataset dataset = find("csv");
   EXPECT_THAT(ids(dataset), ElementsAre("m2:blue", "m10:red"));

@@ -87,8 +87,8 @@ TEST_F(FiveShapes, EveryMeasureIsWorkedAndRight) {
   for (const MeasureDefinition& definition : measure_definitions().entries()) {
     for (const auto& row : rows) {
       const bool same =
-          row[0] == definition.name ||
-          (definition.value_at != nullptr && row[0].starts_with(definition.name.substr(0, definition.name.size() - 1)));
+          row[0] == definition.name || (definition.value_at != nullptr && !row[0].ends_with("@N") &&
+                                        row[0].starts_with(definition.name.substr(0, definition.name.size() - 1)));
       if (!same) continue;
       ++worked;
       expect_printed(row.back(), value(row[0]), row[0]);

@@ -127,6 +127,24 @@ TEST_F(EvaluationTaskTest, RankedListsUnderClasses) {
   EXPECT_EQ(coverage.incomplete, 0U);
 }
 
+TEST_F(EvaluationTaskTest, SubclassesGradeRankedListsAndMatrices) {
+  const auto labels =
+      file("sub.csv", "id,class,subclass\n1,ant,red\n2,ant,ant\n3,ant,red\n4,ant,blue\n5,bee,\n6,bee,\n");
+  // For 1: itself 3, then 2 (of the class as such), 5 (a miss), 4 (another subclass); 3 would have gained 3.
+  const double found = 3 + 2 + 1 / std::log2(4);
+  const double ideal = 3 + 3 + 2 / std::log2(3) + 1 / std::log2(4);
+  const EvaluationData lists = open_evaluation_files({.matrix = file("r.lists", "1 1 2 5 4\n"), .labels = labels});
+  EXPECT_DOUBLE_EQ(measure(lists, "nDCG@N", Protocol::paper), found / ideal);
+  EXPECT_DOUBLE_EQ(measure(lists, "P@N", Protocol::paper), 3.0 / 4);
+
+  const auto queries = file("q.csv", "id,class,subclass\n1,ant,red\n");
+  const auto targets = file("t.csv", "id,class,subclass\n2,ant,\n3,ant,red\n4,ant,blue\n5,bee,\n");
+  const EvaluationData matrix =
+      open_evaluation_files({.matrix = file("d.txt", "1 4 3 2\n"), .labels = queries, .targets = targets});
+  const double all_found = 3 + 2 + 1 / std::log2(4) + 3 / std::log2(5);
+  EXPECT_DOUBLE_EQ(measure(matrix, "nDCG@N", Protocol::paper), all_found / ideal);
+}
+
 TEST_F(EvaluationTaskTest, AMatrixUnderJudgementsNeedsIds) {
   const auto qrels = file("j.txt", "2 0 10 1\n");
   const auto matrix = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");

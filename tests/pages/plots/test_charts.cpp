@@ -38,6 +38,13 @@ TEST(Axis, TicksAreRoundAndWithin) {
   EXPECT_THAT(axis_ticks({.low = 2, .high = 2}), ElementsAre(2));
 }
 
+TEST(Axis, LabelsTellTicksApart) {
+  EXPECT_THAT(tick_labels({0, 0.05, 0.1}), ElementsAre("0", "0.05", "0.1"));
+  EXPECT_THAT(tick_labels({1.9955, 1.996, 1.9965}), ElementsAre("1.9955", "1.996", "1.9965"));
+  EXPECT_THAT(tick_labels({-1e-18, 20000, 40000}), ElementsAre("0", "2e+04", "4e+04"));
+  EXPECT_THAT(tick_labels({1.0 / 3}), ElementsAre("0.3333"));
+}
+
 TEST(Axis, PartsAreLinearOrLogarithmic) {
   EXPECT_DOUBLE_EQ((ChartAxis{.low = 2, .high = 6}.part(3)), 0.25);
   EXPECT_DOUBLE_EQ((ChartAxis{.low = 1, .high = 10000, .logarithmic = true}.part(10)), 0.25);
