@@ -137,7 +137,7 @@ std::vector<std::int32_t> nearest_places(const Samples& places, const Samples& a
 Shape coarse_shape(const Shape& shape, Eigen::Index faces) {
   if (!is_cloud(shape)) return shape.triangles.rows() > faces ? coarse_mesh(shape, faces) : shape;
   if (shape.vertices.rows() <= faces) return shape;
-  const Samples chosen = sample_surface_of(shape, faces);
+  const Samples chosen = sample_surface(shape, faces);
   Shape cloud{.vertices = chosen.points, .triangles = {}};
   if (shape.normals.rows() > 0) cloud.normals = chosen.normals;
   return cloud;

@@ -82,8 +82,8 @@ void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& cen
 }
 
 bool LocalConnectivity::connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre,
-                                          double radius, Joint joint) {
-  const Neighbours& neighbours = joint == Joint::edge ? across_edges_ : across_vertices_;
+                                          double radius, SharedElement shared) {
+  const Neighbours& neighbours = shared == SharedElement::edge ? across_edges_ : across_vertices_;
   ++search_;
   met_border_ = false;
   queue_.clear();

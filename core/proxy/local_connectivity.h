@@ -12,7 +12,7 @@
 namespace shapegauge {
 
 /// Element shared by two adjacent triangles.
-enum class Joint { edge, vertex };
+enum class SharedElement { edge, vertex };
 
 /// Local connectivity of the triangles of a mesh. A cloud has no triangles.
 class LocalConnectivity {
@@ -27,7 +27,7 @@ class LocalConnectivity {
 
   /// Returns true if a path connects two triangles through triangles whose bounding spheres intersect a ball.
   bool connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre, double radius,
-                         Joint joint = Joint::edge);
+                         SharedElement shared = SharedElement::edge);
 
   /// Returns true if the last connected_in_ball() visited a triangle with a boundary edge.
   [[nodiscard]] bool met_border() const { return met_border_; }

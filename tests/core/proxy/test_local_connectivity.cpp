@@ -46,8 +46,8 @@ TEST(LocalConnectivity, SquaresThatShareACornerAreConnectedAcrossVerticesOnly) {
   LocalConnectivity connectivity = connectivity_of(squares({{0, 0}, {1, 1}}));
   const Eigen::Vector3d corner(1, 1, 0);
   EXPECT_FALSE(connectivity.of_one_component(0, 2));
-  EXPECT_FALSE(connectivity.connected_in_ball(0, 2, corner, 3, Joint::edge));
-  EXPECT_TRUE(connectivity.connected_in_ball(0, 2, corner, 3, Joint::vertex));
+  EXPECT_FALSE(connectivity.connected_in_ball(0, 2, corner, 3, SharedElement::edge));
+  EXPECT_TRUE(connectivity.connected_in_ball(0, 2, corner, 3, SharedElement::vertex));
 }
 
 TEST(LocalConnectivity, BordersAreMetWhereThereAreSome) {
