@@ -165,7 +165,7 @@ SignatureConfiguration signature_of(const Json& settings, const std::vector<std:
     return signature;
   }
   if (kind == "descriptor") {
-    signature.descriptor = at(*kind, [&] { return make_descriptor(settings.at(*kind)); });
+    signature.descriptor = at_key(*kind, [&] { return make_descriptor(settings.at(*kind)); });
     return signature;
   }
   if (kind) {

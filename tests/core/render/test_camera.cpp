@@ -64,9 +64,10 @@ TEST(PrincipalView, TheLongestAxisLiesHorizontally) {
   EXPECT_GT(std::abs(shortest.dot(camera.forward)), 0.8);
 }
 
-TEST(PrincipalView, WithoutExtentTheOptionsStay) {
+TEST(PrincipalView, WithoutAreaTheOptionsStay) {
   const RenderOptions options{.towards_viewer = {1, 2, 3}};
-  EXPECT_EQ(principal_view(Shape{Points::Zero(2, 3), {}}, options).towards_viewer, options.towards_viewer);
+  const Shape flat{Points::Zero(3, 3), Triangles{{0, 1, 2}}};
+  EXPECT_EQ(principal_view(flat, options).towards_viewer, options.towards_viewer);
 }
 
 }  // namespace
