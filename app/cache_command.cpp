@@ -28,7 +28,7 @@ fs::path folder_of(const CacheOption& option) {
 int show_cache(const CacheOption& option) {
   const fs::path folder = folder_of(option);
   const CacheContents contents = cache_contents(folder);
-  Table table{.header = {"kind", "entries", "size"}, .rows = {}};
+  TextTable table{.header = {"kind", "entries", "size"}, .rows = {}};
   const auto add = [&](std::string_view name, const CacheContents::Amount& amount) {
     table.rows.push_back({std::string(name), std::to_string(amount.entries), megabytes(amount.bytes)});
   };

@@ -132,8 +132,8 @@ void check_compare_outputs(const CompareArguments& arguments) {
 }
 
 // Makes a table of the curves, as written by `evaluate --pr`.
-Table curves_table(const std::vector<NamedCurve>& curves) {
-  Table table{.header = {"method", "protocol", "recall", "precision"}, .rows = {}, .text_columns = 2};
+TextTable curves_table(const std::vector<NamedCurve>& curves) {
+  TextTable table{.header = {"method", "protocol", "recall", "precision"}, .rows = {}, .text_columns = 2};
   for (const NamedCurve& named : curves) {
     for (std::size_t i = 0; i < named.curve.recall.size(); ++i) {
       table.rows.push_back({named.method, named.protocol, fmt::format("{}", named.curve.recall[i]),
@@ -195,11 +195,11 @@ std::string formatted_comparison(const AlignedMethods& methods, std::span<const 
   const ScoreStyle style = style_of(arguments.printed);
   if (arguments.printed.format == "json") return comparison_json(methods, comparisons, options).dump(2) + "\n";
   const bool csv = arguments.printed.format == "csv";
-  const Table pairs = pairs_table(methods, comparisons, style, csv);
+  const TextTable pairs = pairs_table(methods, comparisons, style, csv);
   if (csv) return to_csv(pairs);
-  const Table summary = comparison_summary(methods, comparisons, options, style);
+  const TextTable summary = comparison_summary(methods, comparisons, options, style);
   const std::string words = explanation(methods, comparisons, options);
-  const auto text_of = [&](const Table& table) { return table_text(table, arguments.printed.format); };
+  const auto text_of = [&](const TextTable& table) { return table_text(table, arguments.printed.format); };
   if (arguments.printed.format == "latex") return text_of(summary);
   return text_of(summary) + "\n" + words + "\n" + text_of(pairs);
 }

@@ -84,7 +84,7 @@ int show_dataset(const LookArguments& arguments) {
   for (const ModelFailure& failure : failures) {
     ++unusable[static_cast<std::size_t>(dataset.models[failure.model].label)];
   }
-  Table table{.header = {"class", "models"}, .rows = {}, .text_columns = 1};
+  TextTable table{.header = {"class", "models"}, .rows = {}, .text_columns = 1};
   if (!failures.empty()) table.header.emplace_back("unusable");
   for (std::size_t label = 0; label < dataset.classes.size(); ++label) {
     if (models[label] == 0) continue;

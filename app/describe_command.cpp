@@ -48,7 +48,8 @@ struct Described {
   Eigen::VectorXf features;
 };
 
-void add_settings(std::string_view of, std::span<const Parameter> parameters, const std::string& prefix, Table& table) {
+void add_settings(std::string_view of, std::span<const Parameter> parameters, const std::string& prefix,
+                  TextTable& table) {
   const Json defaults = to_json(ParameterValues(parameters));
   for (const Parameter& parameter : parameters) {
     table.rows.push_back({std::string(of), prefix + std::string(parameter.name),
@@ -58,7 +59,7 @@ void add_settings(std::string_view of, std::span<const Parameter> parameters, co
 
 /// Lists all descriptors and their settings, for --list.
 std::string list_of_descriptors() {
-  Table table{.header = {"descriptor", "setting", "default", "meaning"}, .rows = {}, .text_columns = 4};
+  TextTable table{.header = {"descriptor", "setting", "default", "meaning"}, .rows = {}, .text_columns = 4};
   for (const Descriptor& one : descriptors().entries()) {
     table.rows.push_back({std::string(one.name), "", "", std::string(one.description)});
     if (one.most_fields > 0) {
@@ -132,7 +133,7 @@ std::vector<std::string> ids_of(const std::vector<fs::path>& inputs) {
 void write_features(const DescribeArguments& arguments, const std::vector<std::string>& ids,
                     const std::vector<std::optional<Described>>& shapes) {
   DistanceMatrix rows;
-  Table table{.header = {"id"}, .rows = {}};
+  TextTable table{.header = {"id"}, .rows = {}};
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (!shapes[i]) continue;
     const Eigen::VectorXf& features = shapes[i]->features;

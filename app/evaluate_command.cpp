@@ -84,7 +84,7 @@ std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationT
   const IntervalCells intervals = arguments.printed.format == "csv" ? IntervalCells::columns
                                   : named.intervals.micro.empty()   ? IntervalCells::none
                                                                     : IntervalCells::beside;
-  const auto text_of = [&](const Table& table) { return table_text(table, arguments.printed.format); };
+  const auto text_of = [&](const TextTable& table) { return table_text(table, arguments.printed.format); };
   std::string text;
   if (arguments.each_query) text = text_of(per_query_table(one, task.query_ids, task.class_names, style)) + "\n";
   return text + text_of(summary_table(one, style, intervals));
@@ -105,7 +105,9 @@ void write_files(const NamedEvaluation& named, const EvaluationTask& task, const
     write_file_atomically(arguments.curve,
                           plot ? psb_plot(named.evaluation->micro_curve) : to_csv(precision_recall_table(one)));
   }
-  const auto write_table = [](const fs::path& path, const Table& table) { write_file_atomically(path, to_csv(table)); };
+  const auto write_table = [](const fs::path& path, const TextTable& table) {
+    write_file_atomically(path, to_csv(table));
+  };
   if (!arguments.class_curves.empty()) write_table(arguments.class_curves, class_curves_table(one, task.class_names));
   if (!arguments.per_query.empty()) {
     write_table(arguments.per_query, per_query_table(one, task.query_ids, task.class_names));

@@ -15,6 +15,7 @@
 #include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/little_endian.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
@@ -56,7 +57,7 @@ void diffuse_file(const OpenMatrix& matrix, const DiffusionOptions& options, con
   try {
     diffuse(matrix.rows, rows, options, [&](Eigen::Index /*first*/, const DistanceMatrix& block) {
       std::string bytes;
-      for (const double distance : block.reshaped<Eigen::RowMajor>()) append_number(bytes, distance);
+      for (const double distance : block.reshaped<Eigen::RowMajor>()) append_little_endian(bytes, distance);
       file << bytes;
     });
   } catch (...) {

@@ -179,6 +179,31 @@ void add_settings(CLI::App& command, SdfArguments& arguments) {
   }
 }
 
+/// Adds --output, --summary, --format and --plot.
+void add_outputs(CLI::App& command, SdfArguments& arguments) {
+  add_shape_outputs(command, arguments.files,
+                    ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)")
+      ->required(false);
+  command.add_flag("--summary", arguments.summary,
+                   "Print minimum, percentiles, maximum and mean of the thickness, and the area below --below");
+  command.add_option("--format", arguments.format, "Format of the summary")
+      ->check(CLI::IsMember({"table", "csv", "markdown", "latex", "json"}))
+      ->capture_default_str();
+  command.add_option("--plot", arguments.plot, "File for a histogram of the values: .svg, .pdf or .png");
+}
+
+/// Adds the options of colours, legend, size and view.
+void add_picture_options(CLI::App& command, SdfArguments& arguments) {
+  add_colour_options(command, arguments.colours);
+  command.add_flag("--no-legend", arguments.no_legend, "Omit the legend of a .png");
+  command.add_option("--picture-size", arguments.picture_size, "Width and height of a .png, in pixels")
+      ->capture_default_str();
+  command
+      .add_option("--view", arguments.view,
+                  "Direction from the shape to the viewer of a .png, or principal for the shape's own axes")
+      ->capture_default_str();
+}
+
 /// Data of a measured shape for --summary and --plot.
 struct Measured {
   std::string name;
@@ -302,15 +327,7 @@ void add_sdf_command(CLI::App& app, int& status) {
       ->required()
       ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "inscribed_ball"}))
       ->transform(with_method_name);
-  add_shape_outputs(*command, arguments->files,
-                    ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)")
-      ->required(false);
-  command->add_flag("--summary", arguments->summary,
-                    "Print minimum, percentiles, maximum and mean of the thickness, and the area below --below");
-  command->add_option("--format", arguments->format, "Format of the summary")
-      ->check(CLI::IsMember({"table", "csv", "markdown", "latex", "json"}))
-      ->capture_default_str();
-  command->add_option("--plot", arguments->plot, "File for a histogram of the values: .svg, .pdf or .png");
+  add_outputs(*command, *arguments);
   begin_option_group(*command, "Method");
   command->add_option("--at", arguments->site, "Sampling sites on a mesh; point clouds are sampled at their points")
       ->check(CLI::IsMember({"faces", "vertices"}))
@@ -320,14 +337,7 @@ void add_sdf_command(CLI::App& app, int& status) {
   add_former_options(*command, *arguments);
   add_denoise_option(*command, arguments->denoise);
   begin_option_group(*command, "Colours and pictures");
-  add_colour_options(*command, arguments->colours);
-  command->add_flag("--no-legend", arguments->no_legend, "Omit the legend of a .png");
-  command->add_option("--picture-size", arguments->picture_size, "Width and height of a .png, in pixels")
-      ->capture_default_str();
-  command
-      ->add_option("--view", arguments->view,
-                   "Direction from the shape to the viewer of a .png, or principal for the shape's own axes")
-      ->capture_default_str();
+  add_picture_options(*command, *arguments);
   begin_option_group(*command, output_options);
   command->add_option("--timings", arguments->timings,
                       "JSON file for run times, outcomes of samples and the diagnostics of 'info'");

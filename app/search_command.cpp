@@ -128,8 +128,8 @@ class SearchRun {
     return index_.contents.models[static_cast<std::size_t>(one.model)];
   }
 
-  [[nodiscard]] Table table() const {
-    Table table{.header = {"query", "name", "rank", "distance"}, .rows = {}, .text_columns = 2};
+  [[nodiscard]] TextTable table() const {
+    TextTable table{.header = {"query", "name", "rank", "distance"}, .rows = {}, .text_columns = 2};
     for (const SearchAnswer& answer : answers_) {
       for (std::size_t i = 0; i < answer.nearest.size(); ++i) {
         table.rows.push_back({answer.query, model(answer.nearest[i]).id, fmt::format("{}", i + 1),

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,7 @@
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"
-#include "shapegauge/segmentation/paper_segmentation.h"
-#include "shapegauge/segmentation/part_segmentation.h"
+#include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
 #include "shapegauge/segmentation/segment_labels.h"
 
@@ -64,24 +62,24 @@ LabelWriter label_writer(const fs::path& name) {
   throw InputError(fmt::format("cannot write {}: parts are written as .seg, .ply or .png", name.string()));
 }
 
-Labels paper_labels(const Shape& shape, const SegmentArguments& arguments, Remarks& remarks) {
-  std::optional<double> offset;
-  if (arguments.field == "offset") {
+SegmentationMethod method_for(const Shape& shape, const SegmentArguments& arguments, Remarks& remarks) {
+  SegmentationMethod method;
+  method.paper = arguments.method == "paper";
+  method.parts = arguments.parts;
+  method.offset_field = arguments.field == "offset";
+  if (method.paper && method.offset_field) {
     const ChosenOffset chosen = choose_offset(parse_offset(arguments.offset).fraction_of(shape), shape);
-    offset = chosen.offset;
+    method.offset = chosen.offset;
     remark_on(chosen, remarks);
   }
-  PaperSegmentationOptions options;
-  if (arguments.parts > 0) options.mixture.components = arguments.parts;
-  return paper_segmentation(shape, offset, options);
+  return method;
 }
 
 void segment(const SegmentArguments& arguments, LabelWriter write, const Shape& given, const ShapeJob& job,
              Remarks& remarks) {
   try {
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
-    const Labels labels = arguments.method == "paper" ? paper_labels(shape, arguments, remarks)
-                                                      : part_segmentation(shape, {.parts = arguments.parts});
+    const Labels labels = segmented(shape, method_for(shape, arguments, remarks));
     write(job.output, shape, labels);
     if (const auto polygons = polygon_note(shape)) {
       remarks.notes.push_back(

@@ -27,7 +27,7 @@ namespace {
 constexpr int models_of_class = 50;
 
 /// Histograms with a peak that depends on the class, plus noise; identical on all ranks.
-Signatures make_signatures(const Range& models, int bins) {
+Signatures make_signatures(const RankRange& models, int bins) {
   Signatures signatures(static_cast<Eigen::Index>(models.size()), bins);
   for (std::size_t model = models.first; model < models.last; ++model) {
     RandomNumbers random(model);
@@ -71,7 +71,7 @@ double hand_out(std::size_t jobs, Communicator& ranks) {
 void measure(std::size_t models, int bins, Communicator& ranks) {
   constexpr std::size_t jobs = 10'000;
   const double handed_out = hand_out(jobs, ranks);
-  const Range own = part_of_rank(models, ranks.rank(), ranks.size());
+  const RankRange own = part_of_rank(models, ranks.rank(), ranks.size());
   const Signatures signatures = make_signatures(own, bins);
   std::vector<int> labels;
   for (std::size_t model = 0; model < models; ++model) labels.push_back(static_cast<int>(model / models_of_class));

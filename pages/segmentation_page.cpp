@@ -19,7 +19,7 @@ std::string html_row(const std::vector<std::string>& cells, std::string_view tag
   return row + "</tr>\n";
 }
 
-std::string html_table(const Table& table) {
+std::string html_table(const TextTable& table) {
   std::string html = fmt::format("<div class=\"wide\"><table{}>\n", table.text_columns == 2 ? " class=\"pairs\"" : "") +
                      html_row(table.header, "th");
   for (const auto& row : table.rows) html += html_row(row, "td");
@@ -58,7 +58,7 @@ std::string figures(const std::vector<SegmentationFigure>& shapes) {
 std::string errors_section(const SegmentationPageErrors& errors) {
   std::string html =
       fmt::format("<h2>Errors</h2>\n<p>Less is better; triangles count {}.</p>\n", html_text(errors.triangle_weights));
-  for (const Table& table : errors.tables) html += html_table(table);
+  for (const TextTable& table : errors.tables) html += html_table(table);
   html += "<h2>Rand error by class</h2>\n" + class_bars(errors);
   return html + "<details><summary>The same as a table</summary>\n" + html_table(errors.class_table) + "</details>\n";
 }

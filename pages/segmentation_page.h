@@ -31,10 +31,10 @@ struct SegmentationClassErrors {
 /// Errors relative to human segmentations.
 struct SegmentationPageErrors {
   std::string triangle_weights;  ///< weighting of triangles, in words
-  std::vector<Table> tables;
+  std::vector<TextTable> tables;
   std::vector<std::string> methods;
   std::vector<SegmentationClassErrors> classes;
-  Table class_table;
+  TextTable class_table;
 };
 
 /// Contents of the report of a segmentation experiment. The data of its pictures must outlive it.
@@ -44,8 +44,8 @@ struct SegmentationPage {
   std::size_t shapes = 0;
   std::size_t classes = 0;
   std::optional<SegmentationPageErrors> errors;               ///< absent without human segmentations
-  Table moved;                                                ///< errors under perturbations; no rows without any
-  Table consistency;                                          ///< consistency of parts among the shapes of a class
+  TextTable moved;                                            ///< errors under perturbations; no rows without any
+  TextTable consistency;                                      ///< consistency of parts among the shapes of a class
   std::vector<std::pair<std::string, std::string>> failures;  ///< omitted shapes and the reasons
   std::vector<SegmentationFigure> typical;                    ///< one shape a class
   std::vector<SegmentationFigure> shown;  ///< all shapes, largest errors first; empty without pictures

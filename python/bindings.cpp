@@ -332,7 +332,7 @@ Evaluation evaluation_of(const py::tuple& state) {
 }
 /// @}
 
-std::string formatted(const Table& table, const std::string& format) {
+std::string formatted(const TextTable& table, const std::string& format) {
   if (format == "latex") return to_latex(table);
   if (format == "markdown") return to_markdown(table);
   return format == "csv" ? to_csv(table) : to_plain_text(table);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/median.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/local_scales.h"
 #include "shapegauge/retrieval/nearest_models.h"
@@ -211,9 +212,7 @@ double distance_unit(const DistanceMatrix& matrix, DistanceScale scale) {
   std::vector<double> distances = finite_distances(matrix);
   if (distances.empty()) return 1;
   if (scale == DistanceScale::mean) return overflow_safe_mean(distances);
-  const auto middle = distances.begin() + std::ssize(distances) / 2;
-  std::ranges::nth_element(distances, middle);
-  return *middle;
+  return upper_median(distances);
 }
 
 DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::span<const double> weights,

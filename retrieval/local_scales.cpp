@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "shapegauge/core/base/median.h"
 #include "shapegauge/retrieval/nearest_models.h"
 
 namespace shapegauge {
@@ -30,11 +31,7 @@ LocalScales LocalScales::of_means(const Eigen::VectorXd& means) {
   LocalScales scales;
   std::vector<double> known;
   std::ranges::copy_if(means, std::back_inserter(known), [](double mean) { return !std::isnan(mean); });
-  if (!known.empty()) {
-    const auto middle = known.begin() + std::ssize(known) / 2;
-    std::ranges::nth_element(known, middle);
-    scales.least = least_share * *middle;
-  }
+  if (!known.empty()) scales.least = least_share * upper_median(known);
   scales.roots = means.unaryExpr([&](double mean) { return scales.root_of(mean); });
   return scales;
 }

@@ -10,6 +10,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/spatial/k_means_seeds.h"
 
 namespace shapegauge {
 
@@ -31,23 +32,19 @@ Eigen::VectorXd log_sums(const Eigen::MatrixXd& rows) {
   return largest.array() + (rows.colwise() - largest).array().exp().rowwise().sum().log();
 }
 
-/// Chooses points in scaled coordinates sequentially, with probabilities proportional to their squared distances from
-/// the previous ones.
+/// Chooses initial means in scaled coordinates (k_means_seeds()).
 Eigen::MatrixXd spread_centres(const Eigen::MatrixXd& points, const Eigen::RowVectorXd& scale, Eigen::Index count,
                                RandomNumbers& random) {
-  Eigen::MatrixXd centres(count, points.cols());
-  centres.row(0) = points.row(static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(points.rows()))));
-  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(points.rows(), std::numeric_limits<double>::infinity());
-  for (Eigen::Index k = 1; k < count; ++k) {
+  const auto squared_distances = [&](Eigen::Index from) {
+    Eigen::VectorXd distances(points.rows());
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      const auto offset = (points.row(i) - centres.row(k - 1)).array() / scale.array();
-      nearest[i] = std::min(nearest[i], offset.square().sum());
+      distances[i] = ((points.row(i) - points.row(from)).array() / scale.array()).square().sum();
     }
-    const auto chosen =
-        weighted_index({nearest.data(), static_cast<std::size_t>(nearest.size())}, random.uniform(0, nearest.sum()));
-    centres.row(k) = points.row(chosen ? static_cast<Eigen::Index>(*chosen) : points.rows() - 1);
-  }
-  return centres;
+    return distances;
+  };
+  std::vector<Eigen::Index> seeds = k_means_seeds(points.rows(), count, random, squared_distances);
+  seeds.resize(static_cast<std::size_t>(count), points.rows() - 1);  // if all other points coincide with a centre
+  return points(seeds, Eigen::all);
 }
 
 GaussianMixture maximised(const Eigen::MatrixXd& points, const Eigen::MatrixXd& probabilities,

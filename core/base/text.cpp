@@ -49,6 +49,10 @@ std::optional<double> parse_number(std::string_view word) {
   return value;
 }
 
+std::string counted(std::int64_t count, std::string_view one, std::string_view several) {
+  return std::to_string(count).append(" ").append(count == 1 ? one : several);
+}
+
 std::string quoted_word(std::string_view word) { return '"' + printable(word, 40) + '"'; }
 
 }  // namespace shapegauge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ std::string lower_case(std::string text);
 /// Parses a whole word as a number ("1", "+.5", "-2e-3", "inf", "nan"), in any locale. Returns nothing for other text
 /// and for numbers outside the range of double precision.
 std::optional<double> parse_number(std::string_view word);
+
+/// Returns a number of things with the word for one or for several of them: "1 row", "3 rows".
+std::string counted(std::int64_t count, std::string_view one, std::string_view several);
 
 /// Quotes a word for a one-line message: in quotation marks, sanitised by printable(), truncated to 40 bytes.
 std::string quoted_word(std::string_view word);

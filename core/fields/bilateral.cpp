@@ -109,19 +109,24 @@ double deviation_of(const ScalarField& field) {
   return std::sqrt((counts * (values - mean).square()).sum() / total);
 }
 
+void check_size(const Shape& shape, const Samples& samples, const ScalarField& field) {
+  const Eigen::Index count = samples.points.rows();
+  const Eigen::Index sites = samples.site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();
+  if (field.values.size() == count && field.weights.size() == count &&
+      (samples.site == SampleSite::surface || is_cloud(shape) || sites == count)) {
+    return;
+  }
+  throw InputError(fmt::format("the field does not match the samples: {} values and {} weights for {} samples",
+                               field.values.size(), field.weights.size(), count));
+}
+
 }  // namespace
 
 ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, ScalarField field,
                                 const BilateralOptions& options) {
   check_options("bilateral", bilateral_table, options);
   require_usable(shape);
-  const Eigen::Index count = samples.points.rows();
-  const Eigen::Index sites = samples.site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();
-  if (field.values.size() != count || field.weights.size() != count ||
-      (samples.site != SampleSite::surface && !is_cloud(shape) && sites != count)) {
-    throw InputError(fmt::format("the field does not match the samples: {} values and {} weights for {} samples",
-                                 field.values.size(), field.weights.size(), count));
-  }
+  check_size(shape, samples, field);
   const double value_width = options.value_width * deviation_of(field);
   const double spatial_width = options.spatial_width * std::sqrt(field.weights.sum());
   if (options.iterations == 0 || !(value_width > 0) || !(spatial_width > 0)) return field;
@@ -134,7 +139,7 @@ ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, Scal
   tbb::enumerable_thread_specific<Vicinity> vicinities([&] { return Vicinity(samples.points, adjacency); });
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     const Eigen::VectorXd before = field.values;
-    parallel_for(Eigen::Index{0}, count, [&](Eigen::Index i) {
+    parallel_for(Eigen::Index{0}, before.size(), [&](Eigen::Index i) {
       if (!std::isfinite(before[i])) return;
       double sum = 0;
       double total = 0;

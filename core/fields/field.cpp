@@ -118,7 +118,7 @@ double unit_of(FieldDimension dimension, double length) {
 }
 
 Samples take_samples(const Shape& shape, const SamplePlan& plan) {
-  return plan.site == SampleSite::surface ? sample_surface_of(shape, plan.count) : sample_shape(shape, plan.site);
+  return plan.site == SampleSite::surface ? sample_surface(shape, plan.count) : sample_shape(shape, plan.site);
 }
 
 Registry<FieldType>& field_types() {

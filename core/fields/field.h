@@ -67,7 +67,7 @@ struct SamplePlan {
   auto operator<=>(const SamplePlan&) const = default;
 };
 
-/// Samples a shape according to the plan (sample_shape(), sample_surface_of()).
+/// Samples a shape according to the plan (sample_shape(), sample_surface()).
 Samples take_samples(const Shape& shape, const SamplePlan& plan);
 
 /// Number of samples by outcome. The key "total" is always present.

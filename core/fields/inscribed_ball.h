@@ -2,12 +2,10 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <optional>
 
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
-#include "shapegauge/core/spatial/closest_point.h"
 
 namespace shapegauge {
 
@@ -27,12 +25,6 @@ inline constexpr std::array inscribed_ball_table = {
                     "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
                     "Minimum angle at the ball's centre between the sample and the contact that stops the ball.")),
 };
-
-/// Computes the radius of the largest ball that touches a plane at the origin, lies on the side of the plane's unit
-/// normal, and does not intersect the interior of a triangle. It is the minimum of |q|^2 / (2 q.normal) over the
-/// triangle's points q above the plane. Nothing if there is no such point, and for a triangle with a corner at the
-/// origin. Degenerate triangles are handled as segments or points.
-std::optional<double> touching_ball_radius(const Triangle& triangle, const Eigen::Vector3d& normal);
 
 /// Computes the diameter of the largest ball inside the shape that touches its surface at the sample, in the shape's
 /// units. It is twice the medial radius, and the wall thickness between parallel sides.

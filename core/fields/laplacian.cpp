@@ -9,9 +9,11 @@
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -167,51 +169,69 @@ int component_count(const SparseMatrix& matrix) {
   return count;
 }
 
+/// Sums the matrices of triangles. Nodes are the used places of vertices, in the order of their first triangles.
+class Assembly {
+ public:
+  /// `places` are welded_vertices() of the mesh.
+  explicit Assembly(std::vector<std::int32_t> places) : places_(std::move(places)), node_at_(places_.size(), -1) {}
+
+  template <typename Corners>
+  void add(const Corners& vertices, const Element& element) {
+    std::array<std::int32_t, 3> nodes{};
+    for (int k = 0; k < 3; ++k) {
+      nodes[k] = node_of(vertices[k]);
+      mass_[static_cast<std::size_t>(nodes[k])] += element.area / 3;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t i = nodes[(k + 1) % 3];
+      const std::int32_t j = nodes[(k + 2) % 3];
+      const double half = element.cotangents[k] / 2;
+      entries_.emplace_back(i, j, -half);
+      entries_.emplace_back(j, i, -half);
+      entries_.emplace_back(i, i, half);
+      entries_.emplace_back(j, j, half);
+    }
+  }
+
+  /// Throws InputError without triangles.
+  [[nodiscard]] Laplacian laplacian() const {
+    const Eigen::Index nodes = std::ssize(mass_);
+    if (nodes == 0) throw InputError("the Laplacian needs a triangle of positive area, and the mesh has none");
+    Laplacian result;
+    result.stiffness.resize(nodes, nodes);
+    result.stiffness.setFromTriplets(entries_.begin(), entries_.end());
+    result.mass = Eigen::Map<const Eigen::VectorXd>(mass_.data(), nodes);
+    for (const std::int32_t place : places_) result.node_of.push_back(node_at_[static_cast<std::size_t>(place)]);
+    return result;
+  }
+
+ private:
+  std::int32_t node_of(std::int32_t vertex) {
+    std::int32_t& node = node_at_[static_cast<std::size_t>(places_[static_cast<std::size_t>(vertex)])];
+    if (node < 0) {
+      node = static_cast<std::int32_t>(mass_.size());
+      mass_.push_back(0);
+    }
+    return node;
+  }
+
+  std::vector<std::int32_t> places_;   ///< by vertex
+  std::vector<std::int32_t> node_at_;  ///< by place; -1 for none
+  std::vector<double> mass_;           ///< by node
+  std::vector<Eigen::Triplet<double>> entries_;
+};
+
 }  // namespace
 
 Laplacian cotangent_laplacian(const Shape& given) {
   require_usable(given);
   if (is_cloud(given)) throw InputError("the Laplacian needs triangles, and the shape is a point cloud");
   const Shape mesh = without_duplicates(given);
-  const std::vector<std::int32_t> places = welded_vertices(mesh.vertices);
-  std::vector<std::int32_t> node_at(places.size(), -1);
-  std::int32_t nodes = 0;
-  const auto node_of = [&](std::int32_t vertex) -> std::int32_t& {
-    return node_at[static_cast<std::size_t>(places[static_cast<std::size_t>(vertex)])];
-  };
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<double> mass;
+  Assembly assembly(welded_vertices(mesh.vertices));
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    const std::optional<Element> element = element_of(mesh, f);
-    if (!element) continue;
-    std::array<std::int32_t, 3> corners{};
-    for (int k = 0; k < 3; ++k) {
-      std::int32_t& node = node_of(mesh.triangles(f, k));
-      if (node < 0) {
-        node = nodes++;
-        mass.push_back(0);
-      }
-      corners[k] = node;
-      mass[static_cast<std::size_t>(node)] += element->area / 3;
-    }
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t i = corners[(k + 1) % 3];
-      const std::int32_t j = corners[(k + 2) % 3];
-      const double half = element->cotangents[k] / 2;
-      entries.emplace_back(i, j, -half);
-      entries.emplace_back(j, i, -half);
-      entries.emplace_back(i, i, half);
-      entries.emplace_back(j, j, half);
-    }
+    if (const std::optional<Element> element = element_of(mesh, f)) assembly.add(mesh.triangles.row(f), *element);
   }
-  if (nodes == 0) throw InputError("the Laplacian needs a triangle of positive area, and the mesh has none");
-  Laplacian laplacian;
-  laplacian.stiffness.resize(nodes, nodes);
-  laplacian.stiffness.setFromTriplets(entries.begin(), entries.end());
-  laplacian.mass = Eigen::Map<const Eigen::VectorXd>(mass.data(), nodes);
-  laplacian.node_of.resize(places.size());
-  for (std::size_t v = 0; v < places.size(); ++v) laplacian.node_of[v] = node_at[static_cast<std::size_t>(places[v])];
-  return laplacian;
+  return assembly.laplacian();
 }
 
 Spectrum laplacian_spectrum(const Shape& mesh, int count) {

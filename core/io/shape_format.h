@@ -113,12 +113,4 @@ void append_numbers(std::string& text, const Row& row, char end = '\n') {
   append_number(text, row[2], end);
 }
 
-/// Appends the bytes of a number, least significant first.
-template <typename Number>
-void append_little_endian(std::string& bytes, Number number) {
-  auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(raw);
-  bytes.append(raw.data(), raw.size());
-}
-
 }  // namespace shapegauge

@@ -13,6 +13,7 @@
 #include <unordered_map>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/little_endian.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"

@@ -39,7 +39,7 @@ Shape sample_points(const Shape& shape, const SamplePointsOptions& options, Rand
   check_options("sample_points", sample_points_table, options);
   if (shape.vertices.rows() == 0) throw InputError("an empty shape cannot be sampled");
   if (is_cloud(shape)) return thinned(shape, options, random);
-  SurfacePoints sampled = surface_points(shape, options.points, random);
+  SurfacePoints sampled = stratified_points(shape, options.points, random);
   Shape cloud;
   cloud.vertices = std::move(sampled.points);
   if (!options.with_normals) return cloud;

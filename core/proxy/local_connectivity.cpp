@@ -65,8 +65,8 @@ void LocalConnectivity::visit(std::int32_t triangle) {
 /// Calls use(neighbour) for the neighbours of a triangle, those about a vertex only once for the same mark: a fan of n
 /// triangles has n^2 pairs of neighbours.
 template <typename Use>
-void LocalConnectivity::for_each_neighbour(std::int32_t triangle, Joint joint, std::int32_t mark, Use use) {
-  if (joint == Joint::edge) {
+void LocalConnectivity::for_each_neighbour(std::int32_t triangle, SharedElement shared, std::int32_t mark, Use use) {
+  if (shared == SharedElement::edge) {
     for (const Neighbour& neighbour : of(across_edges_, triangle)) use(neighbour.triangle);
     return;
   }
@@ -77,12 +77,12 @@ void LocalConnectivity::for_each_neighbour(std::int32_t triangle, Joint joint, s
 }
 
 /// Walks greedily to the neighbour in the ball nearest to the target, as long as the distance decreases.
-void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, Joint joint) {
+void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, SharedElement shared) {
   const Eigen::Vector3d target = spheres_.col(to).head<3>();
   double nearest = (spheres_.col(queue_.back()).head<3>() - target).squaredNorm();
   for (std::int32_t here = queue_.back(); here != to;) {
     std::int32_t best = -1;
-    for_each_neighbour(here, joint, -search_, [&](std::int32_t neighbour) {
+    for_each_neighbour(here, shared, -search_, [&](std::int32_t neighbour) {
       const double distance = (spheres_.col(neighbour).head<3>() - target).squaredNorm();
       if (!(distance < nearest) || !meets(neighbour, centre, radius)) return;
       nearest = distance;
@@ -95,14 +95,14 @@ void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& cen
 }
 
 bool LocalConnectivity::connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre,
-                                          double radius, Joint joint) {
+                                          double radius, SharedElement shared) {
   ++search_;
   met_border_ = false;
   queue_.clear();
   visit(from);
-  walk_towards(to, centre, radius, joint);
+  walk_towards(to, centre, radius, shared);
   for (std::size_t next = 0; next < queue_.size() && !visited(to); ++next) {
-    for_each_neighbour(queue_[next], joint, search_, [&](std::int32_t neighbour) {
+    for_each_neighbour(queue_[next], shared, search_, [&](std::int32_t neighbour) {
       if (!visited(neighbour) && meets(neighbour, centre, radius)) visit(neighbour);
     });
   }

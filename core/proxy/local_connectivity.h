@@ -13,7 +13,7 @@
 namespace shapegauge {
 
 /// Element shared by two adjacent triangles.
-enum class Joint { edge, vertex };
+enum class SharedElement { edge, vertex };
 
 /// Local connectivity of the triangles of a mesh. A cloud has no triangles.
 class LocalConnectivity {
@@ -28,7 +28,7 @@ class LocalConnectivity {
 
   /// Returns true if a path connects two triangles through triangles whose bounding spheres intersect a ball.
   bool connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre, double radius,
-                         Joint joint = Joint::edge);
+                         SharedElement shared = SharedElement::edge);
 
   /// Returns true if the last connected_in_ball() visited a triangle with a boundary edge.
   [[nodiscard]] bool met_border() const { return met_border_; }
@@ -52,8 +52,8 @@ class LocalConnectivity {
   }
   void visit(std::int32_t triangle);
   template <typename Use>
-  void for_each_neighbour(std::int32_t triangle, Joint joint, std::int32_t mark, Use use);
-  void walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, Joint joint);
+  void for_each_neighbour(std::int32_t triangle, SharedElement shared, std::int32_t mark, Use use);
+  void walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, SharedElement shared);
 
   Neighbours across_edges_;                           ///< by triangle
   Neighbours fans_;                                   ///< triangles by vertex; empty without boundary edges

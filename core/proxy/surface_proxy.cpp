@@ -12,6 +12,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
+#include "shapegauge/core/base/median.h"
 #include "shapegauge/core/proxy/dense_samples.h"
 #include "shapegauge/core/proxy/farthest_points.h"
 #include "shapegauge/core/proxy/local_connectivity.h"
@@ -63,9 +64,7 @@ double radius_of_spacing(const Points& points) {
   for (std::size_t i = 0; i < distances.size(); ++i) {
     distances[i] = nearest.distances(static_cast<Eigen::Index>(i), nearest.distances.cols() - 1);
   }
-  const auto middle = distances.begin() + std::ssize(distances) / 2;
-  std::ranges::nth_element(distances, middle);
-  return *middle / 2;
+  return upper_median(distances) / 2;
 }
 
 /// Tests whether neighbouring points are connected along the surface between them. Touching parts are close in space
@@ -86,7 +85,7 @@ class PointConnectivity {
     if (!across_triangles_.of_one_component(from, to)) return through_samples(i, j, midpoint, distance);
     if (across_triangles_.connected_in_ball(from, to, midpoint, distance / 2)) return true;
     return across_triangles_.met_border() &&
-           across_triangles_.connected_in_ball(from, to, midpoint, distance, Joint::vertex);
+           across_triangles_.connected_in_ball(from, to, midpoint, distance, SharedElement::vertex);
   }
 
  private:

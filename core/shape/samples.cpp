@@ -239,7 +239,7 @@ Samples some_of(const Samples& all, Eigen::Index count, RandomNumbers& random) {
 
 }  // namespace
 
-SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random) {
+SurfacePoints stratified_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random) {
   if (count < 1) throw InputError(fmt::format("the number of points must be at least 1, not {}", count));
   const Eigen::VectorXd areas = running_areas(mesh);
   const double total = areas.size() > 0 ? areas[areas.size() - 1] : 0;
@@ -263,7 +263,7 @@ Samples sample_shape(const Shape& shape, SampleSite site) {
   return site == SampleSite::faces ? sample_faces(shape) : sample_vertices(shape);
 }
 
-Samples sample_surface_of(const Shape& shape, Eigen::Index count, std::uint64_t seed) {
+Samples sample_surface(const Shape& shape, Eigen::Index count, std::uint64_t seed) {
   require_usable(shape);
   RandomNumbers random(seed);
   if (is_cloud(shape)) {
@@ -271,7 +271,7 @@ Samples sample_surface_of(const Shape& shape, Eigen::Index count, std::uint64_t 
     const Samples all = sample_cloud(shape);
     return count < all.points.rows() ? some_of(all, count, random) : all;
   }
-  SurfacePoints on_surface = surface_points(shape, count, random);
+  SurfacePoints on_surface = stratified_points(shape, count, random);
   Samples samples = empty_samples(SampleSite::surface, count);
   samples.points = std::move(on_surface.points);
   samples.triangles = std::move(on_surface.triangles);

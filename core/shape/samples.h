@@ -18,7 +18,7 @@ struct SurfacePoints {
 /// Samples a mesh by points, stratified and uniform by area: the concatenated triangle areas are divided into `count`
 /// equal parts with one point each. Of duplicate triangles only the first is sampled. Throws InputError for a mesh
 /// whose area is zero or not finite, and for less than one point.
-SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random);
+SurfacePoints stratified_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random);
 
 /// Cache version of the samples of a shape (positions, normals, weights); see docs/manual/cache.md.
 inline constexpr int samples_version = 3;
@@ -52,11 +52,11 @@ struct Samples {
 /// (distinct_triangles()). Throws InputError for an unusable shape (require_usable()).
 Samples sample_shape(const Shape& shape, SampleSite site);
 
-/// Samples a shape at `count` points of the surface (SampleSite::surface, surface_points()), with the triangles'
+/// Samples a shape at `count` points of the surface (SampleSite::surface, stratified_points()), with the triangles'
 /// normals and equal weights that sum to the area. Deterministic for the same shape and seed. Of a cloud, selects
 /// `count` points at random, or all if there are no more; the result's site is then `vertices`. Throws InputError as
 /// sample_shape() does, for a mesh without area, and for less than one sample.
-Samples sample_surface_of(const Shape& shape, Eigen::Index count, std::uint64_t seed = 1);
+Samples sample_surface(const Shape& shape, Eigen::Index count, std::uint64_t seed = 1);
 
 /// Value and represented area of each sample. A missing value is NaN. Code that computes or uses a field reports the
 /// number of missing values.

@@ -158,7 +158,7 @@ void write_distance_matrix(const std::filesystem::path& path, const LabelledDist
   if (extension != ".csv") {
     throw InputError(fmt::format("distances are written as .npy or .csv, not to \"{}\"", path.string()));
   }
-  Table table{.header = {"id"}, .rows = {}};
+  TextTable table{.header = {"id"}, .rows = {}};
   for (Eigen::Index i = 0; i < matrix.distances.rows(); ++i) {
     const std::string id = matrix.ids.empty() ? std::to_string(i) : matrix.ids[static_cast<std::size_t>(i)];
     table.header.push_back(id);

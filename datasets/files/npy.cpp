@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/little_endian.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
@@ -174,7 +175,7 @@ std::string header_of_shape(const std::string& shape) {
   dictionary += '\n';
   std::string header(magic);
   header.append({'\x01', '\x00'});
-  append_number(header, static_cast<std::uint16_t>(dictionary.size()));
+  append_little_endian(header, static_cast<std::uint16_t>(dictionary.size()));
   return header + dictionary;
 }
 
@@ -390,7 +391,7 @@ std::optional<std::vector<std::string>> parse_npy_strings(std::string_view bytes
 std::string npy_numbers(std::span<const double> numbers) {
   std::string bytes;
   bytes.reserve(numbers.size_bytes());
-  for (const double number : numbers) append_number(bytes, number);
+  for (const double number : numbers) append_little_endian(bytes, number);
   return bytes;
 }
 

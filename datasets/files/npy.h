@@ -1,9 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -16,14 +13,6 @@
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
-
-/// Appends a number's bytes, little-endian.
-template <typename Number>
-void append_number(std::string& bytes, Number number) {
-  auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(raw);
-  bytes.append(raw.data(), raw.size());
-}
 
 /// Header of a NumPy `.npy` file (numpy.lib.format, versions 1.0 to 3.0).
 struct NpyHeader {

@@ -21,7 +21,7 @@ std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & '\xC0') != '\x80'; }));
 }
 
-std::vector<std::size_t> column_widths(const Table& table) {
+std::vector<std::size_t> column_widths(const TextTable& table) {
   std::vector<std::size_t> widths;
   for (const std::string& cell : table.header) widths.push_back(letters(cell));
   for (const Row& row : table.rows) {
@@ -46,7 +46,7 @@ std::string line(const Row& row, const std::vector<std::size_t>& widths, std::si
   return text;
 }
 
-Table with_cells(Table table, const std::function<std::string(const std::string&)>& change) {
+TextTable with_cells(TextTable table, const std::function<std::string(const std::string&)>& change) {
   std::ranges::transform(table.header, table.header.begin(), change);
   for (Row& row : table.rows) std::ranges::transform(row, row.begin(), change);
   return table;
@@ -101,7 +101,7 @@ std::string latex_cell(const std::string& text) {
 // Formats the emphases of a cell.
 using Emphasise = std::function<std::string(const std::string& cell, const Emphasis& emphasis)>;
 
-Table with_emphases(Table table, const Emphasise& emphasise) {
+TextTable with_emphases(TextTable table, const Emphasise& emphasise) {
   for (const Emphasis& emphasis : table.emphases) {
     std::string& cell = table.rows[emphasis.row][emphasis.column];
     cell = emphasise(cell, emphasis);
@@ -127,7 +127,7 @@ std::string with_latex(const std::string& cell, const Emphasis& emphasis) {
 std::optional<double> leading_number(const std::string& cell) { return parse_number(cell.substr(0, cell.find(' '))); }
 
 // Emphasises the best of some rows in one column.
-void embolden_best_of(Table& table, const std::vector<std::size_t>& rows, std::size_t column) {
+void embolden_best_of(TextTable& table, const std::vector<std::size_t>& rows, std::size_t column) {
   std::optional<double> best;
   for (const std::size_t row : rows) {
     const auto number = leading_number(table.rows[row][column]);
@@ -153,7 +153,7 @@ std::string decimal_text(double number, int decimals) {
   return text;
 }
 
-void embolden_best(Table& table, std::size_t first_key) {
+void embolden_best(TextTable& table, std::size_t first_key) {
   std::map<Row, std::vector<std::size_t>> groups;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const auto cells = table.rows[row].begin();
@@ -168,22 +168,22 @@ void embolden_best(Table& table, std::size_t first_key) {
   }
 }
 
-std::string to_csv(const Table& table) {
+std::string to_csv(const TextTable& table) {
   std::string text = csv_line(table.header);
   for (const Row& row : table.rows) text += csv_line(row);
   return text;
 }
 
-std::string to_plain_text(const Table& table) {
-  const Table marked = with_emphases(with_cells(table, plain_cell), with_plain_mark);
+std::string to_plain_text(const TextTable& table) {
+  const TextTable marked = with_emphases(with_cells(table, plain_cell), with_plain_mark);
   const std::vector<std::size_t> widths = column_widths(marked);
   std::string text = line(marked.header, widths, marked.text_columns, "  ") + "\n";
   for (const Row& row : marked.rows) text += line(row, widths, marked.text_columns, "  ") + "\n";
   return text;
 }
 
-std::string to_markdown(const Table& table) {
-  const Table escaped = with_emphases(with_cells(table, markdown_cell), with_markdown);
+std::string to_markdown(const TextTable& table) {
+  const TextTable escaped = with_emphases(with_cells(table, markdown_cell), with_markdown);
   std::vector<std::size_t> widths = column_widths(escaped);
   std::string rule = "|";
   for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -202,8 +202,8 @@ std::string to_markdown(const Table& table) {
   return text;
 }
 
-std::string to_latex(const Table& table) {
-  const Table escaped = with_emphases(with_cells(table, latex_cell), with_latex);
+std::string to_latex(const TextTable& table) {
+  const TextTable escaped = with_emphases(with_cells(table, latex_cell), with_latex);
   const std::vector<std::size_t> widths = column_widths(escaped);
   const std::string columns =
       std::string(table.text_columns, 'l') + std::string(widths.size() - table.text_columns, 'r');
@@ -213,7 +213,7 @@ std::string to_latex(const Table& table) {
   return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
-std::string table_text(const Table& table, std::string_view format) {
+std::string table_text(const TextTable& table, std::string_view format) {
   if (format == "csv") return to_csv(table);
   if (format == "markdown") return to_markdown(table);
   return format == "latex" ? to_latex(table) : to_plain_text(table);

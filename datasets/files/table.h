@@ -19,7 +19,7 @@ struct Emphasis {
 std::string decimal_text(double number, int decimals);
 
 /// Table of text cells with formatted numbers. Every row has as many cells as the header.
-struct Table {
+struct TextTable {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
   std::size_t text_columns =
@@ -30,18 +30,18 @@ struct Table {
 /// Makes the largest number of each numeric column bold, with ties by appearance, within each group of rows that have
 /// the same words in the text columns from `first_key` on. Groups of one row have no bold cells. Text after the leading
 /// number of a cell is ignored.
-void embolden_best(Table& table, std::size_t first_key);
+void embolden_best(TextTable& table, std::size_t first_key);
 
 /// Formats a table as CSV (RFC 4180, LF).
-std::string to_csv(const Table& table);
+std::string to_csv(const TextTable& table);
 /// Formats a table for a terminal: aligned columns, separated by two blanks.
-std::string to_plain_text(const Table& table);
+std::string to_plain_text(const TextTable& table);
 /// Formats a table as Markdown, aligned in the source as well.
-std::string to_markdown(const Table& table);
+std::string to_markdown(const TextTable& table);
 /// Formats a table as a LaTeX tabular environment, which needs the package booktabs.
-std::string to_latex(const Table& table);
+std::string to_latex(const TextTable& table);
 
 /// Formats a table as "csv", "markdown" or "latex"; otherwise for a terminal.
-std::string table_text(const Table& table, std::string_view format);
+std::string table_text(const TextTable& table, std::string_view format);
 
 }  // namespace shapegauge

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <limits>
 #include <string_view>
 #include <system_error>
 
+#include "shapegauge/core/base/environment.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 
@@ -22,16 +22,10 @@ constexpr std::string_view tag =
     "Signature: 8a477f597d28d172789f06886806bc55\n"
     "# This folder is a cache of shapegauge; see `shapegauge cache --help`. It can be removed at any time.\n";
 
-/// Returns the value of an environment variable; null if not set.
-const char* variable(const char* name) {
-  return std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing here changes the environment
-}
-
 /// Returns the absolute path in an environment variable; empty if there is none. The XDG specification ignores relative
 /// paths.
-fs::path folder_in(const char* name) {
-  const char* value = variable(name);
-  const fs::path path = value == nullptr ? "" : value;
+fs::path folder_in(const std::string& name) {
+  const fs::path path = environment_variable(name).value_or("");
   return path.is_absolute() ? path : fs::path();
 }
 
@@ -104,7 +98,7 @@ bool has_cache_tag(const std::filesystem::path& cache) {
 }
 
 fs::path default_cache_folder() {
-  if (const char* named = variable("SHAPEGAUGE_CACHE")) return named;
+  if (const auto named = environment_variable("SHAPEGAUGE_CACHE")) return *named;
   if (const fs::path caches = folder_in("XDG_CACHE_HOME"); !caches.empty()) return caches / "shapegauge";
   const fs::path home = folder_in("HOME");
   return home.empty() ? fs::path() : home / ".cache" / "shapegauge";
@@ -127,8 +121,8 @@ std::uintmax_t parse_size(std::string_view text, std::string_view name) {
 }
 
 std::uintmax_t cache_limit() {
-  const char* given = variable("SHAPEGAUGE_CACHE_LIMIT");
-  return parse_size(given == nullptr ? "10G" : given, "SHAPEGAUGE_CACHE_LIMIT");
+  const std::string name = "SHAPEGAUGE_CACHE_LIMIT";
+  return parse_size(environment_variable(name).value_or("10G"), name);
 }
 
 fs::path entry_path(const fs::path& cache, EntryKind kind, const std::string& key) {

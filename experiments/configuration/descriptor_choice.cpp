@@ -34,7 +34,7 @@ std::vector<Field> fields_of(const Json& list, const Descriptor& descriptor) {
   std::vector<Field> fields;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = fmt::format("fields.{}", i);
-    fields.push_back(at(place, [&] { return read_field(list[i]); }));
+    fields.push_back(at_key(place, [&] { return read_field(list[i]); }));
     if (fields.back().settings.samples != fields.front().settings.samples) {
       throw ConfigurationError{place + ".at", R"(the fields of a descriptor must have the same "at")"};
     }
@@ -49,7 +49,7 @@ std::vector<ParameterValues> axes_of(const Json& list, const Descriptor& descrip
   }
   std::vector<ParameterValues> axes(fields, ParameterValues(descriptor.axis_parameters));
   for (std::size_t i = 0; i < list.size(); ++i) {
-    axes[i] = at(fmt::format("axes.{}", i), [&] { return read_parameters(descriptor.axis_parameters, list[i]); });
+    axes[i] = at_key(fmt::format("axes.{}", i), [&] { return read_parameters(descriptor.axis_parameters, list[i]); });
   }
   return axes;
 }

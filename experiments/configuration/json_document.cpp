@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/environment.h"
 #include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
@@ -61,8 +61,8 @@ class Strictness {
 };
 
 std::string value_of_variable(const std::string& name) {
-  const char* value = std::getenv(name.c_str());
-  if (value == nullptr || *value == '\0') {
+  const std::string value = environment_variable(name).value_or("");
+  if (value.empty()) {
     throw InputError(fmt::format(
         "the environment variable {0} is not set; set it, for example with 'export {0}=/path/to/folder'", name));
   }
@@ -211,7 +211,7 @@ std::string expand_variables(std::string_view text) {
 
 std::filesystem::path path_value(const nlohmann::json& object, const std::string& key,
                                  const std::filesystem::path& folder) {
-  const std::string expanded = at(key, [&] { return expand_variables(object.at(key).get<std::string>()); });
+  const std::string expanded = at_key(key, [&] { return expand_variables(object.at(key).get<std::string>()); });
   return (folder / expanded).lexically_normal();
 }
 

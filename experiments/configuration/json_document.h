@@ -20,7 +20,7 @@ struct ConfigurationError {
 /// Runs a step on the part of the document at a key (or index, or dotted path), and prefixes the key to the path of its
 /// errors.
 template <typename Step>
-auto at(const std::string& key, Step step) {
+auto at_key(const std::string& key, Step step) {
   try {
     return step();
   } catch (const ConfigurationError& error) {

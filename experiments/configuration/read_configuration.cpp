@@ -165,7 +165,7 @@ SignatureConfiguration signature_of(const Json& settings, const std::vector<std:
     return signature;
   }
   if (kind == "descriptor") {
-    signature.descriptor = at(*kind, [&] { return make_descriptor(settings.at(*kind)); });
+    signature.descriptor = at_key(*kind, [&] { return make_descriptor(settings.at(*kind)); });
     return signature;
   }
   if (kind) {
@@ -177,8 +177,8 @@ SignatureConfiguration signature_of(const Json& settings, const std::vector<std:
     signature.parts = parts_of(*kind, signature.derived->names, names);
     return signature;
   }
-  signature.field = at("field", [&] { return read_field(settings.at("field")); });
-  signature.histogram = at("histogram", [&] { return histogram_of(settings.at("histogram")); });
+  signature.field = at_key("field", [&] { return read_field(settings.at("field")); });
+  signature.histogram = at_key("histogram", [&] { return histogram_of(settings.at("histogram")); });
   return signature;
 }
 
@@ -226,9 +226,9 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   configuration.description = document.value("description", "");
   const Json& dataset = document.at("dataset");
   if (dataset.contains("generate")) {
-    configuration.generator = at("dataset", [&] { return read_generator(dataset); });
+    configuration.generator = at_key("dataset", [&] { return read_generator(dataset); });
   } else {
-    configuration.location = at("dataset", [&] { return read_location(dataset, folder); });
+    configuration.location = at_key("dataset", [&] { return read_location(dataset, folder); });
   }
   configuration.seed = read_seed(document);
   if (document.contains("preparation")) configuration.preparation = read_preparation(document["preparation"]);
@@ -236,13 +236,13 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   if (document.contains("protocol")) configuration.protocols = protocols_of(document["protocol"]);
   configuration.measures = default_measures(configuration.protocols);
   if (document.contains("evaluation"))
-    at("evaluation", [&] { read_evaluation(document["evaluation"], configuration); });
+    at_key("evaluation", [&] { read_evaluation(document["evaluation"], configuration); });
   configuration.on_error = read_on_error(document);
   configuration.distance = document.value("distance", configuration.distance);
   configuration.keep_distances = document.value("keep_distances", configuration.keep_distances);
-  configuration.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
+  configuration.signatures = at_key("signatures", [&] { return read_signatures(document.at("signatures")); });
   configuration.report =
-      at("report", [&] { return read_report(document.value("report", Json(true)), configuration.signatures); });
+      at_key("report", [&] { return read_report(document.value("report", Json(true)), configuration.signatures); });
   return configuration;
 }
 
@@ -252,7 +252,7 @@ std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
   const std::vector<std::string> names = unique_names(settings);
   std::vector<SignatureConfiguration> signatures;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    signatures.push_back(at(std::to_string(i), [&] { return signature_of(settings[i], names); }));
+    signatures.push_back(at_key(std::to_string(i), [&] { return signature_of(settings[i], names); }));
   }
   if (const auto cyclic = part_of_itself(signatures)) {
     const auto& derived = signatures[*cyclic].derived;
@@ -297,7 +297,7 @@ GeneratorOptions read_generator(const Json& dataset) {
       throw ConfigurationError{key, "cannot be combined with \"generate\"; remove one of the two"};
     }
   }
-  return at("generate", [&] {
+  return at_key("generate", [&] {
     const ParameterValues values = read_parameters(generator_parameters(), dataset.at("generate"));
     return GeneratorOptions{.classes = static_cast<int>(values.integer("classes")),
                             .models_per_class = static_cast<int>(values.integer("models_per_class")),

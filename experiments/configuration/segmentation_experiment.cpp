@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 2> settings_of_paper{"field", "offset"};
 std::vector<SegmentationMethod> methods_of(const Json& settings) {
   std::vector<SegmentationMethod> methods;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    SegmentationMethod method = at(std::to_string(i), [&] { return segmentation_method(settings[i]); });
+    SegmentationMethod method = at_key(std::to_string(i), [&] { return segmentation_method(settings[i]); });
     const auto earlier = std::ranges::find(methods, method.name, &SegmentationMethod::name);
     if (earlier != methods.end()) {
       throw ConfigurationError{
@@ -60,9 +60,9 @@ SegmentationExperiment checked_experiment(const Json& document, const fs::path& 
   experiment.description = document.value("description", "");
   const Json& dataset = document.at("dataset");
   if (dataset.contains("generate")) {
-    experiment.generator = at("dataset", [&] { return read_generator(dataset); });
+    experiment.generator = at_key("dataset", [&] { return read_generator(dataset); });
   } else {
-    experiment.location = at("dataset", [&] { return location_of(dataset, folder); });
+    experiment.location = at_key("dataset", [&] { return location_of(dataset, folder); });
   }
   const ParameterValues values = read_parameters(segmentation_experiment_parameters(), document);
   experiment.by_area = values.word("by") == "area";
@@ -70,7 +70,7 @@ SegmentationExperiment checked_experiment(const Json& document, const fs::path& 
   experiment.pictures = values.boolean("pictures");
   experiment.on_error = read_on_error(document);
   experiment.seed = read_seed(document);
-  experiment.methods = at("segmentation", [&] { return methods_of(document.at("segmentation")); });
+  experiment.methods = at_key("segmentation", [&] { return methods_of(document.at("segmentation")); });
   return experiment;
 }
 

@@ -52,7 +52,7 @@ ComparedShape shape_of(const Json& settings, const fs::path& folder) {
   if (settings.contains("generate")) {
     if (settings.contains("file"))
       throw ConfigurationError{"file", "cannot be combined with \"generate\"; remove one of the two"};
-    shape.generated = at("generate", [&] { return generated_of(settings.at("generate")); });
+    shape.generated = at_key("generate", [&] { return generated_of(settings.at("generate")); });
   } else {
     shape.file = path_value(settings, "file", folder);
   }
@@ -63,7 +63,7 @@ ComparedShape shape_of(const Json& settings, const fs::path& folder) {
 std::vector<ComparedShape> shapes_of(const Json& settings, const fs::path& folder) {
   std::vector<ComparedShape> shapes;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    ComparedShape shape = at(std::to_string(i), [&] { return shape_of(settings[i], folder); });
+    ComparedShape shape = at_key(std::to_string(i), [&] { return shape_of(settings[i], folder); });
     const auto earlier = std::ranges::find(shapes, shape.name, &ComparedShape::name);
     if (earlier != shapes.end()) {
       throw ConfigurationError{fmt::format("{}.name", i), fmt::format("the name \"{}\" is already that of shapes.{}",
@@ -89,7 +89,7 @@ ShapeComparison checked_comparison(const Json& document, const fs::path& folder)
   ShapeComparison comparison;
   comparison.name = document.at("name");
   comparison.description = document.value("description", "");
-  comparison.shapes = at("shapes", [&] { return shapes_of(document.at("shapes"), folder); });
+  comparison.shapes = at_key("shapes", [&] { return shapes_of(document.at("shapes"), folder); });
   if (document.contains("reference")) {
     comparison.reference = reference_of(document.at("reference"), comparison.shapes);
   } else if (document.contains("registered")) {
@@ -100,7 +100,7 @@ ShapeComparison checked_comparison(const Json& document, const fs::path& folder)
   if (document.contains("preparation")) comparison.preparation = read_preparation(document["preparation"]);
   comparison.on_error = read_on_error(document);
   comparison.distance = document.value("distance", comparison.distance);
-  comparison.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
+  comparison.signatures = at_key("signatures", [&] { return read_signatures(document.at("signatures")); });
   return comparison;
 }
 

@@ -97,7 +97,7 @@ class SingleProcess : public Communicator {
 
 std::unique_ptr<Communicator> single_process() { return std::make_unique<SingleProcess>(); }
 
-Range part_of_rank(std::size_t count, int rank, int size) {
+RankRange part_of_rank(std::size_t count, int rank, int size) {
   const auto ranks = static_cast<std::size_t>(size);
   const auto begin = [&](std::size_t of) { return count / ranks * of + std::min(of, count % ranks); };
   return {.first = begin(static_cast<std::size_t>(rank)), .last = begin(static_cast<std::size_t>(rank) + 1)};

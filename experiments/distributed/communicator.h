@@ -99,7 +99,7 @@ std::unique_ptr<Communicator> single_process();
 std::unique_ptr<Communicator> started_processes();
 
 /// Half-open range [first, last) of consecutive numbers.
-struct Range {
+struct RankRange {
   std::size_t first = 0;
   std::size_t last = 0;
 
@@ -107,6 +107,6 @@ struct Range {
 };
 
 /// Returns a rank's part of `count` consecutive items; all parts have about the same size.
-Range part_of_rank(std::size_t count, int rank, int size);
+RankRange part_of_rank(std::size_t count, int rank, int size);
 
 }  // namespace shapegauge

@@ -1,11 +1,11 @@
 #include <array>
 #include <charconv>
-#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <string_view>
 
+#include "shapegauge/core/base/environment.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/distributed/communicator.h"
@@ -17,17 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the value of an environment variable; empty if not set.
-std::string_view variable(const char* name) {
-  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing here changes the environment
-  return value == nullptr ? "" : value;
-}
-
 /// Returns the number of processes announced by the launcher.
 int announced_processes() {
   // Open MPI's mpirun, other launchers through PMI, and srun for the tasks of a step.
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"}) {
-    const std::string_view text = variable(name);
+    const std::string text = environment_variable(name).value_or("");
     int count = 0;
     if (!text.empty() && std::from_chars(text.data(), text.data() + text.size(), count).ec == std::errc()) return count;
   }
@@ -35,7 +29,7 @@ int announced_processes() {
 }
 
 fs::path module_file() {
-  if (const std::string_view named = variable("SHAPEGAUGE_MPI_MODULE"); !named.empty()) return named;
+  if (const auto named = environment_variable("SHAPEGAUGE_MPI_MODULE").value_or(""); !named.empty()) return named;
   std::error_code unknown;
   const fs::path folder = fs::read_symlink("/proc/self/exe", unknown).parent_path();
   for (const fs::path& place : {folder / mpi_module_name, folder / SHAPEGAUGE_MPI_MODULE_FOLDER / mpi_module_name}) {

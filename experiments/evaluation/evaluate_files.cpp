@@ -167,11 +167,6 @@ EvaluationData open_judged(const EvaluationFiles& files) {
   return data;
 }
 
-// "1 row", "3 rows"
-std::string counted(Eigen::Index count, std::string_view one, std::string_view more) {
-  return fmt::format("{} {}", count, count == 1 ? one : more);
-}
-
 std::string name_of_row(std::span<const std::string> ids, Eigen::Index row) {
   return printable(ids[static_cast<std::size_t>(row)], 60);
 }

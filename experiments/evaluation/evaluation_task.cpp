@@ -4,9 +4,11 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -165,12 +167,16 @@ ListCoverage coverage_of(const RankedTask& ranked, Eigen::Index answered, std::s
   return coverage;
 }
 
-// Appends rows for queries without a list, as empty answers.
-void add_empty_rows(RankedTask& ranked) {
-  const Eigen::Index rows = ranked.distances.rows();
-  const Eigen::Index queries = std::ssize(ranked.task.query_ids);
-  ranked.distances.conservativeResize(queries, Eigen::NoChange);
-  if (queries > rows) ranked.distances.bottomRows(queries - rows).setConstant(std::numeric_limits<double>::quiet_NaN());
+// Gives each query a row, empty without a list, and describes the coverage. `answered` queries have lists; `missing`
+// ones have none.
+RankedTask finished(RankedTask ranked, Eigen::Index answered, std::size_t missing, std::string_view queries,
+                    Unanswered unanswered) {
+  const Eigen::Index rows = std::ssize(ranked.task.query_ids);
+  ranked.distances.conservativeResize(rows, Eigen::NoChange);
+  ranked.distances.bottomRows(rows - answered).setConstant(std::numeric_limits<double>::quiet_NaN());
+  ranked.task.coverage = coverage_of(ranked, answered, missing);
+  warn_of_coverage(queries, unanswered, ranked.task);
+  return ranked;
 }
 
 // Sets the relevant columns of a row with their grades, and the columns judged as not relevant.
@@ -206,6 +212,81 @@ void add_judged_query(const Judgements::Judged& judged, const Columns& columns, 
   set_judged(
       judged, row, [&](const std::string& model) { return columns.at(model); }, task.retrieval);
 }
+
+// Models that are listed or judged.
+Columns columns_of(const RankedAnswers& answers, const Judgements& judgements) {
+  Columns columns;
+  for (const RankedAnswers::Answer& answer : answers.answers) {
+    for (const auto& [model, distance] : answer.models) columns.emplace(model, 0);
+  }
+  for (const Judgements::Judged& judged : judgements.queries) {
+    for (const auto* models : {&judged.relevant, &judged.irrelevant}) {
+      for (const std::string& model : *models) columns.emplace(model, 0);
+    }
+  }
+  number(columns);
+  return columns;
+}
+
+// Task of ranked answers with labels, built query by query.
+class LabelledAnswers {
+ public:
+  LabelledAnswers(const ModelLabels& labels, std::size_t answers) : queries_(labels.queries), models_(labels) {
+    for (const std::string& target : labels.targets) columns_.emplace(canonical_model_id(target), 0);
+    number(columns_);
+    EvaluationTask& task = ranked_.task;
+    task.class_names = class_names_of(labels);
+    for (const auto& [id, column] : columns_) task.retrieval.target_classes.push_back(models_.at(id).label);
+    task.retrieval.lists_may_end_early = true;
+    ranked_.distances = nothing_found(answers, columns_.size());
+  }
+
+  void add(const RankedAnswers::Answer& answer) {
+    const auto row = static_cast<Eigen::Index>(ranked_.task.query_ids.size());
+    add_query(answer.query);
+    if (!answered_.insert(canonical_model_id(answer.query)).second) {
+      throw InputError(fmt::format("the query {} has two spellings", quoted_word(answer.query)));
+    }
+    for (const auto& [model, distance] : answer.models) {
+      if (!models_.at(model).target) {
+        throw InputError(fmt::format("the answer to {} has the model {}, which is not a target",
+                                     quoted_word(answer.query), quoted_word(model)));
+      }
+      ranked_.distances(row, columns_.at(canonical_model_id(model))) = distance;
+    }
+  }
+
+  // Adds a query without its answer.
+  void add_query(const std::string& id) {
+    const LabelledModels::Known& known = models_.at(id);
+    const auto own = columns_.find(canonical_model_id(id));
+    ranked_.task.query_ids.push_back(id);
+    ranked_.task.retrieval.query_classes.push_back(known.query ? known.label : no_class);
+    ranked_.task.retrieval.own_column.push_back(own == columns_.end() ? -1 : own->second);
+  }
+
+  // Returns the labelled queries without an answer.
+  [[nodiscard]] std::vector<std::string> unanswered() const {
+    std::vector<std::string> missing;
+    std::ranges::copy_if(queries_, std::back_inserter(missing),
+                         [&](const std::string& id) { return !answered_.contains(canonical_model_id(id)); });
+    return missing;
+  }
+
+  RankedTask task() && {
+    std::vector<std::string> targets;
+    for (const auto& [id, column] : columns_) targets.push_back(id);
+    set_subclasses(models_, ranked_.task.query_ids, targets, ranked_.task.retrieval);
+    return std::move(ranked_);
+  }
+
+ private:
+  std::span<const std::string> queries_;
+  LabelledModels models_;
+  Columns columns_;
+  RankedTask ranked_;
+  std::set<std::string> answered_;
+};
 
 }  // namespace
 
@@ -273,99 +354,44 @@ EvaluationTask task_of_judgements(const MatrixIds& ids, const Judgements& judgem
 }
 
 RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labels, Unanswered unanswered) {
-  const LabelledModels models(labels);
-  RankedTask ranked;
-  EvaluationTask& task = ranked.task;
-  Columns columns;
-  for (const std::string& target : labels.targets) columns.emplace(canonical_model_id(target), 0);
-  number(columns);
-  task.class_names = class_names_of(labels);
-  for (const auto& [id, column] : columns) task.retrieval.target_classes.push_back(models.at(id).label);
-  task.retrieval.lists_may_end_early = true;
-  ranked.distances = nothing_found(answers.answers.size(), columns.size());
-  std::set<std::string> answered;
-  for (const RankedAnswers::Answer& answer : answers.answers) {
-    const LabelledModels::Known& known = models.at(answer.query);
-    const std::string query = canonical_model_id(answer.query);
-    if (!answered.insert(query).second) {
-      throw InputError(fmt::format("the query {} has two spellings", quoted_word(answer.query)));
-    }
-    const auto row = static_cast<Eigen::Index>(task.query_ids.size());
-    const auto own = columns.find(query);
-    task.query_ids.push_back(answer.query);
-    task.retrieval.query_classes.push_back(known.query ? known.label : no_class);
-    task.retrieval.own_column.push_back(own == columns.end() ? -1 : own->second);
-    for (const auto& [model, distance] : answer.models) {
-      if (!models.at(model).target) {
-        throw InputError(fmt::format("the answer to {} has the model {}, which is not a target",
-                                     quoted_word(answer.query), quoted_word(model)));
-      }
-      ranked.distances(row, columns.at(canonical_model_id(model))) = distance;
-    }
+  LabelledAnswers built(labels, answers.answers.size());
+  for (const RankedAnswers::Answer& answer : answers.answers) built.add(answer);
+  const std::vector<std::string> missing = built.unanswered();
+  if (unanswered == Unanswered::count) {
+    for (const std::string& id : missing) built.add_query(id);
   }
-  const auto answered_rows = std::ssize(task.query_ids);
-  std::size_t missing = 0;
-  for (const std::string& id : labels.queries) {
-    if (answered.contains(canonical_model_id(id))) continue;
-    ++missing;
-    if (unanswered == Unanswered::left_out) continue;
-    const auto own = columns.find(canonical_model_id(id));
-    task.query_ids.push_back(id);
-    task.retrieval.query_classes.push_back(models.at(id).label);
-    task.retrieval.own_column.push_back(own == columns.end() ? -1 : own->second);
-  }
-  add_empty_rows(ranked);
-  std::vector<std::string> targets;
-  for (const auto& [id, column] : columns) targets.push_back(id);
-  set_subclasses(models, task.query_ids, targets, task.retrieval);
-  task.coverage = coverage_of(ranked, answered_rows, missing);
-  warn_of_coverage("queries", unanswered, task);
-  return ranked;
+  return finished(std::move(built).task(), std::ssize(answers.answers), missing.size(), "queries", unanswered);
 }
 
 RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judgements, Unanswered unanswered) {
+  const Columns columns = columns_of(answers, judgements);
   RankedTask ranked;
   EvaluationTask& task = ranked.task;
-  Columns columns;
-  for (const RankedAnswers::Answer& answer : answers.answers) {
-    for (const auto& [model, distance] : answer.models) columns.emplace(model, 0);
-  }
-  std::unordered_map<std::string, const Judgements::Judged*> judged_queries;
-  for (const Judgements::Judged& judged : judgements.queries) {
-    judged_queries.emplace(judged.query, &judged);
-    for (const auto* models : {&judged.relevant, &judged.irrelevant}) {
-      for (const std::string& model : *models) columns.emplace(model, 0);
-    }
-  }
-  number(columns);
   task.retrieval.target_classes.assign(columns.size(), 0);
   task.retrieval.lists_may_end_early = true;
   ranked.distances = nothing_found(answers.answers.size(), columns.size());
+  std::unordered_map<std::string, const Judgements::Judged*> unanswered_queries;
+  for (const Judgements::Judged& judged : judgements.queries) unanswered_queries.emplace(judged.query, &judged);
   std::size_t unjudged = 0;
   for (const RankedAnswers::Answer& answer : answers.answers) {
-    const auto judged = judged_queries.find(answer.query);
-    if (judged == judged_queries.end()) {
+    const auto judged = unanswered_queries.find(answer.query);
+    if (judged == unanswered_queries.end()) {
       ++unjudged;
       continue;
     }
     const auto row = static_cast<Eigen::Index>(task.query_ids.size());
     for (const auto& [model, distance] : answer.models) ranked.distances(row, columns.at(model)) = distance;
     add_judged_query(*judged->second, columns, task);
-    judged_queries.erase(judged);
+    unanswered_queries.erase(judged);
   }
   const auto answered_rows = std::ssize(task.query_ids);
-  const std::size_t missing = judged_queries.size();
   if (unanswered == Unanswered::count) {
     for (const Judgements::Judged& judged : judgements.queries) {
-      if (judged_queries.contains(judged.query)) add_judged_query(judged, columns, task);
+      if (unanswered_queries.contains(judged.query)) add_judged_query(judged, columns, task);
     }
   }
-  ranked.distances.conservativeResize(std::min(ranked.distances.rows(), std::ssize(task.query_ids)), Eigen::NoChange);
-  add_empty_rows(ranked);
   warn_of_missing(unjudged, "queries have no judgements", task);
-  task.coverage = coverage_of(ranked, answered_rows, missing);
-  warn_of_coverage("judged queries", unanswered, task);
-  return ranked;
+  return finished(std::move(ranked), answered_rows, unanswered_queries.size(), "judged queries", unanswered);
 }
 
 bool is_fit_for_report(const EvaluationTask& task) {

@@ -17,7 +17,7 @@ std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{
 
 std::string full_cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
-void add_entry_names(Table& table) {
+void add_entry_names(TextTable& table) {
   for (const SegmentationErrorEntry& entry : segmentation_error_entries()) table.header.emplace_back(entry.name);
 }
 
@@ -103,8 +103,8 @@ SegmentationScores score_segmentations(const SegmentationBenchmark& benchmark,
   return scores;
 }
 
-Table mean_table(const SegmentationScores& scores) {
-  Table table;
+TextTable mean_table(const SegmentationScores& scores) {
+  TextTable table;
   table.header = {"method"};
   add_entry_names(table);
   for (std::size_t m = 0; m < scores.methods.size(); ++m) {
@@ -116,8 +116,8 @@ Table mean_table(const SegmentationScores& scores) {
   return table;
 }
 
-Table class_table(const SegmentationScores& scores) {
-  Table table;
+TextTable class_table(const SegmentationScores& scores) {
+  TextTable table;
   table.header = {"Rand by class"};
   table.header.insert(table.header.end(), scores.methods.begin(), scores.methods.end());
   for (std::size_t c = 0; c < scores.classes.size(); ++c) {
@@ -129,8 +129,8 @@ Table class_table(const SegmentationScores& scores) {
   return table;
 }
 
-Table class_error_table(const SegmentationScores& scores) {
-  Table table;
+TextTable class_error_table(const SegmentationScores& scores) {
+  TextTable table;
   table.header = {"method", "class"};
   table.text_columns = 2;
   add_entry_names(table);
@@ -145,8 +145,8 @@ Table class_error_table(const SegmentationScores& scores) {
   return table;
 }
 
-Table mesh_table(const SegmentationScores& scores) {
-  Table table;
+TextTable mesh_table(const SegmentationScores& scores) {
+  TextTable table;
   table.header = {"method", "id", "class"};
   table.text_columns = 3;
   add_entry_names(table);
@@ -168,8 +168,8 @@ std::optional<MethodComparison> rand_comparison(const SegmentationScores& scores
   return compare_methods(table, scores.labels, {.average = Average::macro});
 }
 
-Table interval_table(const SegmentationScores& scores, const MethodComparison& comparison) {
-  Table table;
+TextTable interval_table(const SegmentationScores& scores, const MethodComparison& comparison) {
+  TextTable table;
   table.header = {"method", "Rand, mean of classes", "95 % low", "high"};
   for (std::size_t m = 0; m < scores.methods.size(); ++m) {
     table.rows.push_back({scores.methods[m], cell(comparison.averages[static_cast<Eigen::Index>(m)]),
@@ -178,8 +178,8 @@ Table interval_table(const SegmentationScores& scores, const MethodComparison& c
   return table;
 }
 
-Table pair_table(const SegmentationScores& scores, const MethodComparison& comparison) {
-  Table table;
+TextTable pair_table(const SegmentationScores& scores, const MethodComparison& comparison) {
+  TextTable table;
   table.header = {"first", "second", "difference", "low", "high", "p", "p (Holm)", "classes won"};
   table.text_columns = 2;
   const int classes = static_cast<int>(scores.classes.size());

@@ -40,24 +40,24 @@ SegmentationScores score_segmentations(const SegmentationBenchmark& benchmark,
                                        const SegmentationScoring& scoring);
 
 /// Makes a table with a row for each method: its mean errors.
-Table mean_table(const SegmentationScores& scores);
+TextTable mean_table(const SegmentationScores& scores);
 
 /// Makes a table with a row for each class and a column for each method: mean Rand errors.
-Table class_table(const SegmentationScores& scores);
+TextTable class_table(const SegmentationScores& scores);
 
 /// Makes a table with a row for each method and class: mean errors in full precision.
-Table class_error_table(const SegmentationScores& scores);
+TextTable class_error_table(const SegmentationScores& scores);
 
 /// Makes a table with a row for each method and mesh: its errors in full precision.
-Table mesh_table(const SegmentationScores& scores);
+TextTable mesh_table(const SegmentationScores& scores);
 
 /// Compares Rand errors by class; nothing for fewer than two classes or methods, or if an error is undefined.
 std::optional<MethodComparison> rand_comparison(const SegmentationScores& scores);
 
 /// Makes a table with a row for each method: its mean Rand error over classes, with its confidence interval.
-Table interval_table(const SegmentationScores& scores, const MethodComparison& comparison);
+TextTable interval_table(const SegmentationScores& scores, const MethodComparison& comparison);
 
 /// Makes a table with a row for each pair of methods: difference, interval, p-values, classes won.
-Table pair_table(const SegmentationScores& scores, const MethodComparison& comparison);
+TextTable pair_table(const SegmentationScores& scores, const MethodComparison& comparison);
 
 }  // namespace shapegauge

@@ -50,8 +50,8 @@ BoardJson submission_json(const Leaderboard& board, std::size_t index) {
 
 }  // namespace
 
-Table leaderboard_table(const Leaderboard& board, const ScoreStyle& style, bool intervals) {
-  Table table{.header = {"rank", "method"}, .rows = {}, .text_columns = 2};
+TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, bool intervals) {
+  TextTable table{.header = {"rank", "method"}, .rows = {}, .text_columns = 2};
   table.header.insert(table.header.end(), board.measures.begin(), board.measures.end());
   for (std::size_t i = 0; i < board.submissions.size(); ++i) {
     std::vector<std::string> row{fmt::format("{}", board.micro[board.rank_by][i].rank),
@@ -67,8 +67,8 @@ Table leaderboard_table(const Leaderboard& board, const ScoreStyle& style, bool 
   return table;
 }
 
-Table leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style) {
-  Table table{.header = {"rank", "method", "authors", "paper", "file", "average"}, .rows = {}, .text_columns = 6};
+TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style) {
+  TextTable table{.header = {"rank", "method", "authors", "paper", "file", "average"}, .rows = {}, .text_columns = 6};
   for (const std::string& measure : board.measures) {
     for (const char* end : {"", "_low", "_high", "_group"}) table.header.push_back(measure + end);
   }

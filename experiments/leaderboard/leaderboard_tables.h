@@ -9,12 +9,12 @@ namespace shapegauge {
 /// Makes a table with a row for each submission, best first: rank, method, measures averaged over queries. The best of
 /// each measure is bold, and scores are followed by their letters (MethodStanding). With `intervals`, cells include
 /// confidence intervals.
-Table leaderboard_table(const Leaderboard& board, const ScoreStyle& style, bool intervals = false);
+TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, bool intervals = false);
 
 /// Makes a table for files with a row for each submission and average (micro, macro): rank, method, authors, paper,
 /// file, average, and for each measure its value, the ends of its interval and its letters (NN, NN_low, NN_high,
 /// NN_group, ...); percent.
-Table leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style = csv_style);
+TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style = csv_style);
 
 /// Formats the leaderboard, the refused submissions and the settings as JSON, in fractions.
 nlohmann::ordered_json leaderboard_json(const Leaderboard& board, const JudgingOptions& options);

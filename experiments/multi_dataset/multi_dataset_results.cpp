@@ -139,8 +139,8 @@ const MultiDatasetTable& main_table(const MultiDatasetResults& results) {
   return *std::ranges::find(results.tables, results.main_measure, &MultiDatasetTable::measure);
 }
 
-Table multi_dataset_summary(const MultiDatasetResults& results, const MultiDatasetTable& table, int decimals) {
-  Table summary{.header = {"method"}, .rows = {}, .text_columns = 1};
+TextTable multi_dataset_summary(const MultiDatasetResults& results, const MultiDatasetTable& table, int decimals) {
+  TextTable summary{.header = {"method"}, .rows = {}, .text_columns = 1};
   for (const EvaluatedDataset& dataset : results.datasets) summary.header.push_back(dataset.name);
   summary.header.insert(summary.header.end(), {"mean", "mean rank", "group"});
   const std::vector<std::string> letters = letters_of(table.ranks);
@@ -161,10 +161,10 @@ Table multi_dataset_summary(const MultiDatasetResults& results, const MultiDatas
   return summary;
 }
 
-Table multi_dataset_csv_table(const MultiDatasetResults& results) {
-  Table all{.header = {"protocol", "average", "measure"}, .rows = {}, .text_columns = 4};
+TextTable multi_dataset_csv_table(const MultiDatasetResults& results) {
+  TextTable all{.header = {"protocol", "average", "measure"}, .rows = {}, .text_columns = 4};
   for (const MultiDatasetTable& table : results.tables) {
-    const Table one = multi_dataset_summary(results, table, csv_style.decimals);
+    const TextTable one = multi_dataset_summary(results, table, csv_style.decimals);
     if (all.rows.empty()) all.header.insert(all.header.end(), one.header.begin(), one.header.end());
     for (std::vector<std::string> row : one.rows) {
       row.insert(row.begin(), {table.protocol, name_of(table.average), table.measure});
@@ -174,11 +174,11 @@ Table multi_dataset_csv_table(const MultiDatasetResults& results) {
   return all;
 }
 
-Table multi_dataset_pairs_table(const MultiDatasetResults& results) {
-  Table all{.header = {"protocol", "average", "measure", "first", "second", "difference_of_mean_ranks", "p", "wins",
-                       "ties", "losses"},
-            .rows = {},
-            .text_columns = 5};
+TextTable multi_dataset_pairs_table(const MultiDatasetResults& results) {
+  TextTable all{.header = {"protocol", "average", "measure", "first", "second", "difference_of_mean_ranks", "p", "wins",
+                           "ties", "losses"},
+                .rows = {},
+                .text_columns = 5};
   for (const MultiDatasetTable& table : results.tables) {
     for (const RankDifference& pair : table.ranks.pairs) {
       all.rows.push_back({table.protocol, name_of(table.average), table.measure, results.methods[pair.first],

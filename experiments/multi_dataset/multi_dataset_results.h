@@ -51,14 +51,14 @@ const MultiDatasetTable& main_table(const MultiDatasetResults& results);
 
 /// A row for each method, the best mean rank first: its value on each data set in percent, their mean, the mean rank
 /// and the letters of the groups that do not differ significantly. The best of each data set is bold.
-Table multi_dataset_summary(const MultiDatasetResults& results, const MultiDatasetTable& table, int decimals = 2);
+TextTable multi_dataset_summary(const MultiDatasetResults& results, const MultiDatasetTable& table, int decimals = 2);
 
 /// For files: the rows of all tables, with protocol, average and measure in front.
-Table multi_dataset_csv_table(const MultiDatasetResults& results);
+TextTable multi_dataset_csv_table(const MultiDatasetResults& results);
 
 /// For files: a row for each table and pair of methods: difference of the mean ranks, p of Nemenyi's test, data sets
 /// won, tied and lost.
-Table multi_dataset_pairs_table(const MultiDatasetResults& results);
+TextTable multi_dataset_pairs_table(const MultiDatasetResults& results);
 
 /// All of it as JSON, in fractions.
 nlohmann::ordered_json multi_dataset_json(const MultiDatasetResults& results);

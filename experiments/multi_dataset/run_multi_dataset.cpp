@@ -222,7 +222,7 @@ class MultiDatasetRun {
     results_.main_measure = has_map ? "mAP" : measures.front();
     results_.tables = multi_dataset_tables(results_.datasets, results_.alpha);
     const MultiDatasetTable& main = main_table(results_);
-    const Table summary = multi_dataset_summary(results_, main);
+    const TextTable summary = multi_dataset_summary(results_, main);
     const std::vector<std::pair<std::string, std::string>> files{
         {"summary.csv", to_csv(multi_dataset_csv_table(results_))},
         {"summary.json", multi_dataset_json(results_).dump(2) + "\n"},

@@ -11,8 +11,8 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-Table table_with_measures(std::span<const NamedEvaluation> evaluations, Row words) {
-  Table table{.header = std::move(words), .rows = {}, .text_columns = 0};
+TextTable table_with_measures(std::span<const NamedEvaluation> evaluations, Row words) {
+  TextTable table{.header = std::move(words), .rows = {}, .text_columns = 0};
   table.text_columns = table.header.size();
   if (evaluations.empty()) return table;
   const std::vector<std::string>& measures = evaluations.front().evaluation->measures;
@@ -79,12 +79,13 @@ EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOpt
   return {.confidence = options.confidence, .micro = of(Average::micro), .macro = of(Average::macro)};
 }
 
-Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style, IntervalCells intervals) {
+TextTable summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style,
+                        IntervalCells intervals) {
   const bool any_failed = std::ranges::any_of(evaluations, [](const NamedEvaluation& one) { return one.failed > 0; });
   Row words{"method"};
   if (any_failed) words.emplace_back("failed");
   words.insert(words.end(), {"protocol", "average"});
-  Table table = table_with_measures(evaluations, std::move(words));
+  TextTable table = table_with_measures(evaluations, std::move(words));
   const std::size_t text_columns = table.text_columns;
   const bool columns = intervals == IntervalCells::columns && all_have_intervals(evaluations);
   if (columns && !evaluations.empty()) {
@@ -110,8 +111,8 @@ Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreSty
   return table;
 }
 
-Table intervals_table(std::span<const NamedEvaluation> evaluations) {
-  Table table{
+TextTable intervals_table(std::span<const NamedEvaluation> evaluations) {
+  TextTable table{
       .header = {"method", "protocol", "average", "measure", "value", "low", "high"}, .rows = {}, .text_columns = 4};
   for (const NamedEvaluation& named : evaluations) {
     const Evaluation& evaluation = *named.evaluation;
@@ -128,8 +129,8 @@ Table intervals_table(std::span<const NamedEvaluation> evaluations) {
   return table;
 }
 
-Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names) {
-  Table table = table_with_measures(evaluations, {"method", "protocol", "class", "queries"});
+TextTable per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names) {
+  TextTable table = table_with_measures(evaluations, {"method", "protocol", "class", "queries"});
   for (const NamedEvaluation& named : evaluations) {
     const Evaluation& evaluation = *named.evaluation;
     for (std::size_t i = 0; i < evaluation.classes.size(); ++i) {
@@ -143,9 +144,9 @@ Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<co
   return table;
 }
 
-Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
-                      std::span<const std::string> class_names, const ScoreStyle& style) {
-  Table table = table_with_measures(evaluations, {"method", "protocol", "id", "class"});
+TextTable per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
+                          std::span<const std::string> class_names, const ScoreStyle& style) {
+  TextTable table = table_with_measures(evaluations, {"method", "protocol", "id", "class"});
   for (const NamedEvaluation& named : evaluations) {
     const Evaluation& evaluation = *named.evaluation;
     for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
@@ -158,8 +159,8 @@ Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<co
   return table;
 }
 
-Table class_curves_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names) {
-  Table table{.header = {"method", "protocol", "class", "recall", "precision"}, .rows = {}, .text_columns = 3};
+TextTable class_curves_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names) {
+  TextTable table{.header = {"method", "protocol", "class", "recall", "precision"}, .rows = {}, .text_columns = 3};
   for (const NamedEvaluation& named : evaluations) {
     const Evaluation& evaluation = *named.evaluation;
     for (std::size_t i = 0; i < evaluation.classes.size(); ++i) {
@@ -182,8 +183,8 @@ std::string psb_plot(const PrecisionRecallCurve& curve) {
   return text;
 }
 
-Table precision_recall_table(std::span<const NamedEvaluation> evaluations) {
-  Table table{
+TextTable precision_recall_table(std::span<const NamedEvaluation> evaluations) {
+  TextTable table{
       .header = {"method", "protocol", "recall", "precision", "macro_precision"}, .rows = {}, .text_columns = 2};
   for (const auto& [method, evaluation, intervals, failed] : evaluations) {
     const PrecisionRecallCurve& micro = evaluation->micro_curve;

@@ -60,29 +60,29 @@ enum class IntervalCells { none, beside, columns };
 /// Makes a table with a row for each evaluation and average (micro, macro): method, protocol, average, and the measures
 /// of the first evaluation. If a method failed on some models, their number (failed) follows the name. The
 /// best of each protocol and average is bold.
-Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style = {},
-                    IntervalCells intervals = IntervalCells::none);
+TextTable summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style = {},
+                        IntervalCells intervals = IntervalCells::none);
 
 /// Makes a table with a row for each evaluation, average and measure: method, protocol, average, measure, value, low,
 /// high; percent. Evaluations without intervals have no rows.
-Table intervals_table(std::span<const NamedEvaluation> evaluations);
+TextTable intervals_table(std::span<const NamedEvaluation> evaluations);
 
 /// Makes a table with a row for each evaluation and class: method, protocol, class, number of queries, measures in
 /// percent.
-Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
+TextTable per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
 /// Makes a table with a row for each evaluation and query: method, protocol, id of the query, its class, measures.
 /// `ids` are by row of the matrix. read_method_scores() restores the scores to the bit.
-Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
-                      std::span<const std::string> class_names, const ScoreStyle& style = exact_style);
+TextTable per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
+                          std::span<const std::string> class_names, const ScoreStyle& style = exact_style);
 
 /// Makes a table with a row for each evaluation and recall level: method, protocol, recall, precision averaged over
 /// queries, precision averaged over classes; fractions.
-Table precision_recall_table(std::span<const NamedEvaluation> evaluations);
+TextTable precision_recall_table(std::span<const NamedEvaluation> evaluations);
 
 /// Makes a table with a row for each evaluation, class and recall level: method, protocol, class, recall, precision;
 /// fractions.
-Table class_curves_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
+TextTable class_curves_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
 /// Formats a curve like psbPlot, for gnuplot: recall and precision, a level a line.
 std::string psb_plot(const PrecisionRecallCurve& curve);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "shapegauge/core/base/text.h"
+
 namespace shapegauge {
 
 namespace {
@@ -63,9 +65,9 @@ OrderedJson pair_json(const PairDifference& pair, const AlignedMethods& methods)
 
 }  // namespace
 
-Table comparison_summary(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                         const ComparisonOptions& options, const ScoreStyle& style) {
-  Table table{.header = {"", "method"}, .rows = {}, .text_columns = 2};
+TextTable comparison_summary(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                             const ComparisonOptions& options, const ScoreStyle& style) {
+  TextTable table{.header = {"", "method"}, .rows = {}, .text_columns = 2};
   table.header.insert(table.header.end(), methods.measures.begin(), methods.measures.end());
   const double alpha = 1 - options.confidence;
   for (std::size_t method = 0; method < methods.methods.size(); ++method) {
@@ -83,12 +85,12 @@ Table comparison_summary(const AlignedMethods& methods, std::span<const MethodCo
   return table;
 }
 
-Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons, const ScoreStyle& style,
-                  bool exact) {
-  Table table{.header = {"measure", "first", "second", "difference", "low", "high", "p", "p_holm", "p_tukey",
-                         "effect_size", "wins", "ties", "losses"},
-              .rows = {},
-              .text_columns = 3};
+TextTable pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                      const ScoreStyle& style, bool exact) {
+  TextTable table{.header = {"measure", "first", "second", "difference", "low", "high", "p", "p_holm", "p_tukey",
+                             "effect_size", "wins", "ties", "losses"},
+                  .rows = {},
+                  .text_columns = 3};
   for (std::size_t k = 0; k < comparisons.size(); ++k) {
     for (const PairDifference& pair : comparisons[k].pairs) {
       table.rows.push_back({methods.measures[k], methods.methods[pair.first], methods.methods[pair.second],
@@ -147,10 +149,10 @@ std::optional<std::string> few_units_warning(const MethodComparison& comparison,
           : fmt::format("use more {}, {} (which assumes normally distributed differences){}", name_of(options.blocks),
                         setting_with_word(audience, "test", "t"), more_blocks);
   return fmt::format(
-      "with {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {} {}); no "
+      "with {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {}); no "
       "difference can be significant at {:.4g}; {}",
       comparison.units, name_of(options.blocks), name_of(options.test), smallest, std::min(1.0, pairs * smallest),
-      comparison.pairs.size(), comparison.pairs.size() == 1 ? "pair" : "pairs", alpha, advice);
+      counted(std::ssize(comparison.pairs), "pair", "pairs"), alpha, advice);
 }
 
 }  // namespace shapegauge

@@ -16,14 +16,14 @@ namespace shapegauge {
 /// Makes a table with a row for each method: a letter, its name, its average by measure with the confidence interval. A
 /// score is followed by the letters of the methods that it is significantly better than: p, after Holm's correction, at
 /// most 1 - confidence. The best of each measure is bold. `comparisons` are by measure.
-Table comparison_summary(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                         const ComparisonOptions& options, const ScoreStyle& style);
+TextTable comparison_summary(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                             const ComparisonOptions& options, const ScoreStyle& style);
 
 /// Makes a table with a row for each measure and pair: measure, first, second, difference, its interval (low, high), p,
 /// p_holm, p_tukey, effect_size, and the numbers of queries that the first wins, ties, loses. With `exact`, p-values
 /// have all digits, for files.
-Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons, const ScoreStyle& style,
-                  bool exact);
+TextTable pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                      const ScoreStyle& style, bool exact);
 
 /// Formats both tables as JSON, in fractions, with the settings.
 nlohmann::ordered_json comparison_json(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,

@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-Range own_part(const SharedSignatures& signatures, const Communicator& ranks) {
+RankRange own_part(const SharedSignatures& signatures, const Communicator& ranks) {
   return part_of_rank(signatures.all, ranks.rank(), ranks.size());
 }
 
@@ -126,7 +126,7 @@ PartialOverview seen_in(const std::string& bytes, const PartialOverview& here) {
 
 void visit_distances(const NamedDistance& distance, const SharedSignatures& signatures, Communicator& ranks,
                      const RowVisitor& visit) {
-  const Range own = own_part(signatures, ranks);
+  const RankRange own = own_part(signatures, ranks);
   const auto own_first = static_cast<Eigen::Index>(own.first);
   on_all_ranks(ranks, [&] { check_signatures({signatures.rows, own_first}, distance); });
   const Eigen::Index at_once = rows_together(signatures.all);
@@ -155,7 +155,7 @@ double largest_of_first(const NamedDistance& distance, const SharedSignatures& s
   return Unpacker(ranks.broadcast(std::move(Packer().add(largest)).bytes())).take_value<double>();
 }
 
-DistanceJudge::DistanceJudge(std::span<const int> labels, const Range& own, const JudgedMethod& wanted,
+DistanceJudge::DistanceJudge(std::span<const int> labels, const RankRange& own, const JudgedMethod& wanted,
                              Communicator& ranks)
     : task_(leave_one_out(labels)), ranks_(&ranks) {
   task_.query_subclasses = task_.target_subclasses = wanted.subclasses;

@@ -56,7 +56,7 @@ struct Judgement {
 /// functions but add() are collective.
 class DistanceJudge {
  public:
-  DistanceJudge(std::span<const int> labels, const Range& own, const JudgedMethod& wanted, Communicator& ranks);
+  DistanceJudge(std::span<const int> labels, const RankRange& own, const JudgedMethod& wanted, Communicator& ranks);
   DistanceJudge(const DistanceJudge&) = delete;
   DistanceJudge& operator=(const DistanceJudge&) = delete;
   DistanceJudge(DistanceJudge&&) = delete;

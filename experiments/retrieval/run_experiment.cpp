@@ -125,7 +125,7 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature, const 
 
 /// Returns the rows of this rank with those of models without the signature replaced by the row of another model, so
 /// that all have distances. Collective.
-Signatures with_stand_ins(const Signatures& rows, const Range& own, const Holders& holders, Communicator& ranks) {
+Signatures with_stand_ins(const Signatures& rows, const RankRange& own, const Holders& holders, Communicator& ranks) {
   const auto first = static_cast<std::size_t>(holders.places().front());
   const bool is_here = first >= own.first && first < own.last;
   const auto local = static_cast<Eigen::Index>(first - own.first);
@@ -237,37 +237,23 @@ class MethodsRun {
   /// Evaluates the distances of one signature; returns the seconds of evaluation on this rank. Collective.
   double judge(std::size_t i, const std::vector<int>& labels, const Signatures& rows, MethodResults& method) {
     const bool whole = is_whole(i, labels.size());
+    const RankRange streamed = part_of_rank(labels.size(), ranks_->rank(), ranks_->size());
+    const bool has_gaps = !whole && !holders_[i].are_all();
+    const Signatures filled = has_gaps ? with_stand_ins(rows, streamed, holders_[i], *ranks_) : Signatures();
+    const SharedSignatures signatures{.rows = has_gaps ? filled : rows, .all = labels.size()};
     const NamedDistance distance = distance_between(configuration_->signatures[i], *configuration_);
-    const Holders& holders = holders_[i];
-    const bool is_streamed_in_part = !whole && !holders.are_all();
-    const Signatures filled =
-        is_streamed_in_part
-            ? with_stand_ins(rows, part_of_rank(labels.size(), ranks_->rank(), ranks_->size()), holders, *ranks_)
-            : Signatures();
-    const SharedSignatures signatures{.rows = is_streamed_in_part ? filled : rows, .all = labels.size()};
-    JudgedMethod wanted;
-    for (const Protocol protocol : configuration_->protocols) {
-      wanted.evaluations.push_back({.protocol = protocol,
-                                    .ties = configuration_->ties,
-                                    .measures = configuration_->measures,
-                                    .minimum_class_size = configuration_->minimum_class_size});
-    }
-    wanted.subclasses = subclasses_;
-    wanted.overview = configuration_->report.wanted;
+    JudgedMethod wanted = judged_method(i);
     if (wanted.overview && std::ssize(labels) > largest_heat_map) {
-      wanted.largest = whole ? largest_of_whole(whole_[i], holders.places().front())
+      wanted.largest = whole ? largest_of_whole(whole_[i], holders_[i].places().front())
                              : largest_of_first(distance, signatures, *ranks_);
     }
-    if (configuration_->keep_distances && !places_->distance_files.empty()) wanted.file = places_->distance_files[i];
-
-    const Range part = whole ? Range{.first = ranks_->rank() == 0 ? 0 : labels.size(), .last = labels.size()}
-                             : part_of_rank(labels.size(), ranks_->rank(), ranks_->size());
-    DistanceJudge judge(labels, part, wanted, *ranks_);
+    const RankRange all_on_first{.first = ranks_->rank() == 0 ? 0 : labels.size(), .last = labels.size()};
+    DistanceJudge judge(labels, whole ? all_on_first : streamed, wanted, *ranks_);
     const RowVisitor add = [&](Eigen::Index first, const DistanceTable& some) {
       if (control_->interrupted()) throw Interrupted();
-      if (!is_streamed_in_part) return judge.add(first, some);
+      if (!has_gaps) return judge.add(first, some);
       DistanceMatrix rows_with_gaps = some;
-      holders.set_infinite(rows_with_gaps, first);
+      holders_[i].set_infinite(rows_with_gaps, first);
       judge.add(first, rows_with_gaps);
     };
     if (whole) {
@@ -281,6 +267,21 @@ class MethodsRun {
     DistanceMatrix matrix = std::move(whole_[i]);
     if (keeps_matrices()) method.distances = std::move(matrix);
     return judge.seconds();
+  }
+
+  /// Returns what is wanted of the distances by one signature.
+  [[nodiscard]] JudgedMethod judged_method(std::size_t i) const {
+    JudgedMethod wanted;
+    for (const Protocol protocol : configuration_->protocols) {
+      wanted.evaluations.push_back({.protocol = protocol,
+                                    .ties = configuration_->ties,
+                                    .measures = configuration_->measures,
+                                    .minimum_class_size = configuration_->minimum_class_size});
+    }
+    wanted.subclasses = subclasses_;
+    wanted.overview = configuration_->report.wanted;
+    if (configuration_->keep_distances && !places_->distance_files.empty()) wanted.file = places_->distance_files[i];
+    return wanted;
   }
 
   static double largest_of_whole(const DistanceMatrix& distances, Eigen::Index row) {

@@ -79,7 +79,7 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
                                                             std::span<const NamedEvaluation> evaluations) {
   std::vector<std::string> ids;
   for (const Model& model : results.models) ids.push_back(model.id);
-  const Table rounded = summary_table(evaluations);
+  const TextTable rounded = summary_table(evaluations);
   return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
           {"summary.json", summary_json(results, evaluations)},
           {"summary.md", to_markdown(rounded)},

@@ -83,7 +83,7 @@ DatasetLocation location_in(const fs::path& configuration) {
                                  configuration.string()));
   }
   try {
-    return at("dataset", [&] { return read_location(document["dataset"], configuration.parent_path()); });
+    return at_key("dataset", [&] { return read_location(document["dataset"], configuration.parent_path()); });
   } catch (const ConfigurationError& error) {
     throw InputError(fmt::format("{}: {}: {}", configuration.string(), error.path, error.message));
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
@@ -86,10 +87,6 @@ class PageShapes {
   std::map<std::size_t, std::size_t> places_;  ///< by model
 };
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 }  // namespace
 
 std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery> queries,
@@ -106,8 +103,8 @@ std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery>
       shown.nearest.emplace_back(shapes.add_model(static_cast<std::size_t>(one.model)), one.distance);
     }
   }
-  page.facts = {counted(answers.size(), "query", "queries"),
-                counted(index.contents.models.size(), "shape", "shapes") + " in the collection",
+  page.facts = {counted(std::ssize(answers), "query", "queries"),
+                counted(std::ssize(index.contents.models), "shape", "shapes") + " in the collection",
                 fmt::format("compared by \u201c{}\u201d", index.method.name)};
   std::string html;
   with_threads(control, [&] {

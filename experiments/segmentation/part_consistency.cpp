@@ -94,8 +94,8 @@ double mean_of(const std::vector<ClassConsistency>& all, double ClassConsistency
 
 }  // namespace
 
-Table consistency_table(const SegmentationResults& results) {
-  Table table;
+TextTable consistency_table(const SegmentationResults& results) {
+  TextTable table;
   table.header = {"method", "class", "parts", "same number", "sizes", "sizes, others"};
   table.text_columns = 2;
   for (std::size_t m = 0; m < results.experiment.methods.size(); ++m) {
@@ -113,8 +113,8 @@ Table consistency_table(const SegmentationResults& results) {
   return table;
 }
 
-Table moved_table(const SegmentationResults& results) {
-  Table table;
+TextTable moved_table(const SegmentationResults& results) {
+  TextTable table;
   table.header = {"Rand from undamaged", "median", "mean", "greatest"};
   for (std::size_t m = 0; m < results.experiment.methods.size(); ++m) {
     if (results.experiment.methods[m].perturbations.empty()) continue;

@@ -12,10 +12,10 @@ namespace shapegauge {
 /// - "sizes": mean difference in size over those pairs: half the sum of differences between the area fractions of the
 ///   largest parts, the second largest, and so on. 0 if all are equal, at most 1.
 /// - "sizes, others": the same over pairs of a shape of the class and one of another class.
-Table consistency_table(const SegmentationResults& results);
+TextTable consistency_table(const SegmentationResults& results);
 
 /// Measures the effect of perturbations on the parts: a row for each method with perturbations, with the median, mean
 /// and maximum of SegmentedShape::moved.
-Table moved_table(const SegmentationResults& results);
+TextTable moved_table(const SegmentationResults& results);
 
 }  // namespace shapegauge

@@ -69,10 +69,11 @@ Labels carried_over(const Labels& labels, const Shape& changed, const Shape& mes
 }
 
 /// Segmentation of one shape, with its inputs and results.
-class ShapeJob {
+class SegmentationJob {
  public:
   /// `index` is the model's index in the data set, which perturbations may depend on.
-  ShapeJob(const SegmentationExperiment& experiment, const SegmentedModel& model, std::size_t index, Cache& cache)
+  SegmentationJob(const SegmentationExperiment& experiment, const SegmentedModel& model, std::size_t index,
+                  Cache& cache)
       : experiment_(experiment), model_(model), index_(index), cache_(cache) {
     const ShapeSource source = read_shape_source(model.mesh);
     mesh_ = read_shape(source);
@@ -290,7 +291,7 @@ void run_stages(const RunControl& control, Cache& cache, const std::filesystem::
   const bool stop = results.experiment.on_error == OnError::stop;
   const std::vector<ModelFailure> own_failures =
       for_each_model(all, "shapes", stop, control, ranks, [&](std::size_t i) {
-        ShapeJob job(results.experiment, results.benchmark.models[i], i, cache);
+        SegmentationJob job(results.experiment, results.benchmark.models[i], i, cache);
         const std::scoped_lock lock(mutex);
         own.emplace(i, CutShape{.shape = std::move(job.result), .errors = std::move(job.errors)});
       });

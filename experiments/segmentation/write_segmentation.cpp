@@ -24,10 +24,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string summary(const SegmentationResults& results, std::string (*text)(const Table&)) {
+std::string summary(const SegmentationResults& results, std::string (*text)(const TextTable&)) {
   if (!results.has_people) return text(consistency_table(results));
   std::string result = text(mean_table(results.scores)) + "\n" + text(class_table(results.scores));
-  if (const Table moved = moved_table(results); !moved.rows.empty()) result += "\n" + text(moved);
+  if (const TextTable moved = moved_table(results); !moved.rows.empty()) result += "\n" + text(moved);
   if (const std::optional<MethodComparison> comparison = rand_comparison(results.scores)) {
     result += "\n" + text(interval_table(results.scores, *comparison));
     result += "\n" + text(pair_table(results.scores, *comparison));
@@ -46,7 +46,7 @@ std::vector<std::pair<std::string, std::string>> text_files(const SegmentationRe
       {"summary.md", summary_markdown(results)},
       {"consistency.csv", to_csv(consistency_table(results))},
       {std::string(report_name), segmentation_page(report_of(results))}};
-  if (const Table moved = moved_table(results); !moved.rows.empty()) files.emplace_back("moved.csv", to_csv(moved));
+  if (const TextTable moved = moved_table(results); !moved.rows.empty()) files.emplace_back("moved.csv", to_csv(moved));
   if (!results.has_people) return files;
   files.emplace_back("errors.csv", to_csv(mesh_table(results.scores)));
   files.emplace_back("classes.csv", to_csv(class_error_table(results.scores)));

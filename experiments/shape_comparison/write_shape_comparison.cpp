@@ -45,8 +45,8 @@ void append(Row& row, const NormalErrors& errors) {
 
 /// Makes a table with a row for each signature, shape and bin: the bin's number and bounds, and its fraction of the
 /// area.
-Table histograms_table(const ShapeComparisonResults& results) {
-  Table table{.header = {"signature", "shape", "bin", "low", "high", "share"}, .rows = {}, .text_columns = 2};
+TextTable histograms_table(const ShapeComparisonResults& results) {
+  TextTable table{.header = {"signature", "shape", "bin", "low", "high", "share"}, .rows = {}, .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, const Row& names) {
     const Interval& range = results.signatures[i].ranges[j];
     const auto histogram = results.signatures[i].histograms.row(static_cast<Eigen::Index>(j));
@@ -61,9 +61,9 @@ Table histograms_table(const ShapeComparisonResults& results) {
 }
 
 /// Makes a table with a row for each signature and shape: its distance from the reference. No rows without a reference.
-Table distances_table(const ShapeComparisonResults& results) {
+TextTable distances_table(const ShapeComparisonResults& results) {
   const ShapeComparison& comparison = results.comparison;
-  Table table{.header = {"signature", "shape", "reference", comparison.distance}, .rows = {}, .text_columns = 3};
+  TextTable table{.header = {"signature", "shape", "reference", comparison.distance}, .rows = {}, .text_columns = 3};
   if (!comparison.reference) return table;
   for_each_row(results, [&](std::size_t i, std::size_t j, Row row) {
     row.push_back(comparison.shapes[*comparison.reference].name);
@@ -75,11 +75,11 @@ Table distances_table(const ShapeComparisonResults& results) {
 
 /// Makes a table with a row for each signature and shape: numbers of samples and of missing values, and ValueErrors if
 /// any.
-Table errors_table(const ShapeComparisonResults& results) {
-  Table table{.header = {"signature", "shape", "samples", "missing", "median_of_diagonal", "percentile_90_of_diagonal",
-                         "median_relative", "percentile_90_relative"},
-              .rows = {},
-              .text_columns = 2};
+TextTable errors_table(const ShapeComparisonResults& results) {
+  TextTable table{.header = {"signature", "shape", "samples", "missing", "median_of_diagonal",
+                             "percentile_90_of_diagonal", "median_relative", "percentile_90_relative"},
+                  .rows = {},
+                  .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, Row row) {
     const FieldMeasurement& measured = measurement_of(results, i, j);
     if (!measured.errors) return;
@@ -97,8 +97,8 @@ Table errors_table(const ShapeComparisonResults& results) {
 
 /// Makes a table with a row for each shape and signature whose field estimates normals: NormalErrors of those and of
 /// the shape's own.
-Table normals_table(const ShapeComparisonResults& results) {
-  Table table{
+TextTable normals_table(const ShapeComparisonResults& results) {
+  TextTable table{
       .header = {"signature", "shape", "samples", "offset_mean_degrees", "offset_median_degrees",
                  "offset_percentile_90_degrees", "own_mean_degrees", "own_median_degrees", "own_percentile_90_degrees"},
       .rows = {},
@@ -115,11 +115,11 @@ Table normals_table(const ShapeComparisonResults& results) {
 }
 
 /// Makes a table with a row for each signature and shape: run times. Only this table varies between runs.
-Table timings_table(const ShapeComparisonResults& results) {
-  Table table{.header = {"signature", "shape", "samples", "read_seconds", "build_seconds", "query_seconds",
-                         "microseconds_per_sample"},
-              .rows = {},
-              .text_columns = 2};
+TextTable timings_table(const ShapeComparisonResults& results) {
+  TextTable table{.header = {"signature", "shape", "samples", "read_seconds", "build_seconds", "query_seconds",
+                             "microseconds_per_sample"},
+                  .rows = {},
+                  .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, Row row) {
     const FieldMeasurement& measured = measurement_of(results, i, j);
     const double seconds = measured.build_seconds + measured.query_seconds;
@@ -133,8 +133,8 @@ Table timings_table(const ShapeComparisonResults& results) {
   return table;
 }
 
-Table shapes_table(const ShapeComparisonResults& results) {
-  Table table{.header = {"shape"}, .rows = {}};
+TextTable shapes_table(const ShapeComparisonResults& results) {
+  TextTable table{.header = {"shape"}, .rows = {}};
   std::vector<ShapeReport> reports;
   for (const ShapeMeasurement& shape : results.shapes) {
     table.rows.push_back({shape.name});
@@ -144,8 +144,8 @@ Table shapes_table(const ShapeComparisonResults& results) {
 }
 
 /// Returns the tables of comparison results by title, without empty ones.
-std::vector<std::pair<std::string, Table>> comparing_tables(const ShapeComparisonResults& results) {
-  std::vector<std::pair<std::string, Table>> tables{
+std::vector<std::pair<std::string, TextTable>> comparing_tables(const ShapeComparisonResults& results) {
+  std::vector<std::pair<std::string, TextTable>> tables{
       {"Distances", distances_table(results)}, {"Errors", errors_table(results)}, {"Normals", normals_table(results)}};
   std::erase_if(tables, [](const auto& titled) { return titled.second.rows.empty(); });
   return tables;

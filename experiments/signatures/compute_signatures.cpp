@@ -376,7 +376,7 @@ std::vector<Signatures> rows_of_rank(std::vector<Signatures> tables, std::span<c
   }
   std::vector<std::string> to_ranks;
   for (int rank = 0; rank < ranks.size(); ++rank) {
-    const Range part = part_of_rank(all, rank, ranks.size());
+    const RankRange part = part_of_rank(all, rank, ranks.size());
     Packer packer;
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (places[i] < part.first || places[i] >= part.last) continue;
@@ -388,7 +388,7 @@ std::vector<Signatures> rows_of_rank(std::vector<Signatures> tables, std::span<c
     }
     to_ranks.push_back(std::move(packer).bytes());
   }
-  const Range own = part_of_rank(all, ranks.rank(), ranks.size());
+  const RankRange own = part_of_rank(all, ranks.rank(), ranks.size());
   std::vector<Signatures> rows;
   for (const Eigen::Index length : lengths) rows.emplace_back(static_cast<Eigen::Index>(own.size()), length);
   for (const std::string& part : ranks.exchange(std::move(to_ranks))) {

@@ -79,7 +79,7 @@ std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*
 /// models are on rank 0.
 struct ComputedSignatures {
   std::vector<std::size_t> models;     ///< models with signatures, by index in the data set
-  Range own;                           ///< positions in `models` of those whose rows are here
+  RankRange own;                       ///< positions in `models` of those whose rows are here
   std::vector<Signatures> signatures;  ///< of those models, as assemble_signatures() returns them
   std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip: no signature can be computed
   /// By signature: those of `models`, by position, that do not have it, although they have another.

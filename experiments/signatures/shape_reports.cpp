@@ -83,8 +83,8 @@ void append_report(std::vector<std::string>& row, const ShapeReport& shape, cons
 
 }  // namespace
 
-Table with_shape_reports(Table table, std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
-                         std::span<const FieldReport> fields) {
+TextTable with_shape_reports(TextTable table, std::span<const ShapeReport> shapes,
+                             const PreparationOptions& preparation, std::span<const FieldReport> fields) {
   table.text_columns = table.header.size() + 1;
   table.header.emplace_back("choices");
   append_header(table.header, preparation, fields);
@@ -92,17 +92,17 @@ Table with_shape_reports(Table table, std::span<const ShapeReport> shapes, const
   return table;
 }
 
-Table shapes_table(std::span<const Model> models, std::span<const std::string> classes,
-                   std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
-                   std::span<const FieldReport> fields) {
-  Table table{.header = {"id", "class"}, .rows = {}};
+TextTable shapes_table(std::span<const Model> models, std::span<const std::string> classes,
+                       std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
+                       std::span<const FieldReport> fields) {
+  TextTable table{.header = {"id", "class"}, .rows = {}};
   for (const Model& model : models) table.rows.push_back({model.id, classes[static_cast<std::size_t>(model.label)]});
   return with_shape_reports(std::move(table), shapes, preparation, fields);
 }
 
-Table shape_seconds_table(std::span<const Model> models, std::span<const ShapeReport> shapes,
-                          std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures) {
-  Table table{.header = {"id"}, .rows = {}, .text_columns = 1};
+TextTable shape_seconds_table(std::span<const Model> models, std::span<const ShapeReport> shapes,
+                              std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures) {
+  TextTable table{.header = {"id"}, .rows = {}, .text_columns = 1};
   for (const FieldReport& field : fields) table.header.push_back(name_of(field));
   for (const SignatureConfiguration& signature : signatures) {
     if (signature.descriptor) table.header.push_back(signature.name);

@@ -17,18 +17,18 @@ nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics);
 
 /// Adds columns to a table whose rows are shapes: the choices of perturbations, the diagnostics, and for each field the
 /// number of samples by outcome.
-Table with_shape_reports(Table table, std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
-                         std::span<const FieldReport> fields);
+TextTable with_shape_reports(TextTable table, std::span<const ShapeReport> shapes,
+                             const PreparationOptions& preparation, std::span<const FieldReport> fields);
 
 /// Makes a table with a row for each model: id, class, choices of perturbations, diagnostics, and for each field the
 /// number of samples by outcome. The same for any number of threads.
-Table shapes_table(std::span<const Model> models, std::span<const std::string> classes,
-                   std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
-                   std::span<const FieldReport> fields);
+TextTable shapes_table(std::span<const Model> models, std::span<const std::string> classes,
+                       std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
+                       std::span<const FieldReport> fields);
 
 /// Makes a table with a row for each model: id, and the seconds of each field and each descriptor.
-Table shape_seconds_table(std::span<const Model> models, std::span<const ShapeReport> shapes,
-                          std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures);
+TextTable shape_seconds_table(std::span<const Model> models, std::span<const ShapeReport> shapes,
+                              std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures);
 
 /// Formats for each field its settings, its samples by outcome, and the number of shapes that its offset leaks into.
 nlohmann::ordered_json fields_json(std::span<const FieldReport> fields);

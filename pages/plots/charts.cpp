@@ -177,6 +177,54 @@ std::vector<double> decade_ticks(const ChartAxis& axis, std::size_t wanted) {
   return ticks;
 }
 
+constexpr double bar_height = 9;
+
+/// Draws the bar of one series in one group, with its interval if any, from y downwards.
+void draw_bar(Drawing& drawing, const ChartFrame& frame, const BarChart& chart, std::size_t series, std::size_t group,
+              double y) {
+  const ChartBars& bars = chart.bars[series];
+  const double value = bars.values[group];
+  if (std::isnan(value)) return;
+  const double from = frame.x(chart.x, std::max(0.0, chart.x.low));
+  drawing.rectangle({from, y}, {frame.x(chart.x, value) - from, bar_height - 1}, method_look(series).colour);
+  if (group >= bars.intervals.size() || !bars.intervals[group]) return;
+  const ConfidenceInterval& interval = *bars.intervals[group];
+  const double middle = y + (bar_height - 1) / 2;
+  drawing.line({frame.x(chart.x, interval.low), middle}, {frame.x(chart.x, interval.high), middle}, ink(), 0.9);
+  for (const double end : {interval.low, interval.high}) {
+    drawing.line({frame.x(chart.x, end), middle - 2.5}, {frame.x(chart.x, end), middle + 2.5}, ink(), 0.9);
+  }
+}
+
+/// Returns the outline of a histogram's bars, from the axis to the axis.
+std::vector<DrawingPoint> step_line(const ChartFrame& frame, const ChartAxis& y, const std::vector<double>& shares) {
+  std::vector<DrawingPoint> points{{frame.left, frame.bottom()}};
+  for (std::size_t bin = 0; bin < shares.size(); ++bin) {
+    const double top = frame.y(y, 100 * shares[bin]);
+    for (const std::size_t edge : {bin, bin + 1}) {
+      points.push_back(
+          {frame.left + frame.width * static_cast<double>(edge) / static_cast<double>(shares.size()), top});
+    }
+  }
+  points.push_back({frame.right(), frame.bottom()});
+  return points;
+}
+
+/// Draws the mark of a histogram as a dashed line with its label.
+void draw_mark(Drawing& drawing, const ChartFrame& frame, const HistogramChart& chart) {
+  const double x = std::clamp(frame.x(chart.x, *chart.mark), frame.left, frame.right());
+  drawing.path({.points = {{x, frame.top}, {x, frame.bottom()}},
+                .stroke = page_colour("wrong"),
+                .width = 1.2,
+                .dashes = {4, 2}});
+  const bool at_right = x > frame.left + frame.width / 2;
+  drawing.text({.text = chart.mark_label,
+                .place = {x + (at_right ? -4 : 4), frame.top + 10},
+                .size = font_size,
+                .colour = page_colour("wrong"),
+                .anchor = at_right ? TextAnchor::end : TextAnchor::start});
+}
+
 }  // namespace
 
 MethodLook method_look(std::size_t index) {
@@ -280,7 +328,6 @@ Drawing draw_chart(const CurveChart& chart) {
 }
 
 Drawing draw_chart(const BarChart& chart) {
-  constexpr double bar_height = 9;
   constexpr double gap = 8;
   const double group_height = bar_height * static_cast<double>(std::max<std::size_t>(1, chart.bars.size()));
   const Legend legend(names_of(chart.bars), chart.width - 20);
@@ -300,18 +347,7 @@ Drawing draw_chart(const BarChart& chart) {
                   .colour = ink(),
                   .anchor = TextAnchor::end});
     for (std::size_t i = 0; i < chart.bars.size(); ++i) {
-      const double value = chart.bars[i].values[group];
-      if (std::isnan(value)) continue;
-      const double y = top + bar_height * static_cast<double>(i);
-      const double from = frame.x(chart.x, std::max(0.0, chart.x.low));
-      drawing.rectangle({from, y}, {frame.x(chart.x, value) - from, bar_height - 1}, method_look(i).colour);
-      if (group >= chart.bars[i].intervals.size() || !chart.bars[i].intervals[group]) continue;
-      const ConfidenceInterval& interval = *chart.bars[i].intervals[group];
-      const double middle = y + (bar_height - 1) / 2;
-      drawing.line({frame.x(chart.x, interval.low), middle}, {frame.x(chart.x, interval.high), middle}, ink(), 0.9);
-      for (const double end : {interval.low, interval.high}) {
-        drawing.line({frame.x(chart.x, end), middle - 2.5}, {frame.x(chart.x, end), middle + 2.5}, ink(), 0.9);
-      }
+      draw_bar(drawing, frame, chart, i, group, top + bar_height * static_cast<double>(i));
     }
   }
   drawing.line({frame.left, frame.top}, {frame.left, frame.bottom()}, ink(), 0.8);
@@ -331,38 +367,13 @@ Drawing draw_chart(const HistogramChart& chart) {
   const ChartFrame frame = frame_of(drawing, chart.title, y, legend);
   draw_y_axis(drawing, frame, y);
   for (std::size_t i = 0; i < chart.histograms.size(); ++i) {
-    const std::vector<double>& shares = chart.histograms[i].shares;
     const MethodLook look = method_look(i);
-    DrawnPath steps{.points = {{frame.left, frame.bottom()}}, .width = 1.4, .dashes = look.dashes};
-    for (std::size_t bin = 0; bin < shares.size(); ++bin) {
-      const double top = frame.y(y, 100 * shares[bin]);
-      for (const std::size_t edge : {bin, bin + 1}) {
-        steps.points.push_back(
-            {frame.left + frame.width * static_cast<double>(edge) / static_cast<double>(shares.size()), top});
-      }
-    }
-    steps.points.push_back({frame.right(), frame.bottom()});
-    if (chart.histograms.size() == 1) {
-      steps.fill = look.colour;
-    } else {
-      steps.stroke = look.colour;
-    }
+    DrawnPath steps{.points = step_line(frame, y, chart.histograms[i].shares), .width = 1.4, .dashes = look.dashes};
+    (chart.histograms.size() == 1 ? steps.fill : steps.stroke) = look.colour;
     drawing.path(std::move(steps));
   }
   draw_x_axis(drawing, frame, chart.x, false);
-  if (chart.mark) {
-    const double x = std::clamp(frame.x(chart.x, *chart.mark), frame.left, frame.right());
-    drawing.path({.points = {{x, frame.top}, {x, frame.bottom()}},
-                  .stroke = page_colour("wrong"),
-                  .width = 1.2,
-                  .dashes = {4, 2}});
-    const bool at_right = x > frame.left + frame.width / 2;
-    drawing.text({.text = chart.mark_label,
-                  .place = {x + (at_right ? -4 : 4), frame.top + 10},
-                  .size = font_size,
-                  .colour = page_colour("wrong"),
-                  .anchor = at_right ? TextAnchor::end : TextAnchor::start});
-  }
+  if (chart.mark) draw_mark(drawing, frame, chart);
   legend.draw(drawing, 12, chart.size.height, false);
   return drawing;
 }

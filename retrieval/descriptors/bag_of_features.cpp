@@ -12,6 +12,7 @@
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/spatial/k_means_seeds.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
 namespace shapegauge {
@@ -96,21 +97,13 @@ Eigen::RowVectorXf deviations_of(const Vectors& samples) {
   return (deviation.array() > 0).select(deviation, 1).cast<float>();
 }
 
-/// Seeds by k-means++: each further word is a sample, drawn with a probability that increases with its distance to the
-/// others.
+/// Chooses samples as initial words; fewer if there are fewer distinct samples.
 Eigen::MatrixXf seed_words(const Vectors& samples, int count, RandomNumbers& random) {
-  Eigen::MatrixXf words(count, samples.cols());
-  words.row(0) = samples.row(static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(samples.rows()))));
-  Eigen::VectorXd square = Eigen::VectorXd::Constant(samples.rows(), std::numeric_limits<double>::infinity());
-  for (Eigen::Index k = 1; k < count; ++k) {
-    const auto last = words.row(k - 1);
-    square = square.cwiseMin((samples.rowwise() - last).rowwise().squaredNorm().cast<double>());
-    const auto chosen =
-        weighted_index({square.data(), static_cast<std::size_t>(square.size())}, random.uniform(0, square.sum()));
-    if (!chosen) return words.topRows(k);  // all samples are words
-    words.row(k) = samples.row(static_cast<Eigen::Index>(*chosen));
-  }
-  return words;
+  const auto squared_distances = [&](Eigen::Index from) -> Eigen::VectorXd {
+    const Eigen::MatrixXf word = samples.row(from);
+    return (samples.rowwise() - word.row(0)).rowwise().squaredNorm().cast<double>();
+  };
+  return samples(k_means_seeds(samples.rows(), count, random, squared_distances), Eigen::all);
 }
 
 /// Returns the squared distances from each word.

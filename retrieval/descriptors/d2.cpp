@@ -36,7 +36,7 @@ void for_each_pair(const Samples& samples, Visit visit) {
 
 Eigen::VectorXf d2(const Shape& shape, const D2Options& options) {
   check_options("d2", table, options);
-  const Samples samples = sample_surface_of(shape, options.points);
+  const Samples samples = sample_surface(shape, options.points);
   double sum = 0;
   double total = 0;
   for_each_pair(samples, [&](double distance, double weight) {

@@ -102,6 +102,28 @@ std::size_t checked_size(std::span<const ScalarField> fields, std::span<const Jo
   return bins;
 }
 
+double checked_weight(const ScalarField& field, Eigen::Index i) {
+  const double weight = field.weights[i];
+  if (weight >= 0 && std::isfinite(weight)) return weight;
+  throw ArgumentError("the weight of sample " + std::to_string(i) + " is " + std::to_string(weight) +
+                      "; weights must be finite and not negative");
+}
+
+/// Returns the bin of a sample; values out of range are in the outer bins. Nothing where a field has no value.
+std::optional<Eigen::Index> bin_of(Eigen::Index sample, std::span<const ScalarField> fields,
+                                   std::span<const JointAxis> axes, std::span<const double> units) {
+  Eigen::Index bin = 0;
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    const JointAxis& axis = axes[k];
+    const double value = fields[k].values[sample] / units[k];
+    if (std::isnan(value)) return std::nullopt;
+    const double position = (value - axis.low) / (axis.high - axis.low) * axis.bins;
+    const double clamped = std::clamp(position, 0.0, static_cast<double>(axis.bins - 1));
+    bin = bin * axis.bins + static_cast<Eigen::Index>(clamped);
+  }
+  return bin;
+}
+
 /// Smooths along one axis, whose adjacent bins are `stride` apart.
 void smooth_axis(Eigen::VectorXd& counts, const JointAxis& axis, Eigen::Index stride) {
   const Eigen::Index bins = axis.bins;
@@ -135,23 +157,10 @@ Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<c
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bins));
   double total = 0;
   for (Eigen::Index i = 0; i < fields.front().values.size(); ++i) {
-    const double weight = fields.front().weights[i];
-    if (!(weight >= 0) || !std::isfinite(weight)) {
-      throw ArgumentError("the weight of sample " + std::to_string(i) + " is " + std::to_string(weight) +
-                          "; weights must be finite and not negative");
-    }
-    Eigen::Index bin = 0;
-    bool counted = true;
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-      const JointAxis& axis = axes[k];
-      const double value = fields[k].values[i] / units[k];
-      counted = counted && !std::isnan(value);
-      const double position = (value - axis.low) / (axis.high - axis.low) * axis.bins;
-      const double clamped = counted ? std::clamp(position, 0.0, static_cast<double>(axis.bins - 1)) : 0;
-      bin = bin * axis.bins + static_cast<Eigen::Index>(clamped);
-    }
-    if (!counted) continue;
-    counts[bin] += weight;
+    const double weight = checked_weight(fields.front(), i);
+    const std::optional<Eigen::Index> bin = bin_of(i, fields, axes, units);
+    if (!bin) continue;
+    counts[*bin] += weight;
     total += weight;
   }
   if (!(total > 0) || !std::isfinite(total)) {

@@ -20,7 +20,7 @@
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/descriptors/silhouette.h"
-#include "shapegauge/retrieval/descriptors/splats.h"
+#include "shapegauge/retrieval/descriptors/surface_mesh.h"
 #include "shapegauge/retrieval/descriptors/surface_moments.h"
 
 namespace shapegauge {
@@ -142,7 +142,7 @@ struct DrawnMesh {
 
 /// Converts the shape to a mesh with its centroid at the origin and the unit ball as bounding ball.
 DrawnMesh in_unit_ball(const Shape& shape) {
-  Shape mesh = splatted(shape);
+  Shape mesh = surface_mesh(shape);
   mesh = in_unit_frame(mesh, unit_frame(mesh));
   const SurfaceMoments moments = surface_moments(mesh);
   if (!(moments.area > 0)) throw InputError("the descriptor light_field needs a shape with area");

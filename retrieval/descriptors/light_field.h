@@ -20,7 +20,7 @@ struct LightFieldOptions {
 /// 255, of silhouettes from the vertices of ten rotated dodecahedra. Only half of the vertices are used, because
 /// opposite silhouettes are mirror images. The shape's centroid is at the centre of the image, and its bounding ball
 /// touches the image's sides. Open, broken and non-manifold meshes are accepted; point clouds are rendered as splats
-/// (splatted()). Returns 4,500 numbers: sets x views x features. Throws InputError for options out of range, an
+/// (surface_mesh()). Returns 4,500 numbers: sets x views x features. Throws InputError for options out of range, an
 /// unusable shape, and one without area.
 Eigen::VectorXf light_field(const Shape& shape, const LightFieldOptions& options = {});
 

@@ -13,7 +13,7 @@
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/retrieval/descriptors/cylinder_map.h"
-#include "shapegauge/retrieval/descriptors/splats.h"
+#include "shapegauge/retrieval/descriptors/surface_mesh.h"
 #include "shapegauge/retrieval/descriptors/surface_moments.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
@@ -144,7 +144,7 @@ double pose_distance(std::span<const float> a, std::span<const float> b) {
 /// Converts the shape to a mesh with its centroid at the origin and a root mean square distance of 1; also returns the
 /// original moments.
 std::pair<Shape, SurfaceMoments> centred_surface(const Shape& shape) {
-  Shape mesh = splatted(shape);
+  Shape mesh = surface_mesh(shape);
   mesh = in_unit_frame(mesh, unit_frame(mesh));
   SurfaceMoments moments = surface_moments(mesh);
   const double spread = std::sqrt(moments.covariance.trace());

@@ -37,9 +37,9 @@ struct PanoramaOptions {
 /// other pose.
 ///
 /// Invariant to scale, position and orientation of triangles; duplicate triangles are ignored. Clouds are described by
-/// splatted(). Returns the features by pose: 3 x 2 x 2 x (frequencies + 1)^2 Fourier features, by axis, map, maximum
-/// and minimum, frequency around and frequency along the axis, then 3 x 2 x 19 x 3 wavelet features, by axis, map,
-/// subband and statistic; 4,740 by default. Throws InputError for options out of range, an unusable shape, and one
+/// surface_mesh(). Returns the features by pose: 3 x 2 x 2 x (frequencies + 1)^2 Fourier features, by axis, map,
+/// maximum and minimum, frequency around and frequency along the axis, then 3 x 2 x 19 x 3 wavelet features, by axis,
+/// map, subband and statistic; 4,740 by default. Throws InputError for options out of range, an unusable shape, and one
 /// without area.
 Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options = {});
 

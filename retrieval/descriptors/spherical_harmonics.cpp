@@ -78,7 +78,7 @@ class Voxels {
     const Eigen::Index cubes = per_axis_ * per_axis_ * per_axis_;
     filled_.assign(static_cast<std::size_t>(cubes), 0);
     // About twenty samples for each cube of a sphere's surface.
-    const Samples samples = sample_surface_of(shape, 60 * static_cast<Eigen::Index>(shells) * shells);
+    const Samples samples = sample_surface(shape, 60 * static_cast<Eigen::Index>(shells) * shells);
     for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
       const Eigen::Index cube = cube_of(samples.points.row(i));
       if (cube >= 0) filled_[static_cast<std::size_t>(cube)] = 1;
@@ -183,7 +183,7 @@ Eigen::VectorXd HarmonicTransform::norms(const Eigen::VectorXd& values) const {
 Eigen::VectorXf spherical_harmonics(const Shape& shape, const SphericalHarmonicsOptions& options) {
   check_options("spherical_harmonics", table, options);
   constexpr Eigen::Index places = 20'000;  // that find the centroid and the mean distance to a hundredth
-  const Samples samples = sample_surface_of(shape, places);
+  const Samples samples = sample_surface(shape, places);
   const Shape unit = centred(shape, samples);
   if (options.voxels) {
     const Voxels voxels(unit, options.shells);

@@ -1,6 +1,5 @@
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
@@ -19,12 +18,6 @@ using ::testing::ThrowsMessage;
 
 class SegFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() / (std::string("shapegauge_seg_") + test->name() + ".seg");
-  }
-  void TearDown() override { std::filesystem::remove(path_); }
-
   /// A mesh with the given number of triangles.
   static Shape mesh_of(Eigen::Index triangles) {
     Shape mesh;
@@ -33,9 +26,10 @@ class SegFile : public ::testing::Test {
     return mesh;
   }
 
-  void write(const std::string& text) const { std::ofstream(path_) << text; }
+  void write(const std::string& text) const { test::write_text(path_, text); }
 
-  std::filesystem::path path_;
+  test::TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "parts.seg";
 };
 
 TEST_F(SegFile, ComesBackAsItWasWritten) {

@@ -59,6 +59,12 @@ RC_GTEST_PROP(ParseNumber, ReadsBackWhatIsWrittenShortest, (double value)) {
   RC_ASSERT(parse_number(fmt::format("{}", value)) == value);
 }
 
+TEST(Counted, HasTheWordForOneOrForSeveral) {
+  EXPECT_EQ(counted(1, "row", "rows"), "1 row");
+  EXPECT_EQ(counted(0, "row", "rows"), "0 rows");
+  EXPECT_EQ(counted(1234, "row", "rows"), "1234 rows");
+}
+
 TEST(QuotedWord, StandsInQuotationMarksOnOneLine) {
   EXPECT_EQ(quoted_word("T12"), "\"T12\"");
   EXPECT_EQ(quoted_word(""), "\"\"");

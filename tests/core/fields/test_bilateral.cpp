@@ -23,7 +23,7 @@ std::vector<Site> sites() {
   const Shape cloud = {mesh.vertices, {}};
   return {{"faces", mesh, sample_shape(mesh, SampleSite::faces)},
           {"vertices", mesh, sample_shape(mesh, SampleSite::vertices)},
-          {"surface", mesh, sample_surface_of(mesh, 3000)},
+          {"surface", mesh, sample_surface(mesh, 3000)},
           {"soup", test::soup(mesh), sample_shape(test::soup(mesh), SampleSite::vertices)},
           {"cloud", cloud, sample_shape(cloud, SampleSite::vertices)}};
 }

@@ -102,7 +102,7 @@ TEST(Centricity, IsProportionalToScaleAndFollowsTheOrder) {
 TEST(Centricity, FacesAndSurfaceSamplesLieBetweenTheirCorners) {
   const Shape shape = test::capsule(0.3, 1, 16, 20);
   const Eigen::VectorXd corners = at_vertices(shape);
-  const Samples surface = sample_surface_of(shape, 500);
+  const Samples surface = sample_surface(shape, 500);
   const Eigen::VectorXd on_surface = centricity(shape, surface);
   for (Eigen::Index i = 0; i < on_surface.size(); ++i) {
     const Eigen::Index f = surface.triangles[static_cast<std::size_t>(i)];
@@ -116,13 +116,13 @@ TEST(Centricity, FacesAndSurfaceSamplesLieBetweenTheirCorners) {
 
 TEST(Centricity, InterpolationIsExactForWhatIsLinear) {
   const Shape shape = sphere(1, 1);
-  const Samples surface = sample_surface_of(shape, 100);
+  const Samples surface = sample_surface(shape, 100);
   EXPECT_LT((at_samples(shape, surface, shape.vertices) - surface.points).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(Centricity, SomeOfACloudsPointsHaveTheValuesOfAll) {
   const Shape cloud = test::random_points(sphere(1, 2), 300, 1);
-  const Samples some = sample_surface_of(cloud, 40);
+  const Samples some = sample_surface(cloud, 40);
   EXPECT_EQ(at_samples(cloud, some, cloud.vertices), some.points);
   EXPECT_EQ(centricity(cloud, some), at_samples(cloud, some, at_vertices(cloud)));
   EXPECT_THROW(centricity(test::random_points(sphere(1, 2), 300, 2), some), InputError);

@@ -1,11 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
-#include <optional>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/fields/inscribed_ball.h"
 #include "shapegauge/core/spatial/closest_point.h"
@@ -17,60 +14,6 @@ namespace {
 Eigen::VectorXd at_faces(const Shape& shape, double separation_angle_degrees = 60) {
   return inscribed_ball(shape, sample_shape(shape, SampleSite::faces),
                         {.separation_angle_degrees = separation_angle_degrees});
-}
-
-/// Brute force: candidate points on a regular grid over the triangle.
-double sampled_radius(const Triangle& triangle, const Eigen::Vector3d& normal) {
-  constexpr int steps = 120;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= steps; ++i) {
-    for (int j = 0; j <= steps - i; ++j) {
-      const double b = static_cast<double>(i) / steps;
-      const double c = static_cast<double>(j) / steps;
-      const Eigen::Vector3d q = (1 - b - c) * triangle.a + b * triangle.b + c * triangle.c;
-      const double height = q.dot(normal);
-      if (height > 0) least = std::min(least, q.squaredNorm() / (2 * height));
-    }
-  }
-  return least;
-}
-
-TEST(TouchingBall, AgreesWithCandidatePoints) {
-  RandomNumbers random(7);
-  const auto vector = [&] {
-    return Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-  };
-  int stopped = 0;
-  for (int i = 0; i < 100; ++i) {
-    const Triangle triangle{vector(), vector(), vector()};
-    const Eigen::Vector3d normal = vector().normalized();
-    const double sampled = sampled_radius(triangle, normal);
-    const std::optional<double> radius = touching_ball_radius(triangle, normal);
-    if (std::isinf(sampled)) continue;  // the grid may miss a corner above the plane
-    ++stopped;
-    ASSERT_TRUE(radius);
-    EXPECT_LE(*radius, sampled * (1 + 1e-9));
-    if (sampled < 3) {
-      EXPECT_NEAR(*radius, sampled, 0.1 * sampled) << i;
-    }
-  }
-  EXPECT_GT(stopped, 30);
-}
-
-TEST(TouchingBall, PlaneSideAndCorner) {
-  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  const Triangle lid{{-5, -5, 2}, {5, -5, 2}, {0, 5, 2}};
-  EXPECT_DOUBLE_EQ(*touching_ball_radius(lid, up), 1);
-  EXPECT_FALSE(touching_ball_radius(lid, -up));
-  const Triangle wall{{1, -5, -5}, {1, 5, -5}, {1, 0, 9}};  // touched at the height of its distance
-  EXPECT_DOUBLE_EQ(*touching_ball_radius(wall, up), 1);
-  const Triangle high_wall{{1, -5, 3}, {1, 5, 3}, {1, 0, 9}};  // touched at its lower side
-  EXPECT_DOUBLE_EQ(*touching_ball_radius(high_wall, up), 10.0 / 6);
-  const Triangle tip{{0, 0, 3}, {1, 0, 9}, {0, 1, 9}};
-  EXPECT_DOUBLE_EQ(*touching_ball_radius(tip, up), 1.5);
-  const Triangle segment{{2, -1, 2}, {2, 1, 2}, {2, 0, 2}};
-  EXPECT_DOUBLE_EQ(*touching_ball_radius(segment, up), 2);
-  EXPECT_FALSE(touching_ball_radius({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}}, up));
 }
 
 TEST(InscribedBall, OfASphereIsItsDiameter) {

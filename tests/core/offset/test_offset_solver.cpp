@@ -73,7 +73,7 @@ TEST(OffsetSolver, ReportsPointsOffTheSurfaceAsMissing) {
 TEST(OffsetSolver, SolvesSamplesOfOmittedTriangles) {
   // 327,680 triangles, of which less than a tenth are kept for an offset of 10 %.
   const Shape sphere = test::of_diagonal_1(test::sphere(1, 7));
-  const Samples samples = sample_surface_of(sphere, 2000);
+  const Samples samples = sample_surface(sphere, 2000);
   const OffsetResults results = solve_on_grid(sphere, samples.points, samples.normals, {.offset = 0.1});
   EXPECT_EQ(results.values,
             solve_on_grid(sphere, samples.points, samples.normals, {.offset = 0.1}, samples.triangles).values);

@@ -48,8 +48,8 @@ TEST(LocalConnectivity, SquaresThatShareACornerAreConnectedAcrossVerticesOnly) {
   LocalConnectivity connectivity = connectivity_of(squares({{0, 0}, {1, 1}}));
   const Eigen::Vector3d corner(1, 1, 0);
   EXPECT_FALSE(connectivity.of_one_component(0, 2));
-  EXPECT_FALSE(connectivity.connected_in_ball(0, 2, corner, 3, Joint::edge));
-  EXPECT_TRUE(connectivity.connected_in_ball(0, 2, corner, 3, Joint::vertex));
+  EXPECT_FALSE(connectivity.connected_in_ball(0, 2, corner, 3, SharedElement::edge));
+  EXPECT_TRUE(connectivity.connected_in_ball(0, 2, corner, 3, SharedElement::vertex));
 }
 
 TEST(LocalConnectivity, AFanIsPassedOnceHoweverManyTrianglesItHas) {
@@ -67,11 +67,11 @@ TEST(LocalConnectivity, AFanIsPassedOnceHoweverManyTrianglesItHas) {
   }
   LocalConnectivity connectivity = connectivity_of(fan);
   for (int to = 1; to < count; to += 1999) {
-    EXPECT_FALSE(connectivity.connected_in_ball(0, to, {0, 0, 0}, 2, Joint::edge));
+    EXPECT_FALSE(connectivity.connected_in_ball(0, to, {0, 0, 0}, 2, SharedElement::edge));
     EXPECT_TRUE(connectivity.met_border());
-    EXPECT_TRUE(connectivity.connected_in_ball(0, to, {0, 0, 0}, 2, Joint::vertex));
+    EXPECT_TRUE(connectivity.connected_in_ball(0, to, {0, 0, 0}, 2, SharedElement::vertex));
   }
-  EXPECT_FALSE(connectivity.connected_in_ball(0, count / 2, {1, 0, 0}, 0.4, Joint::vertex));
+  EXPECT_FALSE(connectivity.connected_in_ball(0, count / 2, {1, 0, 0}, 0.4, SharedElement::vertex));
 }
 
 TEST(LocalConnectivity, BordersAreMetWhereThereAreSome) {

@@ -55,10 +55,10 @@ TEST_P(DoubledTriangles, HaveTheSamplesOfTheirFirstAndWeighNothing) {
 }
 
 TEST_P(DoubledTriangles, AreNotSampledMoreDensely) {
-  const Samples expected = sample_surface_of(GetParam().shape, 300);
+  const Samples expected = sample_surface(GetParam().shape, 300);
   for (const test::DoubledShape& doubled : test::doublings(GetParam().shape)) {
     SCOPED_TRACE(doubled.name);
-    const Samples found = sample_surface_of(doubled.shape, 300);
+    const Samples found = sample_surface(doubled.shape, 300);
     EXPECT_TRUE(found.points == expected.points);
     EXPECT_TRUE(found.normals == expected.normals);
     EXPECT_TRUE(found.weights == expected.weights);
@@ -89,10 +89,10 @@ TEST_P(DoubledTriangles, DoNotChangeTheOffsetSdf) {
       EXPECT_EQ(found.outcomes.total, static_cast<std::size_t>(found.values.size()));
     }
   }
-  const OffsetSdfResult expected = offset_sdf(shape, sample_surface_of(shape, 200), {.offset = 0.02});
+  const OffsetSdfResult expected = offset_sdf(shape, sample_surface(shape, 200), {.offset = 0.02});
   for (const test::DoubledShape& doubled : test::doublings(shape)) {
     SCOPED_TRACE(doubled.name);
-    expect_same_bits(offset_sdf(doubled.shape, sample_surface_of(doubled.shape, 200), {.offset = 0.02}).values,
+    expect_same_bits(offset_sdf(doubled.shape, sample_surface(doubled.shape, 200), {.offset = 0.02}).values,
                      expected.values);
   }
 }
@@ -108,10 +108,10 @@ TEST_P(DoubledTriangles, DoNotChangeTheConventionalSdf) {
       EXPECT_EQ(found.missing, static_cast<std::size_t>(found.values.array().isNaN().count()));
     }
   }
-  const ConeSdfResult expected = cone_sdf(shape, sample_surface_of(shape, 200), {});
+  const ConeSdfResult expected = cone_sdf(shape, sample_surface(shape, 200), {});
   for (const test::DoubledShape& doubled : test::doublings(shape)) {
     SCOPED_TRACE(doubled.name);
-    expect_same_bits(cone_sdf(doubled.shape, sample_surface_of(doubled.shape, 200), {}).values, expected.values);
+    expect_same_bits(cone_sdf(doubled.shape, sample_surface(doubled.shape, 200), {}).values, expected.values);
   }
 }
 

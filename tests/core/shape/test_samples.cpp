@@ -189,7 +189,7 @@ TEST(SamplesOfTheSurface, AreUniformByAreaAndOnTheirTriangles) {
   sheet.vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 0, 0, 8, 0, 0, 8, 3, 0, 5, 3, 0;
   sheet.triangles.resize(4, 3);
   sheet.triangles << 0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6;
-  const Samples samples = sample_surface_of(sheet, 1000);
+  const Samples samples = sample_surface(sheet, 1000);
   EXPECT_EQ(samples.site, SampleSite::surface);
   EXPECT_NEAR(samples.weights.sum(), 10, 1e-9);
   EXPECT_EQ(samples.weights.minCoeff(), samples.weights.maxCoeff());
@@ -199,15 +199,15 @@ TEST(SamplesOfTheSurface, AreUniformByAreaAndOnTheirTriangles) {
     EXPECT_EQ(samples.triangles[static_cast<std::size_t>(i)] < 2, of_small) << i;
     EXPECT_EQ(samples.normals(i, 2), of_small ? 1 : -1) << i;
   }
-  EXPECT_EQ(samples.points, sample_surface_of(sheet, 1000).points);
-  EXPECT_NE(samples.points, sample_surface_of(sheet, 1000, 2).points);
-  EXPECT_THROW(sample_surface_of(sheet, 0), InputError);
+  EXPECT_EQ(samples.points, sample_surface(sheet, 1000).points);
+  EXPECT_NE(samples.points, sample_surface(sheet, 1000, 2).points);
+  EXPECT_THROW(sample_surface(sheet, 0), InputError);
   EXPECT_THROW(sample_shape(sheet, SampleSite::surface), InputError);
 }
 
 TEST(SamplesOfTheSurface, AreUniformWithinATriangle) {
   constexpr Eigen::Index count = 20000;
-  const Samples samples = sample_surface_of(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), count);
+  const Samples samples = sample_surface(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), count);
   // Means of uniform points: 1/3 of each coordinate, 1/6 of its square, 1/12 of the product.
   const Eigen::ArrayXd x = samples.points.col(0).array();
   const Eigen::ArrayXd y = samples.points.col(1).array();
@@ -222,11 +222,11 @@ TEST(SamplesOfTheSurface, AreUniformWithinATriangle) {
 TEST(SamplesOfTheSurface, OfACloudAreSomeOfItsPointsWithTheWholeArea) {
   const Shape cloud{test::box({1, 1, 1}, 6).vertices, {}, {}};
   const Samples all = sample_shape(cloud, SampleSite::vertices);
-  const Samples some = sample_surface_of(cloud, 50);
+  const Samples some = sample_surface(cloud, 50);
   EXPECT_EQ(some.site, SampleSite::vertices);
   EXPECT_EQ(some.points.rows(), 50);
   EXPECT_NEAR(some.weights.sum(), all.weights.sum(), 1e-9);
-  EXPECT_EQ(sample_surface_of(cloud, 100000).points, all.points);
+  EXPECT_EQ(sample_surface(cloud, 100000).points, all.points);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const Table table{.header = {"method", "NN"}, .rows = {{"a|b, 5 %", "9.5"}, {"é_x", "100.0"}}, .text_columns = 1};
+const TextTable table{.header = {"method", "NN"}, .rows = {{"a|b, 5 %", "9.5"}, {"é_x", "100.0"}}, .text_columns = 1};
 
 TEST(Table, Csv) { EXPECT_EQ(to_csv(table), "method,NN\n\"a|b, 5 %\",9.5\né_x,100.0\n"); }
 
@@ -43,16 +43,16 @@ TEST(Table, Latex) {
 }
 
 TEST(Table, LatexEscapesEverySpecialCharacter) {
-  const Table special{.header = {"\\~^&%$#_{}"}, .rows = {}, .text_columns = 1};
+  const TextTable special{.header = {"\\~^&%$#_{}"}, .rows = {}, .text_columns = 1};
   EXPECT_NE(to_latex(special).find("\\textbackslash{}\\textasciitilde{}\\textasciicircum{}\\&\\%\\$\\#\\_\\{\\}"),
             std::string::npos);
 }
 
 // Two groups by the second column; in the first, two rows tie for the best as printed.
-Table two_groups() {
-  Table groups{.header = {"method", "average", "NN"},
-               .rows = {{"a", "x", "9.5"}, {"b", "x", "10.0 [9.0, 11.0]"}, {"c", "x", "10.0"}, {"d", "y", "3.0"}},
-               .text_columns = 2};
+TextTable two_groups() {
+  TextTable groups{.header = {"method", "average", "NN"},
+                   .rows = {{"a", "x", "9.5"}, {"b", "x", "10.0 [9.0, 11.0]"}, {"c", "x", "10.0"}, {"d", "y", "3.0"}},
+                   .text_columns = 2};
   groups.emphases.push_back({.row = 1, .column = 2, .bold = false, .mark = "ab"});
   embolden_best(groups, 1);
   return groups;

@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
@@ -258,6 +262,52 @@ TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {
     ++shown;
   }
   EXPECT_EQ(shown, 9);  // one for each registry
+}
+
+/// Cells of the rows of a page's first table, without its head.
+std::vector<std::vector<std::string>> first_table(const std::string& page) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string_view line : split_lines(std::string_view(page).substr(page.find("|---|")))) {
+    if (!line.starts_with('|')) break;
+    std::vector<std::string> cells;
+    for (std::size_t begin = 1; begin < line.size();) {
+      const std::size_t end = line.find('|', begin);
+      cells.emplace_back(trim(line.substr(begin, end - begin)));
+      begin = end + 1;
+    }
+    rows.push_back(cells);
+  }
+  rows.erase(rows.begin());
+  return rows;
+}
+
+/// Words of a text between backquotes.
+std::vector<std::string> code_words(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = text.find('`'); begin != std::string::npos; begin = text.find('`', begin)) {
+    const std::size_t end = text.find('`', begin + 1);
+    words.push_back(text.substr(begin + 1, end - begin - 1));
+    begin = end + 1;
+  }
+  return words;
+}
+
+TEST(ExtendingGuide, NamesThePlacesOfEachKind) {
+  const std::string program = read_file_bytes(SHAPEGAUGE_EXTENDING_EXAMPLE);
+  const std::filesystem::path repository = std::filesystem::path(SHAPEGAUGE_EXTENDING_GUIDE) / "../../..";
+  int from_outside = 0;
+  for (const std::vector<std::string>& row : first_table(read_file_bytes(SHAPEGAUGE_EXTENDING_GUIDE))) {
+    ASSERT_EQ(row.size(), 5U);
+    for (const std::string& place : code_words(row[3] + row[4])) {
+      EXPECT_TRUE(std::filesystem::exists(repository / place)) << place;
+    }
+    if (row[2] == "no") continue;
+    ++from_outside;
+    const std::string place = "shapegauge::" + code_words(row[1]).at(0) + ".add(";
+    EXPECT_NE(program.find(place), std::string::npos) << place;
+    EXPECT_EQ(program.find(place), program.rfind(place)) << place << " more than once";
+  }
+  EXPECT_EQ(from_outside, 9);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(PartOfRank, PartsFollowEachOtherAndAreAboutAsLarge) {
     for (const int size : {1, 2, 3, 8}) {
       std::size_t before = 0;
       for (int rank = 0; rank < size; ++rank) {
-        const Range part = part_of_rank(count, rank, size);
+        const RankRange part = part_of_rank(count, rank, size);
         EXPECT_EQ(part.first, before);
         EXPECT_LE(part.size(), count / static_cast<std::size_t>(size) + 1);
         EXPECT_GE(part.size(), count / static_cast<std::size_t>(size));

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 TEST(LeaderboardTables, HaveARowASubmissionTheBestFirst) {
   const test_board::SmallBoard small;
   const Leaderboard board = small.judged();
-  const Table table = leaderboard_table(board, {});
+  const TextTable table = leaderboard_table(board, {});
   EXPECT_THAT(table.header, ElementsAre("rank", "method", "NN", "FT", "ST", "E", "DCG", "mAP"));
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.rows[0][0], "1");
@@ -27,7 +27,7 @@ TEST(LeaderboardTables, HaveARowASubmissionTheBestFirst) {
 TEST(LeaderboardTables, OfFilesHaveBothAveragesWithIntervalsAndGroups) {
   const test_board::SmallBoard small;
   const Leaderboard board = small.judged();
-  const Table table = leaderboard_csv_table(board);
+  const TextTable table = leaderboard_csv_table(board);
   ASSERT_EQ(table.rows.size(), 4U);
   EXPECT_EQ(table.header.size(), 6U + 4 * 6);
   EXPECT_EQ(table.rows[0][5], "micro");

@@ -47,7 +47,7 @@ TEST(MultiDatasetResults, AreAveragesOverQueriesAndOverClasses) {
 
 TEST(MultiDatasetResults, AreSummarisedByMeanRank) {
   const MultiDatasetResults results = small_results();
-  const Table table = multi_dataset_summary(results, main_table(results));
+  const TextTable table = multi_dataset_summary(results, main_table(results));
   EXPECT_THAT(table.header, ElementsAre("method", "s", "t", "mean", "mean rank", "group"));
   EXPECT_THAT(table.rows[0], ElementsAre("b", "80.00", "40.00", "60.00", "1.00", "a"));
   EXPECT_THAT(table.rows[1], ElementsAre("a", "50.00", "10.00", "30.00", "2.00", "a"));
@@ -57,7 +57,7 @@ TEST(MultiDatasetResults, AreSummarisedByMeanRank) {
 TEST(MultiDatasetResults, HaveAllTablesAndPairsInFiles) {
   const MultiDatasetResults results = small_results();
   EXPECT_EQ(multi_dataset_csv_table(results).rows.size(), 4U);
-  const Table pairs = multi_dataset_pairs_table(results);
+  const TextTable pairs = multi_dataset_pairs_table(results);
   ASSERT_EQ(pairs.rows.size(), 2U);
   EXPECT_THAT(pairs.rows[0], ElementsAre("psb", "micro", "NN", "a", "b", "1.0000", testing::_, "0", "0", "2"));
   const auto json = multi_dataset_json(results);

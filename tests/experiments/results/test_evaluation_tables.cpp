@@ -57,7 +57,7 @@ const std::vector<Level> levels{{0, "0.05", "0.600000", "0.595833", "0.566667", 
                                 {19, "1", "0.484354", "0.479365", "0.444444", "0.514286"}};
 
 TEST_F(Evaluations, SummaryHasMicroAndMacro) {
-  const Table table = summary_table(named);
+  const TextTable table = summary_table(named);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "average", "NN", "FT", "ST", "E", "DCG", "mAP"));
   EXPECT_EQ(table.text_columns, 3U);
   EXPECT_THAT(table.rows,
@@ -72,7 +72,7 @@ TEST_F(Evaluations, FractionsAndDigitsAsAsked) {
 
 TEST_F(Evaluations, EveryEvaluationHasItsOwnRows) {
   named.push_back({.method = "n", .evaluation = &paper});
-  const Table table = summary_table(named);
+  const TextTable table = summary_table(named);
   ASSERT_THAT(table.rows, SizeIs(4));
   EXPECT_EQ(table.rows[1][2], "macro");
   EXPECT_THAT(std::vector(table.rows[2].begin(), table.rows[2].begin() + 4),
@@ -91,11 +91,11 @@ TEST_F(Evaluations, IntervalsBesideTheScoresOrInColumnsOfTheirOwn) {
     named[0].intervals.micro.push_back({.low = 0.01 * i, .high = 0.9 + 0.01 * i});
     named[0].intervals.macro.push_back({.low = 0.1 + 0.01 * i, .high = 0.8 + 0.01 * i});
   }
-  const Table beside = summary_table(named, {}, IntervalCells::beside);
+  const TextTable beside = summary_table(named, {}, IntervalCells::beside);
   EXPECT_EQ(beside.rows[0][3], "28.57 [0.00, 90.00]");
   EXPECT_EQ(beside.rows[0][8], "51.30 [5.00, 95.00]");
   EXPECT_EQ(beside.rows[1][4], "33.33 [11.00, 81.00]");
-  const Table columns = summary_table(named, {}, IntervalCells::columns);
+  const TextTable columns = summary_table(named, {}, IntervalCells::columns);
   ASSERT_THAT(columns.header, SizeIs(21));
   ASSERT_THAT(columns.rows, Each(SizeIs(21)));
   EXPECT_EQ(columns.header[9], "NN_low");
@@ -103,7 +103,7 @@ TEST_F(Evaluations, IntervalsBesideTheScoresOrInColumnsOfTheirOwn) {
   EXPECT_EQ(columns.rows[0][12], "91.00");  // FT_high
   EXPECT_EQ(columns.rows[1][19], "15.00");  // mAP_low
   EXPECT_THAT(summary_table(named).header, SizeIs(9));
-  const Table long_table = intervals_table(named);
+  const TextTable long_table = intervals_table(named);
   ASSERT_THAT(long_table.rows, SizeIs(12));
   EXPECT_THAT(long_table.rows[2], ElementsAre("m", "psb", "micro", "ST", "76.1905", "2.0000", "92.0000"));
   EXPECT_THAT(long_table.rows[9], ElementsAre("m", "psb", "macro", "E", "52.2222", "13.0000", "83.0000"));
@@ -147,7 +147,7 @@ TEST_F(Evaluations, TheBestOfAnAverageIsBold) {
 }
 
 TEST_F(Evaluations, PerClassLeavesOutClassesWithoutQueries) {
-  const Table table = per_class_table(named, classes);
+  const TextTable table = per_class_table(named, classes);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "class", "queries", "NN", "FT", "ST", "E", "DCG", "mAP"));
   EXPECT_THAT(
       table.rows,
@@ -156,7 +156,7 @@ TEST_F(Evaluations, PerClassLeavesOutClassesWithoutQueries) {
 }
 
 TEST_F(Evaluations, PerQueryHasIdsAndClasses) {
-  const Table table = per_query_table(named, ids, classes, csv_style);
+  const TextTable table = per_query_table(named, ids, classes, csv_style);
   ASSERT_THAT(table.rows, SizeIs(7));
   EXPECT_THAT(table.rows[0],
               ElementsAre("m", "psb", "s", "B", "0.0000", "33.3333", "100.0000", "60.0000", "73.3838", "53.3333"));
@@ -190,7 +190,7 @@ TEST(ScoreText, NothingIsNegativeZero) {
 }
 
 TEST_F(Evaluations, PrecisionRecallOverQueriesAndOverClasses) {
-  const Table table = precision_recall_table(named);
+  const TextTable table = precision_recall_table(named);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "recall", "precision", "macro_precision"));
   ASSERT_THAT(table.rows, SizeIs(20));
   for (const Level& level : levels) {
@@ -199,7 +199,7 @@ TEST_F(Evaluations, PrecisionRecallOverQueriesAndOverClasses) {
 }
 
 TEST_F(Evaluations, EveryClassHasItsOwnCurve) {
-  const Table table = class_curves_table(named, classes);
+  const TextTable table = class_curves_table(named, classes);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "class", "recall", "precision"));
   ASSERT_THAT(table.rows, SizeIs(40));
   for (const Level& level : levels) {

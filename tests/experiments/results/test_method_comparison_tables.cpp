@@ -44,7 +44,7 @@ class ComparisonTables : public testing::Test {
 };
 
 TEST_F(ComparisonTables, TheSummaryHasAveragesIntervalsAndMarks) {
-  const Table table = comparison_summary(methods, comparisons, {}, {.percent = true, .decimals = 1});
+  const TextTable table = comparison_summary(methods, comparisons, {}, {.percent = true, .decimals = 1});
   EXPECT_THAT(table.header, ElementsAre("", "method", "NN", "FT"));
   EXPECT_THAT(table.rows, ElementsAre(ElementsAre("a", "x", "25.0 [20.0, 30.0]", "90.0 [20.0, 30.0]"),
                                       ElementsAre("b", "y", "75.0 [70.0, 80.0]", "10.0 [70.0, 80.0]"),
@@ -61,7 +61,7 @@ TEST_F(ComparisonTables, TheSummaryHasAveragesIntervalsAndMarks) {
 }
 
 TEST_F(ComparisonTables, AMarkIsEarnedAtTheLevelItself) {
-  const Table table = comparison_summary(methods, comparisons, {.confidence = 0.5}, {});
+  const TextTable table = comparison_summary(methods, comparisons, {.confidence = 0.5}, {});
   // FT: z is better than y with a p of 0.5, which is what is left of a confidence of 0.5.
   EXPECT_TRUE(std::ranges::any_of(table.emphases, [](const Emphasis& emphasis) {
     return emphasis.row == 2 && emphasis.column == 3 && emphasis.mark == "b";
@@ -69,7 +69,7 @@ TEST_F(ComparisonTables, AMarkIsEarnedAtTheLevelItself) {
 }
 
 TEST_F(ComparisonTables, PairsAreByMeasure) {
-  const Table table = pairs_table(methods, comparisons, {.percent = true, .decimals = 1}, false);
+  const TextTable table = pairs_table(methods, comparisons, {.percent = true, .decimals = 1}, false);
   EXPECT_THAT(table.header, ElementsAre("measure", "first", "second", "difference", "low", "high", "p", "p_holm",
                                         "p_tukey", "effect_size", "wins", "ties", "losses"));
   ASSERT_THAT(table.rows, SizeIs(6));
@@ -84,7 +84,7 @@ TEST_F(ComparisonTables, NoDifferenceIsNegativeZero) {
   PairDifference& pair = comparisons[0].pairs[0];
   pair.difference = -1e-17;
   pair.effect_size = -1e-9;
-  const Table table = pairs_table(methods, comparisons, {}, false);
+  const TextTable table = pairs_table(methods, comparisons, {}, false);
   EXPECT_EQ(table.rows[0][3], "+0.00");
   EXPECT_EQ(table.rows[0][9], "0.00");
 }

@@ -40,7 +40,7 @@ TEST(ThicknessSummary, WithoutValuesHasNone) {
 TEST(ThicknessSummary, IsATableAndJson) {
   const std::vector<NamedSummary> one{{.name = "x.stl", .summary = summarise(field_of({1, 3}, {1, 3}), 2.0)}};
   const SummaryWords words{.unit = "mm", .threshold = 2.0};
-  const Table table = summary_table(one, words);
+  const TextTable table = summary_table(one, words);
   ASSERT_EQ(table.rows.size(), 1U);
   ASSERT_EQ(table.rows[0].size(), table.header.size());
   EXPECT_EQ(table.header.back(), "area below 2mm (%)");

@@ -34,7 +34,7 @@ std::vector<int> labels_of(Eigen::Index models) {
 }
 
 Signatures part_of(const Signatures& signatures, const Communicator& ranks) {
-  const Range own = part_of_rank(static_cast<std::size_t>(signatures.rows()), ranks.rank(), ranks.size());
+  const RankRange own = part_of_rank(static_cast<std::size_t>(signatures.rows()), ranks.rank(), ranks.size());
   return signatures.middleRows(static_cast<Eigen::Index>(own.first), static_cast<Eigen::Index>(own.size()));
 }
 

@@ -32,7 +32,7 @@ TEST(PartConsistency, ComparesSizesFromTheLargestOnAndLeavesCrumbsOutOfTheCount)
 
 TEST(PartConsistency, ComparesClassesWithEachOtherAndTakesTheirMean) {
   const SegmentationResults results = results_of({0, 0, 1}, {{0.5, 0.5}, {0.5, 0.5}, {1.0}});
-  const Table table = consistency_table(results);
+  const TextTable table = consistency_table(results);
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_THAT(table.rows[0], testing::ElementsAre("m", "a", "2.000", "1.000", "0.000", "0.500"));
   EXPECT_THAT(table.rows[1], testing::ElementsAre("m", "b", "1.000", "-", "-", "0.500"));

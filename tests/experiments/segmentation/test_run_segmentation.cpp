@@ -149,7 +149,7 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
   EXPECT_EQ(shape.moved[3], 0);  // two clouds, transferred back to the triangles
   EXPECT_EQ(results.scores.errors[1][0].rand_index,
             shape.moved[1]);  // human segmentations equal the best cut: two balls
-  const Table table = moved_table(results);
+  const TextTable table = moved_table(results);
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[1][0], "turned");
 

@@ -34,7 +34,7 @@ double mean_channel(const Image& image, std::size_t channel) {
 }
 
 std::string picture_of(const Shape& shape, SampleSite site, double value) {
-  const Samples samples = site == SampleSite::surface ? sample_surface_of(shape, 800) : sample_shape(shape, site);
+  const Samples samples = site == SampleSite::surface ? sample_surface(shape, 800) : sample_shape(shape, site);
   return model_picture(shape, samples, Eigen::VectorXd::Constant(samples.points.rows(), value), {});
 }
 

@@ -18,7 +18,7 @@ ordered_json view_of(const Shape& shape, const Eigen::VectorXd& values, const Sa
 TEST(ModelView, HasAtMostTheFacesAskedForAndTheRangeOfTheField) {
   const Shape sphere = test::sphere(1, 4);  // 5120 faces
   for (const SampleSite site : {SampleSite::faces, SampleSite::vertices, SampleSite::surface}) {
-    const Samples samples = site == SampleSite::surface ? sample_surface_of(sphere, 2000) : sample_shape(sphere, site);
+    const Samples samples = site == SampleSite::surface ? sample_surface(sphere, 2000) : sample_shape(sphere, site);
     const Eigen::VectorXd heights = samples.points.col(2);
     const ordered_json view = view_of(sphere, heights, samples, 600);
     EXPECT_LE(view["triangles"]["count"], 600);

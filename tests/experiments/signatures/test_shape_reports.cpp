@@ -56,7 +56,7 @@ Results two_models() {
   return results;
 }
 
-std::string cell(const Table& table, std::size_t row, const std::string& column) {
+std::string cell(const TextTable& table, std::size_t row, const std::string& column) {
   const auto found = std::ranges::find(table.header, column);
   return found == table.header.end() ? "no such column"
                                      : table.rows.at(row).at(static_cast<std::size_t>(found - table.header.begin()));
@@ -64,7 +64,7 @@ std::string cell(const Table& table, std::size_t row, const std::string& column)
 
 TEST(ShapesTable, HasTheDiagnosticsAndTheOutcomesOfEachModel) {
   const Results results = two_models();
-  const Table table = shapes_table(results.models, results.classes, results.shapes, {}, results.fields);
+  const TextTable table = shapes_table(results.models, results.classes, results.shapes, {}, results.fields);
   ASSERT_EQ(table.rows.size(), 2U);
   for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
   EXPECT_EQ(cell(table, 0, "id"), "3");
@@ -80,7 +80,7 @@ TEST(ShapesTable, HasTheDiagnosticsAndTheOutcomesOfEachModel) {
 
 TEST(ShapeSecondsTable, HasTheTimeOfEachField) {
   const Results results = two_models();
-  const Table table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
+  const TextTable table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
   EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf at=faces offset=0.05"}));
   EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"3", "0.250000"}, {"5", "1.500000"}}));
 }
@@ -92,7 +92,7 @@ TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
   signature.descriptor = make_descriptor({{"type", "spherical_harmonics"}});
   results.shapes[0].descriptor_seconds = {0.5};
   results.shapes[1].descriptor_seconds = {2};
-  const Table table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
+  const TextTable table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
   EXPECT_EQ(table.header.back(), "SH");
   EXPECT_EQ(table.rows[0].back(), "0.500000");
   EXPECT_EQ(table.rows[1].back(), "2.000000");

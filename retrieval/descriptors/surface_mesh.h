@@ -9,6 +9,6 @@ namespace shapegauge {
 /// cloud or, without any, unsigned_point_normals(). Because areas are proportional to the points', means over the
 /// squares are means over the surface. Points without area or normal have no square. Returns a mesh without its
 /// duplicate triangles. Throws InputError for an unusable shape (require_usable()).
-Shape splatted(const Shape& shape);
+Shape surface_mesh(const Shape& shape);
 
 }  // namespace shapegauge

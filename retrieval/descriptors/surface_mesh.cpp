@@ -1,4 +1,4 @@
-#include "shapegauge/retrieval/descriptors/splats.h"
+#include "shapegauge/retrieval/descriptors/surface_mesh.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace shapegauge {
 
-Shape splatted(const Shape& shape) {
+Shape surface_mesh(const Shape& shape) {
   require_usable(shape);
   if (!is_cloud(shape)) return without_duplicates(shape);
   const Samples samples = sample_shape(shape, SampleSite::vertices);

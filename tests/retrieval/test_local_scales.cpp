@@ -1,0 +1,44 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+#include "shapegauge/retrieval/local_scales.h"
+
+namespace shapegauge {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(MeanDistanceToNearest, IsThatOfTheTenNearest) {
+  std::vector<double> distances{50};
+  for (int i = 12; i > 0; --i) distances.push_back(i);
+  EXPECT_DOUBLE_EQ(mean_distance_to_nearest(distances), 5.5);
+  EXPECT_DOUBLE_EQ(mean_distance_to_nearest(distances, 12), 6.5) << "without the entry of 1";
+}
+
+TEST(MeanDistanceToNearest, IgnoresDuplicatesAndTheInfinitelyFar) {
+  EXPECT_EQ(mean_distance_to_nearest(std::vector<double>{0, 2, infinity, 4}), 3);
+  EXPECT_TRUE(std::isnan(mean_distance_to_nearest(std::vector<double>{0, infinity})));
+}
+
+TEST(LocalScales, AreSquareRootsOfMeansFromAHundredthOfTheMedianOn) {
+  const LocalScales scales = LocalScales::of_means(Eigen::VectorXd{{4, 100, 0.01, std::nan(""), 900}});
+  EXPECT_EQ(scales.least, 1) << "of the upper median, 100";
+  EXPECT_EQ(scales.roots, (Eigen::VectorXd{{2, 10, 1, 1, 30}}));
+  EXPECT_EQ(scales.root_of(0.5), 1);
+  EXPECT_EQ(scales.root_of(16), 4);
+}
+
+TEST(SpreadOfScaled, IsTheInterquartileRange) {
+  // Models on a line; all scales are 1.
+  const Eigen::VectorXd means = Eigen::VectorXd::Ones(3);
+  const DistanceMatrix matrix{{0, 1, 9}, {1, 0, 8}, {9, 8, 0}};
+  // 1, 1, 8, 8, 9, 9: the entries at (6 - 1) / 4 = 1 and 3 * 5 / 4 = 3.
+  EXPECT_EQ(spread_of_scaled(means, LocalScales::of_means(means), rows_of(matrix)), 7);
+  const DistanceMatrix equal = DistanceMatrix::Ones(3, 3);
+  EXPECT_EQ(spread_of_scaled(means, LocalScales::of_means(means), rows_of(equal)), 1);
+}
+
+}  // namespace
+}  // namespace shapegauge

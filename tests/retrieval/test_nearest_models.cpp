@@ -1,0 +1,88 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+#include "shapegauge/retrieval/nearest_models.h"
+
+namespace shapegauge {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+DistanceMatrix distances() {
+  return DistanceMatrix{
+      {0, 2, 1, infinity}, {2, 0, 2, infinity}, {1, 2, 0, infinity}, {infinity, infinity, infinity, 0}};
+}
+
+TEST(NearestModels, AreInOrderWithTiesByIndexAndWithoutTheInfinitelyFar) {
+  const DistanceMatrix matrix = distances();
+  const NearestModels nearest = nearest_models(4, 2, rows_of(matrix));
+  EXPECT_EQ(nearest.indices.row(0), (Eigen::RowVector2i{2, 1}));
+  EXPECT_EQ(nearest.indices.row(1), (Eigen::RowVector2i{0, 2}));
+  EXPECT_EQ(nearest.indices.row(3), (Eigen::RowVector2i{-1, -1}));
+  EXPECT_EQ(nearest.distances.row(2), (Eigen::RowVector2d{1, 2}));
+  EXPECT_EQ(nearest.distances(3, 0), infinity);
+  EXPECT_EQ(nearest.largest, 2);
+}
+
+TEST(NearestModels, AreAtMostAllOthers) {
+  const DistanceMatrix matrix = distances();
+  EXPECT_EQ(nearest_models(4, 100, rows_of(matrix)).indices.cols(), 3);
+  const DistanceMatrix alone = DistanceMatrix::Zero(1, 1);
+  EXPECT_EQ(nearest_models(1, 1, rows_of(alone)).indices.cols(), 0);
+}
+
+TEST(NearestModels, RefuseWrongNumbers) {
+  DistanceMatrix matrix = distances();
+  EXPECT_THROW(nearest_models(4, 0, rows_of(matrix)), ArgumentError);
+  EXPECT_THROW(nearest_models(3, 1, rows_of(matrix)), ArgumentError) << "rows of another length";
+  matrix(0, 1) = -1;
+  EXPECT_THROW(nearest_models(4, 1, rows_of(matrix)), ArgumentError);
+  matrix(0, 1) = std::nan("");
+  EXPECT_THROW(nearest_models(4, 1, rows_of(matrix)), ArgumentError);
+  const DistanceMatrix wide = DistanceMatrix::Zero(2, 3);
+  EXPECT_THROW(rows_of(wide), ArgumentError);
+}
+
+TEST(ForEachBlock, VisitsEachRowOnceInOrder) {
+  const DistanceMatrix matrix = DistanceMatrix::Random(600, 600);
+  std::vector<Eigen::Index> firsts;
+  DistanceMatrix seen(0, 600);
+  for_each_block(600, rows_of(matrix), [&](Eigen::Index first, const DistanceMatrix& block) {
+    EXPECT_EQ(first, seen.rows());
+    seen.conservativeResize(seen.rows() + block.rows(), Eigen::NoChange);
+    seen.bottomRows(block.rows()) = block;
+  });
+  EXPECT_EQ(seen, matrix);
+}
+
+TEST(OverflowSafeMean, OfHugeDistancesIsFinite) {
+  EXPECT_EQ(overflow_safe_mean(std::vector<double>{1, 2, 6}), 3);
+  EXPECT_TRUE(std::isnan(overflow_safe_mean({})));
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(overflow_safe_mean(std::vector<double>{most, most}), most);
+}
+
+TEST(MeanDistance, IgnoresInfiniteOnesIfThereAreFiniteOnes) {
+  EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, 2, 6}}), 3);
+  EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, infinity, 3}}), 2);
+  EXPECT_EQ(mean_distance(Eigen::RowVectorXd(0)), 0);
+}
+
+TEST(SafeFactor, BringsExtremeDistancesWhereTheirSquaresExist) {
+  EXPECT_EQ(safe_factor(1), 1);
+  EXPECT_EQ(safe_factor(0), 1);
+  for (const double extreme : {1e300, 1e-300}) {
+    const double moved = extreme * safe_factor(extreme);
+    EXPECT_NE(safe_factor(extreme), 1);
+    EXPECT_EQ(moved / safe_factor(extreme), extreme) << "a power of two";
+  }
+}
+
+TEST(Symmetric, IsTheMeanWithBothDirectionsAndZeroOnTheDiagonal) {
+  EXPECT_EQ(symmetric(DistanceMatrix{{5, 1}, {3, 7}}), (DistanceMatrix{{0, 2}, {2, 0}}));
+}
+
+}  // namespace
+}  // namespace shapegauge
