@@ -99,15 +99,14 @@ TEST(NearestOffsetPoint, ConvergesAroundCorners) {
   }
 }
 
-/// Tasks from sites to the middles of faces, most of which end in concavities.
+/// Tasks from sites to the middles of their triangles.
 std::vector<OffsetPointTask> many_tasks(const TaskGrid& grids, const Shape& shape) {
   const OffsetSites sites(grids.exterior, site_band, false);
   std::vector<OffsetPointTask> tasks;
   for (std::size_t c = 0; c < sites.chunks.size(); ++c) {
     for (std::size_t i = 0; i < sites.chunks[c].triangle.size(); i += 5) {
       const auto site = static_cast<std::uint32_t>(c * OffsetSites::max_in_chunk + i);
-      const Triangle t =
-          triangle_in_cells(grids.grid, shape, static_cast<Eigen::Index>(tasks.size()) % shape.triangles.rows());
+      const Triangle t = triangle_in_cells(grids.grid, shape, sites.triangle(site));
       tasks.push_back({.p = (t.a + t.b + t.c) / 3,
                        .start = sites.place(site),
                        .triangle = sites.triangle(site),
