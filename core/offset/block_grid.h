@@ -47,9 +47,10 @@ struct BlockGrid {
 
 /// Cells of a block near the boundary of the offset solid.
 struct BoundaryBlock {
-  std::uint64_t free = 0;                               ///< bits of the cells whose centres lie outside O(r)
-  std::array<std::int32_t, cells_per_block> nearest{};  ///< by cell: triangle closest to its centre, approximately
-  std::uint32_t index = 0;                              ///< index of the block in the grid
+  std::uint64_t free = 0;  ///< bits of the cells whose centres lie outside O(r)
+  /// By cell: triangle closest to its centre, approximately. ExteriorGrid stores the complement for exterior cells.
+  std::array<std::int32_t, cells_per_block> nearest{};
+  std::uint32_t index = 0;  ///< index of the block in the grid
 };
 
 /// Classification of a block. `free`: the centres of all cells are farther from the surface than r plus the band.

@@ -411,6 +411,12 @@ ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, do
     near_[i] = exterior_cells(i) != 0 ? 1 : 0;
   }
   dilate_down(grid, near_);
+  for (std::size_t place = 0; place < boundary_.size(); ++place) {
+    for (Cells cells = exterior_[place]; cells != 0; cells &= cells - 1) {
+      std::int32_t& nearest = boundary_[place].nearest[static_cast<std::size_t>(std::countr_zero(cells))];
+      nearest = ~nearest;
+    }
+  }
 }
 
 CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
@@ -431,7 +437,10 @@ CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x)
   std::size_t count = 0;
   // The two cells along x are usually in the same block, as adjacent bits.
   const std::size_t blocks_along_x = blocks[0][0] == blocks[0][1] ? 1 : 2;
-  const unsigned cells_at_once = blocks_along_x == 1 ? 3 : 1;  // as bits
+  const auto add = [&](std::int32_t nearest) {
+    touches |= nearest < 0;
+    result.triangles[count++] = nearest < 0 ? ~nearest : nearest;
+  };
   for (std::size_t row = 0; row < 4; ++row) {
     const std::size_t j = row & 1U;
     const std::size_t k = row >> 1U;
@@ -444,9 +453,8 @@ CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x)
       const auto place = static_cast<std::size_t>(state);
       const unsigned bit = bits[0][i] | bits[1][j] | bits[2][k];
       const auto& nearest = exterior.boundary()[place].nearest;
-      touches |= (exterior.boundary_cells(place) >> bit & cells_at_once) != 0;
-      result.triangles[count++] = nearest[bit];
-      if (blocks_along_x == 1) result.triangles[count++] = nearest[bit + 1];
+      add(nearest[bit]);
+      if (blocks_along_x == 1) add(nearest[bit + 1]);
     }
   }
   result.count = static_cast<int>(count);
@@ -455,6 +463,33 @@ CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x)
     std::fill(result.triangles.begin() + static_cast<std::ptrdiff_t>(count), result.triangles.end(),
               result.triangles[0]);
   return result;
+}
+
+namespace {
+
+/// Returns true if the known triangles around x are at least this far away.
+bool is_free(const ExteriorGrid& exterior, const CellsAround& around, const Eigen::Vector3d& x, double least) {
+  TriangleTable::Vectors vectors;
+  if (!vectors_around(exterior, around, x, vectors)) return around.touches_exterior;
+  return *std::min_element(vectors.squared.begin(), vectors.squared.end()) >= static_cast<float>(least * least);
+}
+
+}  // namespace
+
+bool is_connected_to(const ExteriorGrid& exterior, const Eigen::Vector3d& x, const Eigen::Vector3d& to) {
+  constexpr double max_length = 5;
+  constexpr double spacing = 0.7;
+  const double length = (to - x).norm();
+  if (length > max_length) return false;
+  const int steps = static_cast<int>(std::ceil(length / spacing));
+  const double r = exterior.grid().r;
+  for (int i = 1; i < steps; ++i) {
+    const Eigen::Vector3d between = x + static_cast<double>(i) / steps * (to - x);
+    const CellsAround around = cells_around(exterior, between);
+    if (!is_free(exterior, around, between, r - length * length / (4 * r))) return false;
+    if (around.touches_exterior) return true;
+  }
+  return true;
 }
 
 }  // namespace shapegauge

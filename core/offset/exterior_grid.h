@@ -30,6 +30,8 @@ class ExteriorGrid {
   static constexpr std::int32_t all_exterior = -1;
   static constexpr std::int32_t none_exterior = -2;
   [[nodiscard]] std::int32_t block(std::size_t index) const { return state_[index]; }
+  /// Returns the states of all blocks.
+  [[nodiscard]] const std::int32_t* blocks() const { return state_.data(); }
 
   /// Returns the exterior cells of a block.
   [[nodiscard]] std::uint64_t exterior_cells(std::size_t index) const {
@@ -77,5 +79,9 @@ inline bool vectors_around(const ExteriorGrid& exterior, const CellsAround& arou
   exterior.surface().triangles.vectors_to(x, around.triangles.data(), vectors);
   return true;
 }
+
+/// Returns true if the segment from x to a nearby exterior point is free. A convex obstacle that touches both ends may
+/// bulge into it: E(r) extends into narrow valleys between balls that contain no cell centre, and balls are convex.
+bool is_connected_to(const ExteriorGrid& exterior, const Eigen::Vector3d& x, const Eigen::Vector3d& to);
 
 }  // namespace shapegauge

@@ -1,363 +1,681 @@
+// Iterations in the lanes of vectors, compiled for each instruction set supported by Highway.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shapegauge/core/offset/nearest_offset_point.cpp"
 #include "shapegauge/core/offset/nearest_offset_point.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
 #include <limits>
+#include <span>
 
 #include "shapegauge/core/offset/block_distances.h"
+#include "shapegauge/core/offset/triangle_lanes-inl.h"
 
-namespace shapegauge {
-
+HWY_BEFORE_NAMESPACE();
+namespace shapegauge::HWY_NAMESPACE {
 namespace {
 
-/// Triangle with the half-space outside the tangent plane of a ball of radius r about one of its points: normal . x >=
-/// height.
+using D = hn::CappedTag<float, 16>;
+using DI = hn::RebindToSigned<D>;
+using Reals = hn::Vec<D>;
+using Integers = hn::Vec<DI>;
+using Mask = hn::Mask<D>;
+using Vectors = LaneVectors<D>;
+using LaneBits = std::uint32_t;
+
+constexpr std::size_t max_lanes = 16;
+constexpr std::size_t max_contacts = 5;
+constexpr std::size_t cells_around_point = 8;
+constexpr float infinity = std::numeric_limits<float>::infinity();
+/// Tolerance of half-spaces, in cells: about 3e-5 r.
+constexpr float tolerance = 1e-4F;
+/// Height of a half-space that contains everything.
+constexpr float no_height = -1e30F;
+
+/// Numbers by lane, in memory.
+struct alignas(64) RealLanes : std::array<float, max_lanes> {};
+struct alignas(64) IntegerLanes : std::array<std::int32_t, max_lanes> {};
+struct VectorLanes {
+  RealLanes x, y, z;
+
+  void set(std::size_t lane, const Eigen::Vector3f& to) {
+    x[lane] = to.x();
+    y[lane] = to.y();
+    z[lane] = to.z();
+  }
+  [[nodiscard]] Eigen::Vector3d at(std::size_t lane) const {
+    return {static_cast<double>(x[lane]), static_cast<double>(y[lane]), static_cast<double>(z[lane])};
+  }
+};
+
+HWY_INLINE Reals load(const RealLanes& lanes) { return hn::Load(D(), lanes.data()); }
+HWY_INLINE Integers load(const IntegerLanes& lanes) { return hn::Load(DI(), lanes.data()); }
+HWY_INLINE Vectors load(const VectorLanes& lanes) { return {load(lanes.x), load(lanes.y), load(lanes.z)}; }
+HWY_INLINE void store(Reals from, RealLanes& lanes) { hn::Store(from, D(), lanes.data()); }
+HWY_INLINE void store(Integers from, IntegerLanes& lanes) { hn::Store(from, DI(), lanes.data()); }
+HWY_INLINE void store(const Vectors& from, VectorLanes& lanes) {
+  store(from.x, lanes.x);
+  store(from.y, lanes.y);
+  store(from.z, lanes.z);
+}
+
+HWY_INLINE Reals real(float value) { return hn::Set(D(), value); }
+HWY_INLINE Integers integer(std::int32_t value) { return hn::Set(DI(), value); }
+HWY_INLINE Vectors no_vector() { return {real(0), real(0), real(0)}; }
+HWY_INLINE Mask no_lane() { return hn::Lt(real(0), real(0)); }
+HWY_INLINE Mask of_reals(hn::Mask<DI> mask) { return hn::RebindMask(D(), mask); }
+HWY_INLINE hn::Mask<DI> of_integers(Mask mask) { return hn::RebindMask(DI(), mask); }
+HWY_INLINE Mask is_triangle(Integers number) { return of_reals(hn::Gt(number, integer(-1))); }
+
+constexpr LaneBits all_lanes() { return (LaneBits{1} << hn::MaxLanes(D())) - 1; }
+HWY_INLINE LaneBits bits_of(Mask mask) {
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(D(), mask, bytes.data());
+  return (bytes[0] | static_cast<LaneBits>(bytes[1]) << 8U) & all_lanes();
+}
+HWY_INLINE Mask mask_of(LaneBits bits) {
+  const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)};
+  return hn::LoadMaskBits(D(), bytes.data());
+}
+/// Calls visit(lane) for each bit.
+template <typename Visit>
+void for_each_lane(LaneBits bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+HWY_INLINE Vectors sum(const Vectors& u, const Vectors& v) {
+  return {hn::Add(u.x, v.x), hn::Add(u.y, v.y), hn::Add(u.z, v.z)};
+}
+HWY_INLINE Vectors difference(const Vectors& u, const Vectors& v) {
+  return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
+}
+HWY_INLINE Vectors product(Reals s, const Vectors& v) { return {hn::Mul(s, v.x), hn::Mul(s, v.y), hn::Mul(s, v.z)}; }
+/// Computes u + s v.
+HWY_INLINE Vectors plus_product(const Vectors& u, Reals s, const Vectors& v) {
+  return {hn::MulAdd(s, v.x, u.x), hn::MulAdd(s, v.y, u.y), hn::MulAdd(s, v.z, u.z)};
+}
+HWY_INLINE Vectors cross(const Vectors& u, const Vectors& v) {
+  return {hn::NegMulAdd(u.z, v.y, hn::Mul(u.y, v.z)), hn::NegMulAdd(u.x, v.z, hn::Mul(u.z, v.x)),
+          hn::NegMulAdd(u.y, v.x, hn::Mul(u.x, v.y))};
+}
+HWY_INLINE Reals length_of(const Vectors& v) { return hn::Sqrt(dot<D>(v, v)); }
+
+/// Triangles, -1 if there is none, with the vectors from their closest points to the current point.
+struct Surrounding {
+  IntegerLanes triangle;
+  VectorLanes vector;
+  RealLanes squared;  ///< infinite without a triangle
+};
+
+/// Triangle, -1 if there is none, with the half-space outside the tangent plane of a ball of radius r about one of its
+/// points: normal . x >= height.
 struct Contact {
-  std::int32_t triangle;
-  Eigen::Vector3d normal;
-  double height;
-  Eigen::Vector3d point;  ///< centre of the ball, on the triangle
+  IntegerLanes triangle;
+  VectorLanes normal;
+  RealLanes height;
+  VectorLanes point;  ///< centre of the ball, on the triangle
+  LaneBits kept = 0;  ///< retained after the last step
 };
 
-struct Contacts {
-  static constexpr std::size_t capacity = 5;
-  std::array<Contact, capacity> list;
-  std::size_t count = 0;
+/// Projections of p onto half-spaces, with up to two active contacts and their multipliers.
+struct Projections {
+  Vectors x;
+  Mask is_found;  ///< false if the intersection is empty
+  Integers count;
+  std::array<Reals, 2> multipliers;
+  std::array<Integers, 2> contacts;
 
-  void add(const Contact& make_contact) {
-    if (count < capacity) list[count++] = make_contact;
+  // An implicit constructor would not be compiled for the instruction set.
+  HWY_INLINE Projections()
+      : x(no_vector()),
+        is_found(no_lane()),
+        count(integer(0)),
+        multipliers{real(0), real(0)},
+        contacts{integer(0), integer(0)} {}
+
+  HWY_INLINE void set(Mask where, const Vectors& to, std::int32_t active) {
+    x = select<D>(where, to, x);
+    is_found = hn::Or(is_found, where);
+    count = hn::IfThenElse(of_integers(where), integer(active), count);
+  }
+  HWY_INLINE void set_contact(Mask where, std::size_t k, Integers contact, Reals multiplier) {
+    contacts[k] = hn::IfThenElse(of_integers(where), contact, contacts[k]);
+    multipliers[k] = hn::IfThenElse(where, multiplier, multipliers[k]);
   }
 };
 
-/// Projection of a point onto half-spaces, with the active contacts and their multipliers.
-struct Projected {
-  Eigen::Vector3d x;
-  std::size_t count = 0;
-  std::array<std::size_t, 3> contacts{};
-  std::array<double, 3> multipliers{};
-};
-
-/// Projects p onto the intersection of half-spaces. By the Karush-Kuhn-Tucker conditions the projection is p + the sum
-/// of multiplier_i normal_i, with multipliers >= 0 for one, two or three active half-spaces, whose planes contain it,
-/// and 0 for the others.
-class Projection {
+/// Projects p, the origin, onto the intersections of half-spaces. By the Karush-Kuhn-Tucker conditions a projection is
+/// the sum of multiplier_i normal_i, with multipliers >= 0 for one, two or three active half-spaces, whose planes
+/// contain it, and 0 for the others.
+class Projector {
  public:
-  Projection(const Eigen::Vector3d& p, const Contacts& contacts) : p_(p), contacts_(contacts) {
-    for (std::size_t i = 0; i < contacts.count; ++i) {
-      violations_[i] = contacts.list[i].height - contacts.list[i].normal.dot(p);
-      for (std::size_t j = 0; j <= i; ++j) {
-        gram_[i][j] = gram_[j][i] = contacts.list[i].normal.dot(contacts.list[j].normal);
-      }
+  HWY_INLINE explicit Projector(const std::array<Contact, max_contacts>& contacts) {
+    for (std::size_t i = 0; i < max_contacts; ++i) {
+      normals_[i] = load(contacts[i].normal);
+      violations_[i] = load(contacts[i].height);
+      for (std::size_t j = 0; j < i; ++j) gram_[i][j] = gram_[j][i] = dot<D>(normals_[i], normals_[j]);
     }
   }
 
-  /// Returns nothing if the intersection is empty.
-  [[nodiscard]] std::optional<Projected> find() const {
-    const std::size_t n = contacts_.count;
-    const auto worst =
-        static_cast<std::size_t>(std::max_element(violations_.begin(), violations_.begin() + n) - violations_.begin());
-    if (violations_[worst] <= tolerance) return Projected{.x = p_};
-    // A single active plane can only be the one farthest from p.
-    if (const auto x = if_feasible<1>({worst}, {violations_[worst]})) return x;
-    for (std::size_t i = 0; i < n; ++i) {
+  HWY_INLINE Projections find() {
+    project_on_worst();
+    for (std::size_t i = 0; i < max_contacts; ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (const auto x = on_two_planes(i, j)) return x;
+        if (hn::AllTrue(D(), result_.is_found)) return result_;
+        project_on_two(i, j);
       }
     }
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < max_contacts; ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         for (std::size_t k = 0; k < j; ++k) {
-          if (const auto x = on_three_planes(i, j, k)) return x;
+          if (hn::AllTrue(D(), result_.is_found)) return result_;
+          project_on_three(i, j, k);
         }
       }
     }
-    return std::nullopt;
+    return result_;
   }
 
  private:
-  static constexpr double tolerance = 1e-6;
-  static constexpr double least_determinant = 1e-6;
+  static constexpr float least_determinant = 1e-5F;
 
-  /// Returns the point of the multipliers if it is feasible: none is negative, and it lies in all half-spaces.
-  template <std::size_t count>
-  std::optional<Projected> if_feasible(const std::array<std::size_t, count>& which,
-                                       const std::array<double, count>& multiplier) const {
-    if (*std::min_element(multiplier.begin(), multiplier.end()) < 0) return std::nullopt;
-    for (std::size_t i = 0; i < contacts_.count; ++i) {
-      double violation = violations_[i];
-      for (std::size_t k = 0; k < count; ++k) violation -= multiplier[k] * gram_[i][which[k]];
-      if (violation > tolerance) return std::nullopt;
+  /// A single active plane can only be the one farthest from p.
+  HWY_INLINE void project_on_worst() {
+    Reals worst = violations_[0];
+    Vectors normal = normals_[0];
+    Integers contact = integer(0);
+    for (std::size_t i = 1; i < max_contacts; ++i) {
+      const Mask is_worse = hn::Gt(violations_[i], worst);
+      worst = hn::Max(violations_[i], worst);
+      normal = select<D>(is_worse, normals_[i], normal);
+      contact = hn::IfThenElse(of_integers(is_worse), integer(static_cast<std::int32_t>(i)), contact);
     }
-    Projected projected{.x = p_, .count = count};
-    for (std::size_t k = 0; k < count; ++k) {
-      projected.x += multiplier[k] * contacts_.list[which[k]].normal;
-      projected.contacts[k] = which[k];
-      projected.multipliers[k] = multiplier[k];
+    result_.is_found = hn::Le(worst, real(tolerance));
+    Mask where = hn::Not(result_.is_found);
+    for (std::size_t i = 0; i < max_contacts; ++i) {
+      const Reals violation = hn::NegMulAdd(worst, dot<D>(normals_[i], normal), violations_[i]);
+      where = hn::And(where, hn::Le(violation, real(tolerance)));
     }
-    return projected;
+    result_.set(where, product(worst, normal), 1);
+    result_.set_contact(where, 0, contact, worst);
   }
 
-  [[nodiscard]] std::optional<Projected> on_two_planes(std::size_t i, std::size_t j) const {
-    const double determinant = 1 - gram_[i][j] * gram_[i][j];
-    if (determinant < least_determinant) return std::nullopt;
-    return if_feasible<2>({i, j}, {(violations_[i] - gram_[i][j] * violations_[j]) / determinant,
-                                   (violations_[j] - gram_[i][j] * violations_[i]) / determinant});
+  HWY_INLINE void project_on_two(std::size_t i, std::size_t j) {
+    const Reals gram = gram_[i][j];
+    const Reals determinant = hn::NegMulAdd(gram, gram, real(1));
+    const Reals mi = hn::Div(hn::NegMulAdd(gram, violations_[j], violations_[i]), determinant);
+    const Reals mj = hn::Div(hn::NegMulAdd(gram, violations_[i], violations_[j]), determinant);
+    Mask where = unresolved(determinant, hn::Min(mi, mj));
+    for (std::size_t k = 0; k < max_contacts; ++k) {
+      if (k == i || k == j) continue;
+      const Reals violation = hn::NegMulAdd(mj, gram_[k][j], hn::NegMulAdd(mi, gram_[k][i], violations_[k]));
+      where = hn::And(where, hn::Le(violation, real(tolerance)));
+    }
+    if (hn::AllFalse(D(), where)) return;
+    result_.set(where, plus_product(product(mj, normals_[j]), mi, normals_[i]), 2);
+    result_.set_contact(where, 0, integer(static_cast<std::int32_t>(i)), mi);
+    result_.set_contact(where, 1, integer(static_cast<std::int32_t>(j)), mj);
   }
 
   /// Solves by Cramer's rule.
-  [[nodiscard]] std::optional<Projected> on_three_planes(std::size_t i, std::size_t j, std::size_t k) const {
-    const double a = gram_[i][j];
-    const double b = gram_[i][k];
-    const double c = gram_[j][k];
-    const double determinant = 1 + 2 * a * b * c - a * a - b * b - c * c;
-    if (determinant < least_determinant) return std::nullopt;
-    const double mi = violations_[i];
-    const double mj = violations_[j];
-    const double mk = violations_[k];
-    return if_feasible<3>({i, j, k}, {((1 - c * c) * mi + (b * c - a) * mj + (a * c - b) * mk) / determinant,
-                                      ((b * c - a) * mi + (1 - b * b) * mj + (a * b - c) * mk) / determinant,
-                                      ((a * c - b) * mi + (a * b - c) * mj + (1 - a * a) * mk) / determinant});
+  HWY_INLINE void project_on_three(std::size_t i, std::size_t j, std::size_t k) {
+    const Reals a = gram_[i][j];
+    const Reals b = gram_[i][k];
+    const Reals c = gram_[j][k];
+    const Reals aa = hn::NegMulAdd(a, a, real(1));
+    const Reals bb = hn::NegMulAdd(b, b, real(1));
+    const Reals cc = hn::NegMulAdd(c, c, real(1));
+    const Reals bc = hn::Sub(hn::Mul(b, c), a);
+    const Reals ac = hn::Sub(hn::Mul(a, c), b);
+    const Reals ab = hn::Sub(hn::Mul(a, b), c);
+    const Reals determinant = hn::MulAdd(b, ac, hn::MulAdd(a, bc, cc));
+    const Vectors v{violations_[i], violations_[j], violations_[k]};
+    const Reals mi = hn::Div(dot<D>({cc, bc, ac}, v), determinant);
+    const Reals mj = hn::Div(dot<D>({bc, bb, ab}, v), determinant);
+    const Reals mk = hn::Div(dot<D>({ac, ab, aa}, v), determinant);
+    Mask where = unresolved(determinant, hn::Min(mi, hn::Min(mj, mk)));
+    if (hn::AllFalse(D(), where)) return;
+    for (std::size_t m = 0; m < max_contacts; ++m) {
+      if (m == i || m == j || m == k) continue;
+      const Vectors gram{gram_[m][i], gram_[m][j], gram_[m][k]};
+      where = hn::And(where, hn::Le(hn::Sub(violations_[m], dot<D>({mi, mj, mk}, gram)), real(tolerance)));
+    }
+    const Vectors x = plus_product(plus_product(product(mk, normals_[k]), mj, normals_[j]), mi, normals_[i]);
+    result_.set(where, x, 3);
   }
 
-  const Eigen::Vector3d& p_;
-  const Contacts& contacts_;
-  std::array<double, Contacts::capacity> violations_{};
-  std::array<std::array<double, Contacts::capacity>, Contacts::capacity> gram_;
+  /// Returns the lanes without a projection whose system is regular, with multipliers that are not negative.
+  HWY_INLINE Mask unresolved(Reals determinant, Reals least_multiplier) const {
+    const Mask is_solution = hn::And(hn::Ge(determinant, real(least_determinant)), hn::Ge(least_multiplier, real(0)));
+    return hn::AndNot(result_.is_found, is_solution);
+  }
+
+  std::array<Vectors, max_contacts> normals_;
+  std::array<Reals, max_contacts> violations_;
+  std::array<std::array<Reals, max_contacts>, max_contacts> gram_;
+  Projections result_;
 };
 
-/// Returns the contact of the ball about x - v.
-Contact make_contact(std::int32_t triangle, const Eigen::Vector3d& x, const Eigen::Vector3d& v, double r) {
-  const double distance = v.norm();
-  const Eigen::Vector3d normal = v / distance;
-  return {triangle, normal, normal.dot(x) - distance + r, x - v};
-}
-
-/// Returns true if the known triangles around x are at least this far away.
-bool is_free(const ExteriorGrid& exterior, const CellsAround& around, const Eigen::Vector3d& x, double least) {
-  TriangleTable::Vectors vectors;
-  if (!vectors_around(exterior, around, x, vectors)) return around.touches_exterior;
-  return *std::min_element(vectors.squared.begin(), vectors.squared.end()) >= static_cast<float>(least * least);
-}
-
-/// Returns true if the segment from x to a nearby exterior point is free. A convex obstacle that touches both ends may
-/// bulge into it: E(r) extends into narrow valleys between balls that contain no cell centre, and balls are convex.
-bool is_connected_to(const ExteriorGrid& exterior, const Eigen::Vector3d& x, const Eigen::Vector3d& to) {
-  constexpr double max_length = 5;
-  constexpr double spacing = 0.7;
-  const double length = (to - x).norm();
-  if (length > max_length) return false;
-  const int steps = static_cast<int>(std::ceil(length / spacing));
-  const double r = exterior.grid().r;
-  for (int i = 1; i < steps; ++i) {
-    const Eigen::Vector3d between = x + static_cast<double>(i) / steps * (to - x);
-    const CellsAround around = cells_around(exterior, between);
-    if (!is_free(exterior, around, between, r - length * length / (4 * r))) return false;
-    if (around.touches_exterior) return true;
-  }
-  return true;
-}
-
-/// Triangles, with the vectors from their closest points to a query point.
-struct Surroundings {
-  std::array<std::int32_t, 2 * TriangleTable::batch_size> triangles;
-  std::size_t count = 0;
-  std::array<TriangleTable::Vectors, 2> vectors;
-
-  /// Adds a triangle unless it is known. Branchless, because the outcome is hard to predict.
-  void add(std::int32_t triangle) {
-    bool is_known = false;
-    for (std::size_t i = 0; i < count; ++i) is_known |= triangles[i] == triangle;
-    triangles[count] = triangle;
-    count += is_known ? 0 : 1;
-  }
-  void update(const Eigen::Vector3d& x, const TriangleTable& table) {
-    constexpr std::size_t eight = TriangleTable::batch_size;
-    std::fill(triangles.begin() + count, triangles.begin() + (count > eight ? 2 * eight : eight), triangles[0]);
-    table.vectors_to(x, triangles.data(), vectors[0]);
-    if (count > eight) table.vectors_to(x, triangles.data() + eight, vectors[1]);
-  }
-  [[nodiscard]] Eigen::Vector3d vector(std::size_t i) const {
-    return vectors[i / TriangleTable::batch_size].vector(i % TriangleTable::batch_size);
-  }
-  [[nodiscard]] float squared(std::size_t i) const {
-    return vectors[i / TriangleTable::batch_size].squared[i % TriangleTable::batch_size];
-  }
+/// Features of triangles.
+struct Features {
+  Mask is_face;
+  Vectors edge;  ///< unit direction of the edge; zero at corners
 };
 
-/// Returns the contacts for the next step: the previous ones that are kept, recomputed at x, and up to two new ones
-/// that cover x: the closest, and the closest in another direction. The previous ones come first in `around`.
-Contacts contacts_for(const Surroundings& around, const Contacts& before,
-                      const std::array<bool, Contacts::capacity>& kept, const Eigen::Vector3d& x, double r,
-                      double covering) {
-  constexpr double same_direction = 0.985;
-  Contacts contacts;
-  for (std::size_t i = 0; i < before.count; ++i) {
-    if (kept[i]) contacts.add(make_contact(around.triangles[i], x, around.vector(i), r));
-  }
-  const std::size_t old = contacts.count;
-  while (contacts.count < Contacts::capacity && contacts.count < old + 2) {
-    std::size_t closest = around.count;
-    auto least = static_cast<float>(covering * covering);
-    for (std::size_t i = before.count; i < around.count; ++i) {
-      if (around.squared(i) >= least) continue;
-      if (contacts.count > old && around.vector(i).dot(contacts.list[old].normal) >
-                                      same_direction * std::sqrt(static_cast<double>(around.squared(i)))) {
-        continue;
-      }
-      least = around.squared(i);
-      closest = i;
-    }
-    if (closest == around.count) break;
-    contacts.add(make_contact(around.triangles[closest], x, around.vector(closest), r));
-  }
-  return contacts;
+/// Returns the features that contain points of triangles.
+HWY_INLINE Features features_at(const float* records, Integers triangle, const Vectors& point) {
+  IntegerLanes numbers;
+  store(hn::Max(triangle, integer(0)), numbers);
+  Reals field[16];
+  load_transposed(D(), records, numbers.data(), field);
+  const Reals inside = real(1e-3F);
+  const Vectors from_a = difference(point, {field[0], field[1], field[2]});
+  const Vectors ab{field[3], field[4], field[5]};
+  const Vectors ac{field[6], field[7], field[8]};
+  const Reals v = dot<D>(from_a, {field[9], field[10], field[11]});
+  const Reals w = dot<D>(from_a, {field[12], field[13], field[14]});
+  // NaN, for a degenerate triangle, counts as on all three edges.
+  const Mask off_ab = hn::Gt(w, inside);
+  const Mask off_ac = hn::Gt(v, inside);
+  const Mask off_bc = hn::Gt(hn::Sub(real(1), hn::Add(v, w)), inside);
+  const Mask is_on_edge = hn::Or(hn::And(off_ab, hn::Or(off_ac, off_bc)), hn::And(off_ac, off_bc));
+  const Vectors edge = select<D>(off_ab, select<D>(off_ac, difference(ac, ab), ac), ab);
+  const Vectors direction = product(hn::Div(real(1), length_of(edge)), edge);
+  return {hn::And(off_ab, hn::And(off_ac, off_bc)), select<D>(is_on_edge, direction, no_vector())};
 }
 
-/// Returns the curvature correction of a step. Balls about edges and corners curve away from their half-spaces:
-/// tangentially to the active contacts, where the curvature is 1 / r, the step is too short by the factor 1 -
-/// multiplier / r (docs/methods/offset_sdf.md#the-steps-to-q).
-Eigen::Vector3d curvature_correction(const TriangleTable& table, const Eigen::Vector3d& step, const Projected& to,
-                                     const Contacts& contacts, double r) {
-  constexpr double max_bend = 0.85;
-  const auto growth = [&](double bend) { return 1 / (1 - std::min(bend, max_bend)) - 1; };
-  const auto contact = [&](std::size_t k) { return contacts.list[to.contacts[k]]; };
-  const auto place = [&](std::size_t k) { return table.feature_at(contact(k).point, contact(k).triangle); };
-  using Part = TriangleTable::Part;
-  if (to.count == 1) {
-    const auto [part, edge] = place(0);
-    if (part == Part::face) return Eigen::Vector3d::Zero();
-    const Eigen::Vector3d tangential = step - contact(0).normal.dot(step) * contact(0).normal;
-    return growth(to.multipliers[0] / r) * (tangential - edge.dot(tangential) * edge);
-  }
-  if (to.count == 2) {
-    const Eigen::Vector3d along = contact(0).normal.cross(contact(1).normal).normalized();
-    double bend = 0;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto [part, edge] = place(k);
-      if (part != Part::face) bend += to.multipliers[k] / r * (1 - std::pow(edge.dot(along), 2));
-    }
-    return growth(bend) * along.dot(step) * along;
-  }
-  return Eigen::Vector3d::Zero();
-}
-
-/// Returns the step to the projection with its curvature correction, shortened if the whole exceeds max_length.
-Eigen::Vector3d step_to(const Projected& to, const Eigen::Vector3d& x, const TriangleTable& table,
-                        const Contacts& contacts, double r, double max_length) {
-  const Eigen::Vector3d step = to.x - x;
-  const double available = max_length - step.norm();
-  if (available <= 0) return step;
-  const Eigen::Vector3d more = curvature_correction(table, step, to, contacts, r);
-  const double length = more.norm();
-  return length > available ? (step + available / length * more).eval() : (step + more).eval();
-}
-
-/// Iteration from a site to the nearest point of the offset surface (docs/methods/offset_sdf.md#the-steps-to-q).
-class OffsetPointSearch {
+/// Searches in the lanes of vectors. A lane whose search ends takes the next one.
+class OffsetPointLanes {
  public:
-  OffsetPointSearch(const ExteriorGrid& exterior, const Eigen::Vector3d& p, const Eigen::Vector3d& site,
-                    std::int32_t triangle)
-      : exterior_(exterior), table_(exterior.surface().triangles), r_(exterior.grid().r), p_(p), site_(site), x_(site) {
-    around_.add(triangle);
-    around_.update(site, table_);
-    contacts_.add(make_contact(triangle, site, around_.vector(0), r_));
+  OffsetPointLanes(const ExteriorGrid& exterior, std::span<OffsetPointTask> tasks)
+      : exterior_(exterior),
+        records_(exterior.surface().triangles.records()),
+        r_(static_cast<float>(exterior.grid().r)),
+        tasks_(tasks) {
+    for (Contact& contact : contacts_) remove(contact, mask_of(all_lanes()));
+    for (VectorLanes* vectors : {&origin_, &x_, &last_step_, &known_}) store(no_vector(), *vectors);
+    store(real(infinity), step_length_);
+    store(real(0), trust_radius_);
   }
 
-  /// Runs the iteration; see nearest_offset_point().
-  std::optional<Eigen::Vector3d> find(const std::optional<Eigen::Vector3d>& known) {
-    constexpr int max_steps = 12;
-    constexpr double settled = 0.01;  // of a step's length, in units of r
-    constexpr double near_known = 0.3;
-    constexpr double tolerance = 2e-4;  // of the distance
-    const double covering = r_ * (1 - tolerance);
-    std::optional<Eigen::Vector3d> found;
-    for (int step = 0; step < max_steps; ++step) {
-      if (!advance()) return found;
-      const CellsAround cells = cells_around(exterior_, x_);
-      update_surroundings(cells);
-      const float squared = nearest_squared();
-      if (!(squared > 0)) return found;
-      const bool covered = static_cast<double>(squared) < covering * covering;
-      if (!covered && !is_truncated_) {
-        // x is free but enclosed, and no further step can leave the enclosure.
-        if (!cells.touches_exterior && !is_connected_to(exterior_, x_, site_)) return found;
-        found = x_;
-        if (step_length_ < settled * r_) return found;
-        if (known && (x_ - *known).norm() < near_known * r_) return std::nullopt;
-      }
-      contacts_ = contacts_for(around_, contacts_, kept_, x_, r_, covering);
-      if (contacts_.count == 0) return found;
+  void run() {
+    while (start() || active_ != 0) {
+      const LaneBits moving = active_ & advance();
+      look_around(moving);
+      finish(active_ & ~(moving & evaluate(moving)));
     }
-    return found;
   }
 
  private:
-  /// Moves x towards the projection of p onto the contacts' half-spaces. Returns false if their intersection is empty.
-  bool advance() {
-    constexpr double max_step = 0.4;  // in units of r: walls are thicker
-    const auto projected = Projection(p_, contacts_).find();
-    if (!projected) return false;
-    const Eigen::Vector3d step = step_to(*projected, x_, table_, contacts_, r_, trust_radius_ * r_);
-    const double length = step.norm();
-    is_truncated_ = length > max_step * r_;
-    x_ += (is_truncated_ ? max_step * r_ / length : 1.0) * step;
-    kept_ = {};
-    for (std::size_t i = 0; i < contacts_.count; ++i) {
-      kept_[i] = is_truncated_ || contacts_.list[i].normal.dot(x_) <= contacts_.list[i].height + 1e-6;
+  /// Starts waiting tasks in idle lanes. Returns false if there is none.
+  bool start() {
+    LaneBits started = 0;
+    for (std::size_t lane = 0; lane < hn::Lanes(D()) && next_task_ < tasks_.size(); ++lane) {
+      const LaneBits bit = LaneBits{1} << lane;
+      if ((active_ & bit) != 0) continue;
+      start(lane, next_task_++);
+      started |= bit;
     }
-    if (step.dot(last_step_) < 0 && length > 0.5 * step_length_) trust_radius_ /= 2;  // oscillation
-    last_step_ = step;
-    step_length_ = length;
+    if (started == 0) return false;
+    active_ |= started;
+    measure(at_contacts_[0]);
+    set(contacts_[0], mask_of(started), at_contacts_[0]);
     return true;
   }
 
-  /// Collects the triangles of the contacts, those around x and, close to convergence, those nearest to the contacts.
-  void update_surroundings(const CellsAround& cells) {
-    constexpr double nearly_settled = 0.05;
-    around_.count = 0;
-    for (std::size_t i = 0; i < contacts_.count; ++i) around_.triangles[around_.count++] = contacts_.list[i].triangle;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.count); ++i) around_.add(cells.triangles[i]);
-    // On fine meshes the closest triangle is seldom one of the cells' but close to a contact.
-    for (std::size_t i = 0; i < contacts_.count && step_length_ < nearly_settled * r_; ++i) {
-      if (!kept_[i]) continue;
-      const Eigen::Vector3d place = x_ - r_ * contacts_.list[i].normal;
-      const std::int32_t nearest =
-          closest_triangle_near(exterior_.grid(), exterior_.surface(), place, closest_reach, x_);
-      if (nearest >= 0 && around_.count < around_.triangles.size()) around_.add(nearest);
-    }
-    around_.update(x_, table_);
+  void start(std::size_t lane, std::size_t number) {
+    const OffsetPointTask& task = tasks_[number];
+    const Eigen::Vector3f origin = task.p.cast<float>();
+    origin_.set(lane, origin);
+    x_.set(lane, (task.start - origin.cast<double>()).cast<float>());
+    known_.set(lane, (task.known - origin.cast<double>()).cast<float>());
+    last_step_.set(lane, Eigen::Vector3f::Zero());
+    step_length_[lane] = infinity;
+    trust_radius_[lane] = 0.1F;
+    steps_[lane] = 0;
+    task_[lane] = number;
+    is_found_ &= ~(LaneBits{1} << lane);
+    at_contacts_[0].triangle[lane] = task.triangle;
   }
 
-  [[nodiscard]] float nearest_squared() const {
-    float squared = around_.squared(0);
-    for (std::size_t i = 1; i < around_.count; ++i) squared = std::min(squared, around_.squared(i));
-    return squared;
+  /// Ends searches.
+  void finish(LaneBits lanes) {
+    for_each_lane(lanes, [&](std::size_t lane) {
+      OffsetPointTask& task = tasks_[task_[lane]];
+      task.found.reset();
+      if ((is_found_ >> lane & 1U) != 0) task.found = origin_.at(lane) + found_.at(lane);
+    });
+    if (lanes == 0) return;
+    for (Contact& contact : contacts_) remove(contact, mask_of(lanes));
+    active_ &= ~lanes;
+  }
+
+  /// Moves x towards the projection of p onto the contacts' half-spaces. Returns the lanes in which there is one.
+  LaneBits advance() {
+    const Reals max_step = real(0.4F * r_);  // walls are thicker
+    const Projections to = Projector(contacts_).find();
+    const Vectors x = load(x_);
+    const Vectors step = corrected(to, difference(to.x, x));
+    const Reals length = length_of(step);
+    const Mask is_long = hn::Gt(length, max_step);
+    const Vectors moved = plus_product(x, hn::IfThenElse(is_long, hn::Div(max_step, length), real(1)), step);
+    is_truncated_ = bits_of(is_long);
+    for (Contact& contact : contacts_) {
+      const Reals excess = hn::Sub(dot<D>(load(contact.normal), moved), load(contact.height));
+      const Mask is_touched = hn::Or(is_long, hn::Le(excess, real(tolerance)));
+      contact.kept = bits_of(hn::And(is_touched, is_triangle(load(contact.triangle))));
+    }
+    const Mask oscillates = hn::And(hn::Lt(dot<D>(step, load(last_step_)), real(0)),
+                                    hn::Gt(length, hn::Mul(real(0.5F), load(step_length_))));
+    const Reals trust_radius = load(trust_radius_);
+    store(hn::IfThenElse(oscillates, hn::Mul(real(0.5F), trust_radius), trust_radius), trust_radius_);
+    store(moved, x_);
+    store(step, last_step_);
+    store(length, step_length_);
+    return bits_of(to.is_found);
+  }
+
+  /// Returns the step with its curvature correction, shortened if the whole exceeds the trust radius.
+  HWY_INLINE Vectors corrected(const Projections& to, const Vectors& step) const {
+    const Reals available = hn::Sub(hn::Mul(load(trust_radius_), real(r_)), length_of(step));
+    const Mask may_grow = hn::Gt(available, real(0));
+    if (hn::AllFalse(D(), may_grow)) return step;
+    const Vectors more = curvature_correction(to, step);
+    const Reals length = length_of(more);
+    const Reals part = hn::IfThenElse(hn::Gt(length, available), hn::Div(available, length), real(1));
+    return select<D>(may_grow, plus_product(step, part, more), step);
+  }
+
+  /// Returns the curvature correction of a step. Balls about edges and corners curve away from their half-spaces:
+  /// tangentially to the active contacts, where the curvature is 1 / r, the step is too short by the factor 1 -
+  /// multiplier / r (docs/methods/offset_sdf.md#the-steps-to-q).
+  HWY_INLINE Vectors curvature_correction(const Projections& to, const Vectors& step) const {
+    std::array<Vectors, 2> normals;
+    std::array<Features, 2> features;
+    std::array<Reals, 2> bends;
+    for (std::size_t k = 0; k < 2; ++k) {
+      Integers triangle = integer(-1);
+      normals[k] = no_vector();
+      Vectors point = no_vector();
+      for (std::size_t i = 0; i < max_contacts; ++i) {
+        const hn::Mask<DI> is_active = hn::Eq(to.contacts[k], integer(static_cast<std::int32_t>(i)));
+        triangle = hn::IfThenElse(is_active, load(contacts_[i].triangle), triangle);
+        normals[k] = select<D>(of_reals(is_active), load(contacts_[i].normal), normals[k]);
+        point = select<D>(of_reals(is_active), load(contacts_[i].point), point);
+      }
+      features[k] = features_at(records_, triangle, sum(load(origin_), point));
+      bends[k] = hn::IfThenZeroElse(features[k].is_face, hn::Mul(to.multipliers[k], real(1 / r_)));
+    }
+    const auto growth = [](Reals bend) HWY_ATTR {
+      constexpr float max_bend = 0.85F;
+      return hn::Sub(hn::Div(real(1), hn::Sub(real(1), hn::Min(bend, real(max_bend)))), real(1));
+    };
+    // One contact: across the edge, or around the corner.
+    const Vectors tangential = minus_product<D>(step, dot<D>(normals[0], step), normals[0]);
+    const Vectors across = minus_product<D>(tangential, dot<D>(features[0].edge, tangential), features[0].edge);
+    const Vectors of_one = product(growth(bends[0]), across);
+    // Two: along their crease.
+    const Vectors crease = cross(normals[0], normals[1]);
+    const Vectors along = product(hn::Div(real(1), hn::Max(length_of(crease), real(1e-20F))), crease);
+    Reals bend = real(0);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Reals cosine = dot<D>(features[k].edge, along);
+      bend = hn::MulAdd(bends[k], hn::NegMulAdd(cosine, cosine, real(1)), bend);
+    }
+    const Vectors of_two = product(hn::Mul(growth(bend), dot<D>(along, step)), along);
+    const Mask has_one = of_reals(hn::Eq(to.count, integer(1)));
+    const Mask has_two = of_reals(hn::Eq(to.count, integer(2)));
+    return select<D>(has_one, of_one, select<D>(has_two, of_two, no_vector()));
+  }
+
+  /// Collects the triangles around x and, close to convergence, those nearest to the contacts.
+  void look_around(LaneBits moving) {
+    constexpr float nearly_settled = 0.05F;  // of a step's length, in units of r
+    const Vectors x = sum(load(origin_), load(x_));
+    find_cells(x);
+    others_count_ = cells_around_point;
+    // On fine meshes the closest triangle is seldom one of the cells' but close to a contact.
+    const LaneBits close = moving & bits_of(hn::Lt(load(step_length_), real(nearly_settled * r_)));
+    for (std::size_t i = 0; i < max_contacts; ++i) {
+      const LaneBits lanes = close & contacts_[i].kept;
+      if (lanes == 0) continue;
+      VectorLanes place;
+      store(minus_product<D>(x, real(r_), load(contacts_[i].normal)), place);
+      IntegerLanes& found = others_[others_count_++].triangle;
+      found.fill(-1);
+      for_each_lane(lanes, [&](std::size_t lane) {
+        found[lane] = closest_triangle_near(exterior_.grid(), exterior_.surface(), place.at(lane), closest_reach,
+                                            origin_.at(lane) + x_.at(lane));
+      });
+    }
+  }
+
+  /// Finds the triangles of the eight cells around x, as cells_around() does.
+  HWY_INLINE void find_cells(const Vectors& x) {
+    const DI di;
+    constexpr std::int32_t block_size = sizeof(BoundaryBlock) / sizeof(std::int32_t);
+    const std::int32_t* nearest = exterior_.boundary().front().nearest.data();
+    const std::array<Reals, 3> coordinates{x.x, x.y, x.z};
+    std::array<std::array<Integers, 2>, 3> blocks;
+    std::array<std::array<Integers, 2>, 3> bits;
+    std::int32_t stride = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t size = exterior_.grid().blocks[static_cast<Eigen::Index>(k)];
+      const Integers nearest_corner = hn::ConvertTo(di, hn::Add(coordinates[k], real(0.5F)));
+      const Integers low =
+          hn::Min(hn::Max(hn::Sub(nearest_corner, integer(1)), integer(0)), integer(block_edge * size - 2));
+      for (std::size_t i = 0; i < 2; ++i) {
+        const Integers cell = i == 0 ? low : hn::Add(low, integer(1));
+        blocks[k][i] = hn::Mul(hn::ShiftRight<2>(cell), integer(stride));
+        bits[k][i] = hn::Mul(hn::And(cell, integer(3)), integer(1 << (2 * k)));
+      }
+      stride *= size;
+    }
+    hn::Mask<DI> touches = of_integers(no_lane());
+    for (std::size_t cell = 0; cell < cells_around_point; ++cell) {
+      const std::size_t i = cell & 1U;
+      const std::size_t j = cell >> 1U & 1U;
+      const std::size_t k = cell >> 2U;
+      const Integers block = hn::Add(hn::Add(blocks[0][i], blocks[1][j]), blocks[2][k]);
+      const Integers bit = hn::Or(hn::Or(bits[0][i], bits[1][j]), bits[2][k]);
+      const Integers state = hn::GatherIndex(di, exterior_.blocks(), block);
+      const hn::Mask<DI> has_triangles = hn::Gt(state, integer(-1));
+      const Integers place = hn::Max(state, integer(0));
+      const Integers found = hn::GatherIndex(di, nearest, hn::Add(hn::Mul(place, integer(block_size)), bit));
+      const hn::Mask<DI> is_exterior = hn::Lt(found, integer(0));
+      const Integers triangle = hn::IfThenElse(is_exterior, hn::Not(found), found);
+      store(hn::IfThenElse(has_triangles, triangle, integer(-1)), others_[cell].triangle);
+      touches = hn::Or(touches,
+                       hn::Or(hn::Eq(state, integer(ExteriorGrid::all_exterior)), hn::And(has_triangles, is_exterior)));
+    }
+    touches_exterior_ = bits_of(of_reals(touches));
+  }
+
+  /// Computes the vectors from triangles to x, and decides which lanes are free and settled. Returns those that go on.
+  LaneBits evaluate(LaneBits moving) {
+    constexpr float settled = 0.01F;  // of a step's length, in units of r
+    constexpr float near_known = 0.3F;
+    constexpr int max_steps = 12;
+    const Reals least = measure_all();
+    const Reals covering2 = real(covering() * covering());
+    LaneBits going = moving & bits_of(hn::Gt(least, real(0)));
+    const LaneBits free = going & ~is_truncated_ & ~bits_of(hn::Lt(least, covering2));
+    for_each_lane(free & ~touches_exterior_, [&](std::size_t lane) {
+      // x is free but enclosed, and no further step can leave the enclosure.
+      const Eigen::Vector3d x = origin_.at(lane) + x_.at(lane);
+      if (!is_connected_to(exterior_, x, tasks_[task_[lane]].start)) going &= ~(LaneBits{1} << lane);
+    });
+    const LaneBits found = free & going;
+    store(select<D>(mask_of(found), load(x_), load(found_)), found_);
+    is_found_ |= found;
+    const LaneBits is_settled = found & bits_of(hn::Lt(load(step_length_), real(settled * r_)));
+    const Vectors apart = difference(load(known_), load(x_));
+    const LaneBits is_known = found & ~is_settled & bits_of(hn::Lt(length_of(apart), real(near_known * r_)));
+    is_found_ &= ~is_known;
+    going &= ~is_settled & ~is_known;
+    for_each_lane(going, [&](std::size_t lane) {
+      if (++steps_[lane] == max_steps) going &= ~(LaneBits{1} << lane);
+    });
+    return going & renew_contacts();
+  }
+
+  /// Computes the vectors from all surrounding triangles to x. Returns the smallest squared length.
+  HWY_INLINE Reals measure_all() {
+    Reals least = real(infinity);
+    for (std::size_t i = 0; i < max_contacts; ++i) {
+      at_contacts_[i].triangle = contacts_[i].triangle;
+      measure(at_contacts_[i]);
+      least = hn::Min(least, load(at_contacts_[i].squared));
+    }
+    for (std::size_t i = 0; i < others_count_; ++i) {
+      measure(others_[i]);
+      least = hn::Min(least, load(others_[i].squared));
+    }
+    return least;
+  }
+
+  HWY_INLINE void measure(Surrounding& surrounding) const {
+    const Integers triangle = load(surrounding.triangle);
+    const Mask has_triangle = is_triangle(triangle);
+    if (hn::AllFalse(D(), has_triangle)) return store(real(infinity), surrounding.squared);
+    IntegerLanes numbers;
+    store(hn::Max(triangle, integer(0)), numbers);
+    const auto [vector, squared] = vectors_from_triangles(D(), records_, numbers.data(), sum(load(origin_), load(x_)));
+    store(vector, surrounding.vector);
+    store(hn::IfThenElse(has_triangle, squared, real(infinity)), surrounding.squared);
+  }
+
+  /// Updates the kept contacts at x, and adds up to two new ones that cover x: the closest, and the closest in another
+  /// direction. Returns the lanes with contacts.
+  LaneBits renew_contacts() {
+    hide_known();
+    for (std::size_t i = 0; i < max_contacts; ++i) {
+      const Mask is_kept = mask_of(contacts_[i].kept);
+      set(contacts_[i], is_kept, at_contacts_[i]);
+      remove(contacts_[i], hn::Not(is_kept));
+    }
+    const Surrounding first = closest_covering(no_vector(), infinity);
+    add(first);
+    constexpr float same_direction = 0.985F;
+    const Mask has_first = is_triangle(load(first.triangle));
+    const Reals inverse = hn::IfThenElse(has_first, hn::Div(real(1), hn::Sqrt(load(first.squared))), real(0));
+    add(closest_covering(product(inverse, load(first.vector)), same_direction));
+    Mask any = no_lane();
+    for (const Contact& contact : contacts_) any = hn::Or(any, is_triangle(load(contact.triangle)));
+    return bits_of(any);
+  }
+
+  /// Removes the triangles that have been contacts from the others.
+  HWY_INLINE void hide_known() {
+    for (std::size_t s = 0; s < others_count_; ++s) {
+      const Integers triangle = load(others_[s].triangle);
+      hn::Mask<DI> is_known = hn::Eq(triangle, load(contacts_[0].triangle));
+      for (std::size_t i = 1; i < max_contacts; ++i) {
+        is_known = hn::Or(is_known, hn::Eq(triangle, load(contacts_[i].triangle)));
+      }
+      store(hn::IfThenElse(of_reals(is_known), real(infinity), load(others_[s].squared)), others_[s].squared);
+    }
+  }
+
+  /// Returns the closest of the other triangles that cover x, of those whose direction has at most this cosine with
+  /// another one.
+  HWY_INLINE Surrounding closest_covering(const Vectors& direction, float max_cosine) const {
+    Reals least = real(covering() * covering());
+    Vectors closest = no_vector();
+    Integers number = integer(-1);
+    for (std::size_t s = 0; s < others_count_; ++s) {
+      const Reals squared = load(others_[s].squared);
+      const Vectors vector = load(others_[s].vector);
+      const Mask is_apart = hn::Le(dot<D>(vector, direction), hn::Mul(real(max_cosine), hn::Sqrt(squared)));
+      const Mask is_closer = hn::And(hn::Lt(squared, least), is_apart);
+      least = hn::IfThenElse(is_closer, squared, least);
+      closest = select<D>(is_closer, vector, closest);
+      number = hn::IfThenElse(of_integers(is_closer), load(others_[s].triangle), number);
+    }
+    Surrounding result;
+    store(number, result.triangle);
+    store(closest, result.vector);
+    store(least, result.squared);
+    return result;
+  }
+
+  /// Adds a contact where there is room.
+  HWY_INLINE void add(const Surrounding& surrounding) {
+    Mask waiting = is_triangle(load(surrounding.triangle));
+    for (Contact& contact : contacts_) {
+      const Mask is_free = hn::AndNot(is_triangle(load(contact.triangle)), waiting);
+      if (!hn::AllFalse(D(), is_free)) set(contact, is_free, surrounding);
+      waiting = hn::AndNot(is_free, waiting);
+    }
+  }
+
+  HWY_INLINE void set(Contact& contact, Mask where, const Surrounding& surrounding) const {
+    const Vectors x = load(x_);
+    const Vectors vector = load(surrounding.vector);
+    const Reals distance = hn::Sqrt(load(surrounding.squared));
+    const Vectors normal = product(hn::Div(real(1), distance), vector);
+    const Reals height = hn::Add(hn::Sub(dot<D>(normal, x), distance), real(r_));
+    store(select<D>(where, normal, load(contact.normal)), contact.normal);
+    store(select<D>(where, difference(x, vector), load(contact.point)), contact.point);
+    store(hn::IfThenElse(where, height, load(contact.height)), contact.height);
+    store(hn::IfThenElse(of_integers(where), load(surrounding.triangle), load(contact.triangle)), contact.triangle);
+  }
+
+  HWY_INLINE static void remove(Contact& contact, Mask where) {
+    store(select<D>(where, no_vector(), load(contact.normal)), contact.normal);
+    store(select<D>(where, no_vector(), load(contact.point)), contact.point);
+    store(hn::IfThenElse(where, real(no_height), load(contact.height)), contact.height);
+    store(hn::IfThenElse(of_integers(where), integer(-1), load(contact.triangle)), contact.triangle);
+  }
+
+  /// Triangles closer than this cover x.
+  [[nodiscard]] float covering() const {
+    constexpr float relative = 2e-4F;
+    return r_ * (1 - relative);
   }
 
   const ExteriorGrid& exterior_;
-  const TriangleTable& table_;
-  double r_;
-  const Eigen::Vector3d& p_;
-  const Eigen::Vector3d& site_;
-  Eigen::Vector3d x_;
-  Contacts contacts_;
-  Surroundings around_;
-  std::array<bool, Contacts::capacity> kept_{};                   ///< by contact: retained after the last step
-  bool is_truncated_ = false;                                     ///< the last step was shortened
-  double trust_radius_ = 0.1;                                     ///< maximum correction of a step, in units of r
-  Eigen::Vector3d last_step_ = Eigen::Vector3d::Zero();           ///< the last step, before it was shortened
-  double step_length_ = std::numeric_limits<double>::infinity();  ///< its length
+  const float* records_;
+  float r_;
+  std::span<OffsetPointTask> tasks_;
+  std::size_t next_task_ = 0;
+  std::array<std::size_t, max_lanes> task_{};
+  std::array<int, max_lanes> steps_{};
+  LaneBits active_ = 0;
+  LaneBits is_found_ = 0;
+  LaneBits is_truncated_ = 0;  ///< the last step was shortened
+  LaneBits touches_exterior_ = 0;
+  VectorLanes origin_;  ///< p; all other places are relative to it
+  VectorLanes x_, found_{}, known_, last_step_;
+  RealLanes step_length_;   ///< length of the last step, before it was shortened
+  RealLanes trust_radius_;  ///< maximum correction of a step, in units of r
+  std::array<Contact, max_contacts> contacts_{};
+  std::array<Surrounding, max_contacts> at_contacts_{};
+  std::array<Surrounding, cells_around_point + max_contacts> others_{};  ///< around x
+  std::size_t others_count_ = 0;
 };
 
-}  // namespace
+void find_points(const ExteriorGrid& exterior, std::span<OffsetPointTask> tasks) {
+  OffsetPointLanes(exterior, tasks).run();
+}
 
-std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior, const Eigen::Vector3d& p,
-                                                    const Eigen::Vector3d& site, std::int32_t triangle,
-                                                    const std::optional<Eigen::Vector3d>& known) {
-  return OffsetPointSearch(exterior, p, site, triangle).find(known);
+}  // namespace
+}  // namespace shapegauge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shapegauge {
+
+HWY_EXPORT(find_points);
+
+void find_nearest_offset_points(const ExteriorGrid& exterior, std::span<OffsetPointTask> tasks) {
+  if (!tasks.empty()) HWY_DYNAMIC_DISPATCH(find_points)(exterior, tasks);
 }
 
 }  // namespace shapegauge
+#endif  // HWY_ONCE

@@ -1,17 +1,26 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 #include "shapegauge/core/offset/exterior_grid.h"
 
 namespace shapegauge {
 
-/// Computes the point of E(r) nearest to p in the neighbourhood of a site, in cells: iterates projections of p onto the
-/// half-spaces tangent to the balls about the triangles nearest to the current point, starting with `triangle` at the
-/// site. Returns nothing if the iteration fails or approaches a known result.
-std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior, const Eigen::Vector3d& p,
-                                                    const Eigen::Vector3d& site, std::int32_t triangle,
-                                                    const std::optional<Eigen::Vector3d>& known);
+/// Search for the point of E(r) nearest to p in the neighbourhood of a starting point. All points are in cells.
+struct OffsetPointTask {
+  Eigen::Vector3d p;
+  Eigen::Vector3d start;  ///< at a distance of about r from the surface
+  std::int32_t triangle;  ///< triangle of the first half-space
+  Eigen::Vector3d known;  ///< result of another search, near which this one is abandoned; infinite if there is none
+  std::optional<Eigen::Vector3d> found;  ///< result; nothing if the search fails or is abandoned
+};
+
+/// Solves tasks: iterates projections of p onto the half-spaces tangent to the balls about the triangles nearest to the
+/// current point (docs/methods/offset_sdf.md#the-steps-to-q). Each task runs in a lane of the processor's vectors, in
+/// single precision relative to p. Results do not depend on the other tasks.
+void find_nearest_offset_points(const ExteriorGrid& exterior, std::span<OffsetPointTask> tasks);
 
 }  // namespace shapegauge

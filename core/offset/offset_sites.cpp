@@ -42,7 +42,7 @@ struct FoundSites {
       std::size_t count = 0;
       for (; remaining != 0 && count < batch; remaining &= remaining - 1, ++count) {
         const int bit = std::countr_zero(remaining);
-        triangles[count] = block.nearest[static_cast<std::size_t>(bit)];
+        triangles[count] = ~block.nearest[static_cast<std::size_t>(bit)];  // of an exterior cell
         centres[count] = centre_of(place, bit);
         vectors.set(count, centres[count]);
       }

@@ -72,6 +72,16 @@ struct Group {
   std::size_t begin, end;
 };
 
+/// Consecutive groups, whose iterations share the lanes of vectors: a range of groups_.
+struct Batch {
+  std::size_t begin, end;
+};
+/// Minimum number of samples of a batch, if there are as many.
+constexpr std::size_t batch_size = 256;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const Eigen::Vector3d no_point = Eigen::Vector3d::Constant(infinity);
+
 /// Solver of all samples, with their shared data.
 class Solver {
  public:
@@ -90,16 +100,11 @@ class Solver {
   }
 
   void solve(bool parallel) {
-    if (parallel) {
-      tbb::enumerable_thread_specific<Scratch> scratches([this] { return Scratch(*this); });
-      parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t g) { solve_group(groups_[g], scratches.local()); });
-    } else {
-      Scratch scratch(*this);
-      for (const Group& group : groups_) {
-        check_interruption();
-        solve_group(group, scratch);
-      }
-    }
+    tbb::enumerable_thread_specific<Scratch> scratches([this] { return Scratch(*this); });
+    for_each_index(parallel, std::size_t{0}, batches_.size(), [&](std::size_t b) {
+      check_interruption();
+      solve_batch(batches_[b], scratches.local());
+    });
   }
 
  private:
@@ -108,26 +113,55 @@ class Solver {
     std::int32_t triangle;  ///< that probably contains it
   };
 
-  /// Sample whose q is found by iteration, from p raised on either side.
+  static constexpr std::size_t max_starts = 9;
+  /// Sites from which iterations begin, by ascending distance.
+  struct Starts {
+    std::array<NearbySites::Site, max_starts> list{};
+    std::size_t count = 0;
+  };
+
+  /// Sample whose q is found by iteration, from p raised on either side: the nearer side first, whatever the
+  /// orientation of the normal.
   struct Search {
     Eigen::Index index;
     Sample sample;
     std::array<Eigen::Vector3d, 2> places;
+    std::array<double, 2> distances{};  ///< by side: to the nearest site
+    std::array<Starts, 2> starts{};     ///< by side
+    std::size_t side = 0;               ///< the current one
+    bool is_last_side = false;
+    bool needs_sites = true;
+    bool is_extended = false;    ///< starts of the current side include those beyond gain()
+    std::size_t next_start = 0;  ///< of the current side
+    int repeats = 0;             ///< of the current iteration
+    double best = infinity;      ///< distance of q from its place
+    Eigen::Vector3d q = no_point;
+    Eigen::Vector3d known = no_point;  ///< q if found from the current side
   };
 
-  /// Scratch data of a group of samples. The buffers are reused by later groups.
+  /// Searches of a group.
+  struct SearchGroup {
+    std::size_t begin, end;
+    Eigen::AlignedBox3d places;  ///< bounding box of the places of all searches
+  };
+
+  /// Scratch data of a batch. The buffers are reused by later ones.
   struct Scratch {
     explicit Scratch(const Solver& solver) : sites(solver.exterior_, solver.sites_) {}
     NearbySites sites;
-    std::vector<Search> searches;
-    Eigen::AlignedBox3d places;  ///< bounding box of the places of all searches
+    Eigen::AlignedBox3d places;  ///< of the group whose sites have been collected
     double reach = 0;            ///< sites within this distance of the places have been collected
+    std::vector<Search> searches;
+    std::vector<SearchGroup> groups;
+    std::vector<OffsetPointTask> tasks;
+    std::vector<std::size_t> running;  ///< searches with new starts; then by task
     std::vector<NearbySites::Site> starts;
     NearbyPoints surface;
   };
 
   void sort();
-  void solve_group(const Group& group, Scratch& scratch) const;
+  void solve_batch(const Batch& batch, Scratch& scratch) const;
+  void solve_direct(const Group& group, Scratch& scratch) const;
   [[nodiscard]] bool is_on_surface(const Sample& sample, NearbyPoints& nearby) const;
   [[nodiscard]] bool is_on_own_triangle(const Sample& sample, double near_enough) const;
   bool is_on_any_triangle(const GridPoints& points, const Eigen::Vector3d& p, double near_enough,
@@ -137,10 +171,15 @@ class Solver {
                                                       std::array<Eigen::Vector3d, 2>& places) const;
   [[nodiscard]] std::optional<double> depth_of(const Eigen::Vector3d& x) const;
   [[nodiscard]] std::int32_t covering_triangle(const Sample& sample, const Eigen::Vector3d& x) const;
-  [[nodiscard]] std::optional<Eigen::Vector3d> refine(const Sample& sample, const Eigen::Vector3d& place,
-                                                      std::uint32_t site,
-                                                      const std::optional<Eigen::Vector3d>& known) const;
-  Eigen::Vector3d search(const Search& task, Scratch& scratch, OffsetOutcome& outcome) const;
+  bool find_starts(Scratch& scratch) const;
+  void find_starts(Search& search, Scratch& scratch) const;
+  void set_starts(Search& search, std::size_t side, double margin, double apart, std::size_t max_count,
+                  Scratch& scratch) const;
+  void iterate(Scratch& scratch) const;
+  [[nodiscard]] Eigen::Vector3d nearest_site(const Search& search) const;
+  bool begin_iteration(Search& search, OffsetPointTask& task) const;
+  [[nodiscard]] const NearbySites::Site* next_start(Search& search) const;
+  bool is_continued(Search& search, OffsetPointTask& task) const;
   std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places, Scratch& scratch) const;
 
   /// Maximum decrease of the distance, in cells, from a site to its refined point, with few exceptions. With fine cells
@@ -148,6 +187,8 @@ class Solver {
   [[nodiscard]] double gain() const { return std::max(0.4, 0.133 * grid_.r); }
   /// Margin, in cells, for further sites if the iterations from the first ones fail.
   [[nodiscard]] double extended_margin() const { return 3 * gain(); }
+  /// Minimum distance of the sites, in cells, from which iterations begin.
+  static constexpr double apart = 2;
 
   const Shape& shape_;
   const ExteriorGrid& exterior_;
@@ -160,6 +201,7 @@ class Solver {
   OffsetResults& results_;
   std::vector<Eigen::Index> order_;
   std::vector<Group> groups_;
+  std::vector<Batch> batches_;
 };
 
 /// Returns for each sample a triangle that probably contains it: its own if all faces are sampled, one of its vertex's
@@ -196,6 +238,11 @@ void Solver::sort() {
     if (k == 0 || places[k] >> index_bits != places[k - 1] >> index_bits) groups_.push_back({k, k});
     groups_.back().end = k + 1;
     order_.push_back(static_cast<Eigen::Index>(places[k] & ((std::uint64_t{1} << index_bits) - 1)));
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const bool is_full = !batches_.empty() && groups_[g].begin - groups_[batches_.back().begin].begin >= batch_size;
+    if (batches_.empty() || is_full) batches_.push_back({g, g});
+    batches_.back().end = g + 1;
   }
 }
 
@@ -302,68 +349,139 @@ std::int32_t Solver::covering_triangle(const Sample& sample, const Eigen::Vector
   return exterior_.surface().triangles.squared_distance(x, closest) < least * least ? closest : -1;
 }
 
-/// Returns the point of E(r) nearest to the raised sample, in the neighbourhood of a site.
-std::optional<Eigen::Vector3d> Solver::refine(const Sample& sample, const Eigen::Vector3d& place, std::uint32_t site,
-                                              const std::optional<Eigen::Vector3d>& known) const {
-  constexpr int max_repeats = 3;
-  constexpr double nearly_free = 0.8;  // of r
-  auto x = nearest_offset_point(exterior_, place, sites_.place(site), sites_.triangle(site), known);
-  for (int i = 0; x && i < max_repeats; ++i) {
-    const std::int32_t triangle = covering_triangle(sample, *x);
-    if (triangle < 0) break;
-    x = nearest_offset_point(exterior_, place, *x, triangle, known);  // continue from there with this triangle
-  }
-  if (!x) return std::nullopt;
-  const double height = (*x - sample.p).norm();
-  if (height < nearly_free * grid_.r) return std::nullopt;
-  if (height < grid_.r) *x = sample.p + grid_.r / height * (*x - sample.p);
-  return x;
+/// Sets the starts of one side of a search: sites whose distance exceeds the smallest by less than the margin.
+void Solver::set_starts(Search& search, std::size_t side, double margin, double min_apart, std::size_t max_count,
+                        Scratch& scratch) const {
+  scratch.sites.start_sites(side, margin, min_apart, max_count, scratch.starts);
+  search.starts[side].count = scratch.starts.size();
+  std::copy(scratch.starts.begin(), scratch.starts.end(), search.starts[side].list.begin());
 }
 
-/// Returns q: the nearer of the points of E(r) nearest to p raised on either side.
-Eigen::Vector3d Solver::search(const Search& task, Scratch& scratch, OffsetOutcome& outcome) const {
-  const Sample& sample = task.sample;
-  const std::array<Eigen::Vector3d, 2>& places = task.places;
-  constexpr double apart = 2;
-  constexpr std::size_t max_starts = 3;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  double best = infinite;
-  Eigen::Vector3d q = sample.p + grid_.r * Eigen::Vector3d::UnitZ();  // if there are no sites
-  double nearest_site = infinite;
-  Eigen::Vector3d nearest_place = q;
-  // The nearer side first, whatever the orientation of the normal.
-  const std::array<double, 2> distances = measure(places, scratch);
-  const std::size_t first = distances[0] <= distances[1] ? 0 : 1;
-  for (const std::size_t side : {first, 1 - first}) {
-    const double distance = distances[side];
-    if (distance - gain() > std::min(best, nearest_site)) break;
-    scratch.sites.start_sites(side, gain(), apart, max_starts, scratch.starts);
-    if (distance < nearest_site) {
-      nearest_site = distance;
-      nearest_place = sites_.place(scratch.starts.front().site);
-    }
-    std::optional<Eigen::Vector3d> known;  // found from this side
-    const auto refine_all = [&] {
-      for (const NearbySites::Site& start : scratch.starts) {
-        const bool is_known = best < infinite && (sites_.place(start.site) - q).norm() < apart;
-        if (is_known || static_cast<double>(start.distance) - gain() > best) continue;
-        const auto x = refine(sample, places[side], start.site, known);
-        if (!x || !((*x - places[side]).norm() < best)) continue;
-        best = (*x - places[side]).norm();
-        q = *x;
-        known = q;
-      }
-    };
-    refine_all();
-    if (!(best < infinite)) {
-      scratch.sites.start_sites(side, extended_margin(), apart / 2, 3 * max_starts, scratch.starts);
-      refine_all();
-    }
-    if (places[0] == places[1]) break;
+/// Finds the first starts of a search, or further ones if these have failed.
+void Solver::find_starts(Search& search, Scratch& scratch) const {
+  search.needs_sites = false;
+  search.next_start = 0;
+  search.distances = measure(search.places, scratch);
+  const auto& distances = search.distances;
+  if (search.is_extended) {
+    return set_starts(search, search.side, extended_margin(), apart / 2, max_starts, scratch);
   }
-  if (best < infinite) return q;
-  outcome = OffsetOutcome::undecided;
-  return nearest_place;
+  search.side = distances[0] <= distances[1] ? 0 : 1;
+  search.is_last_side = search.places[0] == search.places[1];
+  for (const std::size_t side : {search.side, 1 - search.side}) {
+    const bool is_used =
+        side == search.side || (!search.is_last_side && distances[side] - gain() <= distances[1 - side]);
+    if (is_used) set_starts(search, side, gain(), apart, max_starts / 3, scratch);
+  }
+}
+
+/// Finds the starts of all searches that need them. Returns false if none does.
+bool Solver::find_starts(Scratch& scratch) const {
+  scratch.running.clear();
+  for (const SearchGroup& group : scratch.groups) {
+    scratch.places = group.places;
+    scratch.reach = 0;
+    for (std::size_t i = group.begin; i < group.end; ++i) {
+      Search& search = scratch.searches[i];
+      if (!search.needs_sites) continue;
+      find_starts(search, scratch);
+      scratch.running.push_back(i);
+    }
+  }
+  return !scratch.running.empty();
+}
+
+/// Returns the next site from which a search begins on the current side; null if there is none.
+const NearbySites::Site* Solver::next_start(Search& search) const {
+  const Starts& starts = search.starts[search.side];
+  while (search.next_start < starts.count) {
+    const NearbySites::Site& start = starts.list[search.next_start++];
+    const bool is_known = search.best < infinity && (sites_.place(start.site) - search.q).norm() < apart;
+    if (!is_known && static_cast<double>(start.distance) - gain() <= search.best) return &start;
+  }
+  return nullptr;
+}
+
+/// Sets the next iteration of a search. Returns false if there is none, or more sites are needed.
+bool Solver::begin_iteration(Search& search, OffsetPointTask& task) const {
+  while (true) {
+    if (const NearbySites::Site* start = next_start(search)) {
+      task = {.p = search.places[search.side],
+              .start = sites_.place(start->site),
+              .triangle = sites_.triangle(start->site),
+              .known = search.known,
+              .found = {}};
+      search.repeats = 0;
+      return true;
+    }
+    if (!(search.best < infinity) && !search.is_extended) {
+      search.is_extended = search.needs_sites = true;
+      return false;
+    }
+    const double nearest = search.distances[search.side];
+    if (search.is_last_side) return false;
+    search.is_last_side = true;
+    search.side = 1 - search.side;
+    if (search.distances[search.side] - gain() > std::min(search.best, nearest)) return false;
+    search.next_start = 0;
+    search.is_extended = false;
+    search.known = no_point;
+  }
+}
+
+/// Evaluates an iteration. Returns true if it is continued, with a triangle that covers its result.
+bool Solver::is_continued(Search& search, OffsetPointTask& task) const {
+  constexpr int max_repeats = 3;
+  constexpr double nearly_free = 0.8;  // of r
+  if (!task.found) return false;
+  Eigen::Vector3d x = *task.found;
+  const Eigen::Vector3d& p = search.sample.p;
+  const std::int32_t triangle = search.repeats < max_repeats ? covering_triangle(search.sample, x) : -1;
+  if (triangle >= 0) {
+    ++search.repeats;
+    task.start = x;
+    task.triangle = triangle;
+    return true;
+  }
+  const double height = (x - p).norm();
+  if (height < nearly_free * grid_.r) return false;
+  if (height < grid_.r) x = p + grid_.r / height * (x - p);
+  const double distance = (x - search.places[search.side]).norm();
+  if (!(distance < search.best)) return false;
+  search.best = distance;
+  search.q = search.known = x;
+  return false;
+}
+
+/// Iterates from the starts that have been found.
+void Solver::iterate(Scratch& scratch) const {
+  std::vector<OffsetPointTask>& tasks = scratch.tasks;
+  std::vector<std::size_t>& running = scratch.running;
+  tasks.resize(running.size());
+  const auto keep = [&](const auto& goes_on) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < running.size(); ++i) {
+      if (!goes_on(scratch.searches[running[i]], tasks[i])) continue;
+      tasks[kept] = tasks[i];
+      running[kept++] = running[i];
+    }
+    tasks.resize(kept);
+    running.resize(kept);
+  };
+  keep([this](Search& search, OffsetPointTask& task) { return begin_iteration(search, task); });
+  while (!tasks.empty()) {
+    find_nearest_offset_points(exterior_, tasks);
+    keep([this](Search& search, OffsetPointTask& task) {
+      return is_continued(search, task) || begin_iteration(search, task);
+    });
+  }
+}
+
+/// Returns the site nearest to the sample raised on the nearer side.
+Eigen::Vector3d Solver::nearest_site(const Search& search) const {
+  const Starts& starts = search.starts[search.distances[0] <= search.distances[1] ? 0 : 1];
+  if (starts.count == 0) return search.sample.p + grid_.r * Eigen::Vector3d::UnitZ();
+  return sites_.place(starts.list.front().site);
 }
 
 /// Returns q if it is p + r n or p - r n. Otherwise returns nothing and sets `places` to p raised on either side.
@@ -397,30 +515,39 @@ void Solver::finish(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::V
   results_.values[index] = std::max(0.0, (height - r) + (exit - r)) * grid_.cell;
 }
 
-/// Solves the direct samples first; sites are collected around the others only.
-void Solver::solve_group(const Group& group, Scratch& scratch) const {
-  scratch.searches.clear();
-  scratch.places.setEmpty();
-  scratch.reach = 0;
+/// Solves the direct samples of a group, and adds the others to the searches.
+void Solver::solve_direct(const Group& group, Scratch& scratch) const {
+  SearchGroup searches{scratch.searches.size(), 0, {}};
   for (std::size_t k = group.begin; k < group.end; ++k) {
-    const Eigen::Index i = order_[k];
-    Search task{.index = i,
-                .sample = {grid_.to_cells(points_.row(i).transpose()), normals_.row(i).transpose(),
-                           likely_[static_cast<std::size_t>(i)]},
-                .places = {}};
-    if (!is_on_surface(task.sample, scratch.surface)) continue;
-    if (const auto q = direct(task.sample, task.places)) {
-      results_.outcomes[static_cast<std::size_t>(i)] = OffsetOutcome::direct;
-      finish(i, task.sample.p, *q);
+    Search search;
+    search.index = order_[k];
+    const auto i = static_cast<std::size_t>(search.index);
+    search.sample = {grid_.to_cells(points_.row(search.index).transpose()), normals_.row(search.index).transpose(),
+                     likely_[i]};
+    if (!is_on_surface(search.sample, scratch.surface)) continue;
+    if (const auto q = direct(search.sample, search.places)) {
+      results_.outcomes[i] = OffsetOutcome::direct;
+      finish(search.index, search.sample.p, *q);
       continue;
     }
-    for (const Eigen::Vector3d& place : task.places) scratch.places.extend(place);
-    scratch.searches.push_back(task);
+    for (const Eigen::Vector3d& place : search.places) searches.places.extend(place);
+    scratch.searches.push_back(search);
   }
-  for (const Search& task : scratch.searches) {
-    OffsetOutcome& outcome = results_.outcomes[static_cast<std::size_t>(task.index)];
-    outcome = OffsetOutcome::searched;
-    finish(task.index, task.sample.p, search(task, scratch, outcome));
+  searches.end = scratch.searches.size();
+  if (searches.end > searches.begin) scratch.groups.push_back(searches);
+}
+
+/// Solves the direct samples first; sites are collected around the others only.
+void Solver::solve_batch(const Batch& batch, Scratch& scratch) const {
+  scratch.searches.clear();
+  scratch.groups.clear();
+  for (std::size_t g = batch.begin; g < batch.end; ++g) solve_direct(groups_[g], scratch);
+  while (find_starts(scratch)) iterate(scratch);
+  for (const Search& search : scratch.searches) {
+    const bool is_found = search.best < infinity;
+    results_.outcomes[static_cast<std::size_t>(search.index)] =
+        is_found ? OffsetOutcome::searched : OffsetOutcome::undecided;
+    finish(search.index, search.sample.p, is_found ? search.q : nearest_site(search));
   }
 }
 

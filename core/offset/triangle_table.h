@@ -42,21 +42,13 @@ class TriangleTable {
   /// False for degenerate triangles.
   [[nodiscard]] bool is_over_face(const Eigen::Vector3d& x, std::int32_t triangle, double at_most) const;
 
-  /// Kind of feature of a triangle.
-  enum class Part : std::uint8_t { face, edge, corner };
-  /// Feature of a triangle.
-  struct Feature {
-    Part part;
-    Eigen::Vector3d edge;  ///< unit direction of the edge; zero for faces and corners
-  };
-  /// Returns the feature that contains a point of a triangle.
-  [[nodiscard]] Feature feature_at(const Eigen::Vector3d& point, std::int32_t triangle) const;
-
   /// Computes the vectors from the closest point of each triangle to its own query point. Replaces the points.
   void vectors_to_each(Vectors& points, const std::int32_t* triangles) const;
 
   /// a, ab, ac, the duals of ab and ac in the triangle's plane, 1 / |bc|^2
   struct alignas(16) Record : std::array<float, 16> {};
+  /// Returns the records of all triangles.
+  [[nodiscard]] const float* records() const { return records_.front().data(); }
 
  private:
   std::vector<Record> records_;

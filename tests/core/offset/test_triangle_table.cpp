@@ -70,24 +70,6 @@ TEST(TriangleTable, MatchesTheClosestPointInDoublePrecision) {
   }
 }
 
-TEST(TriangleTable, DistinguishesFacesEdgesAndCorners) {
-  using Part = TriangleTable::Part;
-  TriangleTable table;
-  table.resize(1);
-  table.set(0, {0, 0, 0}, {4, 0, 0}, {0, 4, 0});
-  EXPECT_EQ(table.feature_at({1, 1, 0}, 0).part, Part::face);
-  for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0, 0, 0), {4, 0, 0}, {0, 4, 0}}) {
-    EXPECT_EQ(table.feature_at(corner, 0).part, Part::corner);
-  }
-  for (const auto& [point, way] : {std::pair(Eigen::Vector3d(2, 0, 0), Eigen::Vector3d(1, 0, 0)),
-                                   {{0, 2, 0}, {0, 1, 0}},
-                                   {{2, 2, 0}, {-std::sqrt(0.5), std::sqrt(0.5), 0}},
-                                   {{1, 3, 0}, {-std::sqrt(0.5), std::sqrt(0.5), 0}}}) {
-    EXPECT_EQ(table.feature_at(point, 0).part, Part::edge);
-    EXPECT_NEAR(table.feature_at(point, 0).edge.dot(way), 1, 1e-6);
-  }
-}
-
 TEST(TriangleTable, VectorsToEachUsesOnePointPerTriangle) {
   const std::vector<Triangle> triangles = triangles_of_all_kinds(8);
   TriangleTable table;

@@ -1,0 +1,157 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+#include "shapegauge/core/offset/nearest_offset_point.h"
+#include "shapegauge/core/offset/offset_sites.h"
+#include "shapegauge/core/shape/shape.h"
+#include "tests/core/sdf/crevice_shapes.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+constexpr double site_band = 0.9;
+const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+
+struct TaskGrid {
+  TaskGrid(const Shape& shape, double offset)
+      : grid(bounding_box(shape), offset, offset / 3),
+        surface(grid, shape, 0.75, false),
+        exterior(grid, surface, site_band, false) {}
+
+  BlockGrid grid;
+  GridSurface surface;
+  ExteriorGrid exterior;
+};
+
+/// Edges of a cube of edge 1, once for each triangle at them, with two directions from their middles into the exterior.
+struct CubeEdge {
+  std::int32_t triangle;
+  Eigen::Vector3d middle, towards, start;
+};
+
+std::vector<CubeEdge> edges_of(const Shape& cube) {
+  const Eigen::Vector3d centre = bounding_box(cube).center();
+  std::vector<CubeEdge> edges;
+  for (Eigen::Index f = 0; f < cube.triangles.rows(); ++f) {
+    const auto corner = [&](int k) -> Eigen::Vector3d { return cube.vertices.row(cube.triangles(f, k % 3)); };
+    const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+    for (int k = 0; k < 3; ++k) {
+      if ((corner(k + 1) - corner(k)).norm() > 1.1) continue;  // a diagonal
+      const Eigen::Vector3d middle = (corner(k) + corner(k + 1)) / 2;
+      const Eigen::Vector3d out = (middle - centre).normalized();
+      const Eigen::Vector3d across = (normal - normal.dot(out) * out).normalized();
+      const auto turned = [&](double angle) { return std::cos(angle) * out + std::sin(angle) * across; };
+      edges.push_back({static_cast<std::int32_t>(f), middle, turned(-0.4), turned(0.3)});
+    }
+  }
+  return edges;
+}
+
+TEST(NearestOffsetPoint, ConvergesAroundEdges) {
+  const Shape cube = test::box({1, 1, 1}, 1);
+  const double r = 0.2;
+  const TaskGrid grids(cube, r);
+  std::vector<OffsetPointTask> tasks;
+  const std::vector<CubeEdge> edges = edges_of(cube);
+  ASSERT_EQ(edges.size(), 24U);
+  for (const CubeEdge& edge : edges) {
+    tasks.push_back({.p = grids.grid.to_cells(edge.middle + 0.2 * r * edge.towards),
+                     .start = grids.grid.to_cells(edge.middle + r * edge.start),
+                     .triangle = edge.triangle,
+                     .known = nowhere,
+                     .found = {}});
+  }
+  find_nearest_offset_points(grids.exterior, tasks);
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    ASSERT_TRUE(tasks[i].found) << i;
+    const Eigen::Vector3d exact = grids.grid.to_cells(edges[i].middle + r * edges[i].towards);
+    EXPECT_LT((*tasks[i].found - exact).norm(), 0.01 * grids.grid.r) << i;
+  }
+}
+
+TEST(NearestOffsetPoint, ConvergesAroundCorners) {
+  const Shape cube = test::box({1, 1, 1}, 1);
+  const double r = 0.2;
+  const TaskGrid grids(cube, r);
+  const Eigen::Vector3d centre = bounding_box(cube).center();
+  for (Eigen::Index f = 0; f < cube.triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d corner = cube.vertices.row(cube.triangles(f, k));
+      const Eigen::Vector3d out = 2 * (corner - centre);  // (+-1, +-1, +-1)
+      const Eigen::Vector3d towards = out.cwiseProduct(Eigen::Vector3d(1, 2, 3)).normalized();
+      const Eigen::Vector3d start = out.cwiseProduct(Eigen::Vector3d(2, 1, 2)).normalized();
+      std::vector<OffsetPointTask> tasks{{.p = grids.grid.to_cells(corner + 0.3 * r * towards),
+                                          .start = grids.grid.to_cells(corner + r * start),
+                                          .triangle = static_cast<std::int32_t>(f),
+                                          .known = nowhere,
+                                          .found = {}}};
+      find_nearest_offset_points(grids.exterior, tasks);
+      ASSERT_TRUE(tasks[0].found) << f << ' ' << k;
+      const Eigen::Vector3d exact = grids.grid.to_cells(corner + r * towards);
+      EXPECT_LT((*tasks[0].found - exact).norm(), 0.01 * grids.grid.r) << f << ' ' << k;
+    }
+  }
+}
+
+/// Tasks from sites to the middles of their triangles.
+std::vector<OffsetPointTask> many_tasks(const TaskGrid& grids, const Shape& shape) {
+  const OffsetSites sites(grids.exterior, site_band, false);
+  std::vector<OffsetPointTask> tasks;
+  for (std::size_t c = 0; c < sites.chunks.size(); ++c) {
+    for (std::size_t i = 0; i < sites.chunks[c].triangle.size(); i += 5) {
+      const auto site = static_cast<std::uint32_t>(c * OffsetSites::max_in_chunk + i);
+      const Triangle t = triangle_in_cells(grids.grid, shape, sites.triangle(site));
+      tasks.push_back({.p = (t.a + t.b + t.c) / 3,
+                       .start = sites.place(site),
+                       .triangle = sites.triangle(site),
+                       .known = nowhere,
+                       .found = {}});
+    }
+  }
+  return tasks;
+}
+
+TEST(NearestOffsetPoint, ResultOfATaskDoesNotDependOnTheOthers) {
+  const Shape shape = test::of_diagonal_1(test::star());
+  const TaskGrid grids(shape, 0.05);
+  const std::vector<OffsetPointTask> tasks = many_tasks(grids, shape);
+  ASSERT_GT(tasks.size(), 100U);
+  std::vector<OffsetPointTask> together = tasks;
+  find_nearest_offset_points(grids.exterior, together);
+  std::vector<OffsetPointTask> backwards(tasks.rbegin(), tasks.rend());
+  find_nearest_offset_points(grids.exterior, backwards);
+  std::reverse(backwards.begin(), backwards.end());
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    std::vector<OffsetPointTask> alone{tasks[i]};
+    find_nearest_offset_points(grids.exterior, alone);
+    EXPECT_EQ(alone[0].found, together[i].found) << i;
+    EXPECT_EQ(backwards[i].found, together[i].found) << i;
+    found += together[i].found ? 1 : 0;
+  }
+  EXPECT_GT(found, tasks.size() / 4);
+}
+
+TEST(NearestOffsetPoint, IsAbandonedNearAKnownResult) {
+  const Shape cube = test::box({1, 1, 1}, 1);
+  const double r = 0.2;
+  const TaskGrid grids(cube, r);
+  const CubeEdge edge = edges_of(cube).front();
+  const Eigen::Vector3d known = grids.grid.to_cells(edge.middle + r * edge.towards);
+  std::vector<OffsetPointTask> tasks{{.p = grids.grid.to_cells(edge.middle + 0.2 * r * edge.towards),
+                                      .start = grids.grid.to_cells(edge.middle + r * edge.start),
+                                      .triangle = edge.triangle,
+                                      .known = known,
+                                      .found = {}}};
+  find_nearest_offset_points(grids.exterior, tasks);
+  EXPECT_FALSE(tasks[0].found);
+}
+
+}  // namespace
+}  // namespace shapegauge
