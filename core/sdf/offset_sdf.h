@@ -17,7 +17,7 @@ namespace shapegauge {
 /// Cache version of offset_sdf(); see docs/manual/cache.md.
 inline constexpr int offset_sdf_version = 10;
 
-/// Resolution of the grid (docs/methods/offset_sdf.md#what-is-promised): cells of edge r/2.5, r/3 or r/5.
+/// Resolution of the grid (docs/methods/offset_sdf.md#guarantees): cells of edge r/2.5, r/3 or r/5.
 enum class OffsetAccuracy { fast, standard, fine };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<OffsetAccuracy>{"fast", "standard", "fine"};

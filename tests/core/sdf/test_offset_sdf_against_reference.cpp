@@ -16,7 +16,7 @@ namespace {
 
 class OffsetSdfAgainstReference : public testing::TestWithParam<test::OffsetCase> {};
 
-/// What docs/methods/offset_sdf.md#what-is-promised states of an accuracy, in parts of r.
+/// What docs/methods/offset_sdf.md#guarantees states of an accuracy, in parts of r.
 struct Stated {
   OffsetAccuracy accuracy;
   double cell;          ///< h

@@ -10,7 +10,7 @@ int main(int count, char** arguments) {
     const shapegauge::Samples samples = shapegauge::sample_shape(shape, shapegauge::SampleSite::faces);
     const shapegauge::OffsetSdfResult sdf = shapegauge::offset_sdf(shape, samples, {.offset = 0.01});
     std::cout << sdf.values.transpose().format(Eigen::IOFormat(3)) << '\n';
-  } catch (const std::exception& error) {  // which file, where in it, what is wrong
+  } catch (const std::exception& error) {  // states the file, the line and the problem
     std::cerr << error.what() << '\n';
     return 1;
   }
