@@ -184,7 +184,7 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
                         const ComparisonOptions& options) {
   return fmt::format(
       "{} queries of {}, protocol {}, {} averages, {:g} % intervals and tests over {}.\n"
-      "A letter behind a score: significantly better than that method ({} test, Holm's correction, p <= {:g}).\n",
+      "A letter after a score: significantly better than that method ({} test, Holm's correction, p <= {:g}).\n",
       methods.classes.size(), fmt::format("{} {}", comparisons[0].units, name_of(options.blocks)), methods.protocol,
       name_of(options.average), 100 * options.confidence, name_of(options.blocks), name_of(options.test),
       1 - options.confidence);
