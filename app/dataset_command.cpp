@@ -48,7 +48,8 @@ std::string proposed_configuration(const DatasetLocation& location) {
   if (!location.classification.empty()) {
     const fs::path relative = location.classification.lexically_relative(location.root);
     const bool below = !relative.empty() && *relative.begin() != "..";
-    dataset["classification"] = below ? relative.string() : fs::absolute(location.classification).lexically_normal().string();
+    dataset["classification"] =
+        below ? relative.string() : fs::absolute(location.classification).lexically_normal().string();
   }
   if (location.split != "all") dataset["split"] = location.split;
   return fmt::format("\"dataset\": {}", dataset.dump());
@@ -138,10 +139,10 @@ int generate(const GenerateArguments& arguments) {
 }
 
 // Returns the table of models that 'evaluate --labels' reads.
-Table label_table(const Dataset& dataset) {
+TextTable label_table(const Dataset& dataset) {
   const bool has_subclasses =
       std::ranges::any_of(dataset.models, [](const Model& model) { return !model.subclass.empty(); });
-  Table table{.header = {"id", "class"}, .rows = {}};
+  TextTable table{.header = {"id", "class"}, .rows = {}};
   if (has_subclasses) table.header.emplace_back("subclass");
   for (const Model& model : dataset.models) {
     table.rows.push_back({model.id, dataset.classes[static_cast<std::size_t>(model.label)]});

@@ -31,6 +31,13 @@ EvaluationCase case_with_ties(std::size_t models, unsigned seed, Protocol protoc
       if (symmetric && j < i) result.distances(i, j) = result.distances(j, i);
     }
   }
+  // Queries that find nothing have tests of their own (RankedList).
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index other = (i + 1) % count;
+    const auto finite = (result.distances.row(i).array() < std::numeric_limits<double>::infinity()).count();
+    const bool is_own_finite = result.distances(i, i) < std::numeric_limits<double>::infinity();
+    if (finite == (is_own_finite ? 1 : 0)) result.distances(i, other) = result.distances(other, i) = 1;
+  }
   return result;
 }
 

@@ -8,8 +8,6 @@
 namespace shapegauge {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 TEST(MeanDistanceToNearest, IsThatOfTheTenNearest) {
   std::vector<double> distances{50};
   for (int i = 12; i > 0; --i) distances.push_back(i);
@@ -18,6 +16,7 @@ TEST(MeanDistanceToNearest, IsThatOfTheTenNearest) {
 }
 
 TEST(MeanDistanceToNearest, IgnoresDuplicatesAndTheInfinitelyFar) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(mean_distance_to_nearest(std::vector<double>{0, 2, infinity, 4}), 3);
   EXPECT_TRUE(std::isnan(mean_distance_to_nearest(std::vector<double>{0, infinity})));
 }

@@ -8,33 +8,35 @@
 namespace shapegauge {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unreachable = std::numeric_limits<double>::infinity();
 
-DistanceMatrix distances() {
-  return DistanceMatrix{
-      {0, 2, 1, infinity}, {2, 0, 2, infinity}, {1, 2, 0, infinity}, {infinity, infinity, infinity, 0}};
+DistanceMatrix with_a_far_model() {
+  return DistanceMatrix{{0, 2, 1, unreachable},
+                        {2, 0, 2, unreachable},
+                        {1, 2, 0, unreachable},
+                        {unreachable, unreachable, unreachable, 0}};
 }
 
 TEST(NearestModels, AreInOrderWithTiesByIndexAndWithoutTheInfinitelyFar) {
-  const DistanceMatrix matrix = distances();
+  const DistanceMatrix matrix = with_a_far_model();
   const NearestModels nearest = nearest_models(4, 2, rows_of(matrix));
   EXPECT_EQ(nearest.indices.row(0), (Eigen::RowVector2i{2, 1}));
   EXPECT_EQ(nearest.indices.row(1), (Eigen::RowVector2i{0, 2}));
   EXPECT_EQ(nearest.indices.row(3), (Eigen::RowVector2i{-1, -1}));
   EXPECT_EQ(nearest.distances.row(2), (Eigen::RowVector2d{1, 2}));
-  EXPECT_EQ(nearest.distances(3, 0), infinity);
+  EXPECT_EQ(nearest.distances(3, 0), unreachable);
   EXPECT_EQ(nearest.largest, 2);
 }
 
 TEST(NearestModels, AreAtMostAllOthers) {
-  const DistanceMatrix matrix = distances();
+  const DistanceMatrix matrix = with_a_far_model();
   EXPECT_EQ(nearest_models(4, 100, rows_of(matrix)).indices.cols(), 3);
   const DistanceMatrix alone = DistanceMatrix::Zero(1, 1);
   EXPECT_EQ(nearest_models(1, 1, rows_of(alone)).indices.cols(), 0);
 }
 
 TEST(NearestModels, RefuseWrongNumbers) {
-  DistanceMatrix matrix = distances();
+  DistanceMatrix matrix = with_a_far_model();
   EXPECT_THROW(nearest_models(4, 0, rows_of(matrix)), ArgumentError);
   EXPECT_THROW(nearest_models(3, 1, rows_of(matrix)), ArgumentError) << "rows of another length";
   matrix(0, 1) = -1;
@@ -66,7 +68,7 @@ TEST(OverflowSafeMean, OfHugeDistancesIsFinite) {
 
 TEST(MeanDistance, IgnoresInfiniteOnesIfThereAreFiniteOnes) {
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, 2, 6}}), 3);
-  EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, infinity, 3}}), 2);
+  EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, unreachable, 3}}), 2);
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd(0)), 0);
 }
 
