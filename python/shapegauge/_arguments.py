@@ -31,7 +31,7 @@ if TYPE_CHECKING:
         def __call__(self, vertices: Any, *args: Settings.args, **kwargs: Settings.kwargs) -> Result: ...
 
     class OfPathAndShape(Protocol[Settings, Result]):
-        """The same with a path in front."""
+        """Like OfShape, with a path as first argument."""
 
         @overload
         def __call__(self, path: PathLike, vertices: Any, faces: Any, *args: Settings.args,
@@ -46,14 +46,14 @@ _PACKAGE = __name__.split(".", maxsplit=1)[0]
 
 
 def progress_of(on_progress: Optional[Progress]) -> Optional[Progress]:
-    """The function that progress is told; None: nobody is."""
+    """Returns the progress callback, or None."""
     if on_progress is not None and not callable(on_progress):
         raise InputError(f"on_progress must be a function of stage, done and total, not {_kind(on_progress)}")
     return on_progress
 
 
 def warn(sentences: Iterable[str], prefix: str = "") -> None:
-    """Warns of each sentence at the line that called the package."""
+    """Issues a warning for each sentence at the line that called the package."""
     level, frame = 1, _sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] == _PACKAGE:
         level, frame = level + 1, frame.f_back
@@ -62,7 +62,7 @@ def warn(sentences: Iterable[str], prefix: str = "") -> None:
 
 
 def path_of(path: Any, name: str) -> str:
-    """The path as text."""
+    """Returns the path as text."""
     try:
         text = _os.fsdecode(path)
     except TypeError:
@@ -73,12 +73,12 @@ def path_of(path: Any, name: str) -> str:
 
 
 def number_of_threads(threads: Any) -> int:
-    """The number of threads; 0: all."""
+    """Returns the number of threads; 0 means all cores."""
     return whole_number(threads, "threads", 0, 1024)
 
 
 def whole_number(value: Any, name: str, low: int, high: int) -> int:
-    """A number from low to high as an int."""
+    """Returns a whole number from low to high as an int."""
     is_whole = isinstance(value, _numbers.Integral) and not isinstance(value, bool)
     if not is_whole or not low <= int(value) <= high:
         raise InputError(f"{name} is {_shown(value)}; it must be a whole number from {low} to {high}")
@@ -86,21 +86,21 @@ def whole_number(value: Any, name: str, low: int, high: int) -> int:
 
 
 def word(value: Any, name: str) -> str:
-    """A string."""
+    """Validates a string."""
     if not isinstance(value, str):
         raise InputError(f"{name} must be a string, not {_kind(value)}")
     return str(value)
 
 
 def switch(value: Any, name: str) -> bool:
-    """A bool."""
+    """Validates a bool."""
     if not isinstance(value, (bool, _numpy.bool_)):
         raise InputError(f"{name} must be True or False, not {_kind(value)}")
     return bool(value)
 
 
 def finite_number(value: Any, name: str) -> float:
-    """A float."""
+    """Returns a finite number as a float."""
     is_number = isinstance(value, _numbers.Real) and not isinstance(value, bool)
     try:
         number = float(value) if is_number else _math.nan
@@ -112,7 +112,7 @@ def finite_number(value: Any, name: str) -> float:
 
 
 def words(values: Any, name: str) -> list[str]:
-    """A list of strings; a single string is a list of one."""
+    """Returns a list of strings; a single string becomes a list of one."""
     if isinstance(values, str):
         return [str(values)]
     values = ordered(values, name)
@@ -120,7 +120,7 @@ def words(values: Any, name: str) -> list[str]:
 
 
 def ordered(values: Any, name: str) -> list[Any]:
-    """The values as a list. What has no order is refused."""
+    """Returns the values as a list. Unordered collections are rejected."""
     if isinstance(values, (_abc.Set, _abc.Mapping)):
         raise InputError(f"{name} must be a list, not {_kind(values)}, which has no order")
     if isinstance(values, (str, bytes)) or not isinstance(values, _abc.Iterable):
@@ -146,7 +146,7 @@ def plain(value: Any, name: str) -> Any:
 
 
 def with_article(noun: str) -> str:
-    """The noun with "a" or "an"."""
+    """Returns the noun with "a" or "an"."""
     return f"{'an' if noun[0] in 'aeiouAEIOU' else 'a'} {noun}"
 
 
@@ -209,7 +209,7 @@ def _rows(values: Any, what: str, kind: Any) -> _numpy.ndarray:
 
 
 def matrix_of(values: Any, what: str) -> _numpy.ndarray:
-    """A matrix of float64."""
+    """Returns a matrix of float64."""
     array = array_of(values, what)
     if array.ndim != 2:
         raise InputError(f"{what} must be a matrix, not {_kind(values) if array.ndim == 0 else _shape_text(array)}")
@@ -217,7 +217,7 @@ def matrix_of(values: Any, what: str) -> _numpy.ndarray:
 
 
 def square_matrix(distances: Any) -> _numpy.ndarray:
-    """A square matrix of float64."""
+    """Returns a square matrix of float64."""
     array = array_of(distances, "distances")
     if array.ndim != 2 or array.shape[0] != array.shape[1]:
         given = _kind(distances) if array.ndim == 0 else _shape_text(array)
@@ -227,19 +227,19 @@ def square_matrix(distances: Any) -> _numpy.ndarray:
 
 
 def is_shape_object(value: Any) -> bool:
-    """Whether the value is an object with the arrays of a shape, and not an array."""
+    """Returns whether the value is an object with the arrays of a shape, not an array."""
     if hasattr(value, "__array__"):
         return False
     return hasattr(value, "vertices") or hasattr(value, "points") or _is_scene(value) or _is_tensor_geometry(value)
 
 
 def _is_scene(value: Any) -> bool:
-    """A scene of trimesh: meshes and where they stand."""
+    """Returns whether the value is a trimesh scene: meshes with transformations."""
     return hasattr(value, "geometry") and callable(getattr(value, "dump", None))
 
 
 def _is_tensor_geometry(value: Any) -> bool:
-    """A mesh or a point cloud of open3d.t."""
+    """Returns whether the value is a mesh or a point cloud of open3d.t."""
     return any("positions" in getattr(value, part, ()) for part in ("vertex", "point"))
 
 
@@ -254,7 +254,7 @@ def _arrays_of_tensors(shape: Any) -> tuple[Any, Any, Any]:
 
 
 def _faces_of_cells(mesh: Any) -> Any:
-    """The triangles among the cells of a mesh of meshio; none: a cloud."""
+    """Returns the triangles among the cells of a meshio mesh; none for a cloud."""
     faces = []
     for block in mesh.cells:
         kind, cells = (block.type, block.data) if hasattr(block, "type") else block
@@ -290,7 +290,7 @@ def _faces_of_points(mesh: Any) -> Any:
 
 
 def _arrays_of_object(shape: Any) -> tuple[Any, Any, Any]:
-    """Vertices, faces and normals of an object."""
+    """Returns the vertices, faces and normals of an object."""
     if _is_scene(shape):
         shape = shape.dump(concatenate=True)
     if _is_tensor_geometry(shape):

@@ -1,4 +1,4 @@
-"""Experiments from their configurations."""
+"""Runs experiments from their configurations."""
 
 from __future__ import annotations
 

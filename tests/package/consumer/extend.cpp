@@ -1,5 +1,5 @@
-// One of everything that can be added, of one's own: a field, a descriptor, a perturbation, a distance, a measure, a
-// file format, a layout of data sets, a way to re-rank and a kind of experiment.
+// Adds one entry to each registry: a field, a descriptor, a perturbation, a distance, a measure, a file format, a
+// layout of data sets, a re-ranking method and a kind of experiment.
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -34,7 +34,7 @@ void add_field() {
   shapegauge::field_types().add(
       {.name = "height",
        .description = "Height above the lowest vertex.",
-       .parameters = {{.name = "factor", .default_value = 1.0, .description = "What heights are multiplied by."}},
+       .parameters = {{.name = "factor", .default_value = 1.0, .description = "Factor applied to the heights."}},
        .make = [](const shapegauge::ParameterValues& settings, const shapegauge::SamplePlan& /*where*/) {
          const auto height = [factor = settings.number("factor")](shapegauge::FieldSource& source,
                                                                   const shapegauge::Samples& samples,
@@ -140,7 +140,7 @@ void add_rerank_method() {
 void add_experiment_kind() {
   shapegauge::experiment_kinds().add(
       {.name = "count",
-       .description = "How many models a data set has.",
+       .description = "Number of models of a data set.",
        .describes = [](const nlohmann::json& document) { return document.contains("count"); },
        .read =
            [](const nlohmann::json& document, const std::string& /*source*/, const std::filesystem::path& folder) {
