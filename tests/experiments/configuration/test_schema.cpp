@@ -294,7 +294,7 @@ std::vector<std::string> code_words(const std::string& text) {
 
 TEST(ExtendingGuide, NamesThePlacesOfEachKind) {
   const std::string program = read_file_bytes(SHAPEGAUGE_EXTENDING_EXAMPLE);
-  const std::filesystem::path repository = std::filesystem::path(SHAPEGAUGE_EXTENDING_GUIDE) / "../../..";
+  const std::filesystem::path repository = std::filesystem::path(SHAPEGAUGE_EXTENDING_GUIDE).parent_path() / "../..";
   int from_outside = 0;
   for (const std::vector<std::string>& row : first_table(read_file_bytes(SHAPEGAUGE_EXTENDING_GUIDE))) {
     ASSERT_EQ(row.size(), 5U);
