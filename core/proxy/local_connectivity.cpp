@@ -77,7 +77,8 @@ void LocalConnectivity::for_each_neighbour(std::int32_t triangle, SharedElement 
 }
 
 /// Walks greedily to the neighbour in the ball nearest to the target, as long as the distance decreases.
-void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, SharedElement shared) {
+void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius,
+                                     SharedElement shared) {
   const Eigen::Vector3d target = spheres_.col(to).head<3>();
   double nearest = (spheres_.col(queue_.back()).head<3>() - target).squaredNorm();
   for (std::int32_t here = queue_.back(); here != to;) {
