@@ -189,8 +189,8 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
     measures: names of measures (default: those of the protocol). ties: "index", "optimistic", "pessimistic" or
     "expected". missing_labels: "error", or "no_class": a model without a label is not a query, and relevant to none.
     targets: labels of the columns, if they are other models than the rows. subclasses: those of the models, which grade
-    models of one class for nDCG@N; None, "" or the model's label for none. relevance: n x n grades in place of labels, 0
-    for not relevant. curve: "psb", "paper", "trec" or "raw" (default: that of the protocol). confidence: confidence level
+    models of one class for nDCG@N; None, "" or the label of the model: no subclass. relevance: n x n grades instead of
+    labels, 0 for not relevant. curve: "psb", "paper", "trec" or "raw" (default: that of the protocol). confidence: level
     of `intervals`, such as 0.95. blocks: unit of resampling, "classes" or "queries".
 
     >>> scores = sg.evaluate(distances, labels, protocol="psb")
