@@ -34,7 +34,7 @@ UnitFrame unit_frame_of(const Shape& shape) {
   return unit_frame(shape);
 }
 
-/// r / h. The table of docs/methods/offset_sdf.md#guarantees has what each is worth.
+/// r / h. The table of docs/methods/offset_sdf.md#guarantees lists the accuracy of each.
 double cells_per_offset(OffsetAccuracy accuracy) {
   switch (accuracy) {
     case OffsetAccuracy::fast:

@@ -74,6 +74,7 @@ struct Welding {
   }
 };
 
+/// Returns the identities of the elements of a mesh.
 Welding welding_of(const Shape& shape);
 
 /// Half-edge: a side of a triangle and its undirected edge, with welded vertex indices (welded_vertices()).
