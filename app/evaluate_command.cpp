@@ -220,7 +220,7 @@ void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
                          [] {
                            throw InputError(
                                "-q is ambiguous after evaluate: use --each-query for the scores of each query, or "
-                               "--quiet to print warnings and errors only");
+                               "--quiet for no messages except warnings and errors");
                          })
       ->group("");  // not in the help
   command.add_option("--per-class", arguments.per_class, "CSV file for the scores of each class");

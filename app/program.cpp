@@ -26,7 +26,7 @@ void settle(CLI::App& app) {
 void add_program_options(CLI::App& app) {
   app.set_version_flag("--version", fmt::format("shapegauge {} ({})", version(), commit()));
   const auto quiet = app.add_flag_callback(
-      "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print only warnings and errors");
+      "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print no messages except warnings and errors");
   app.add_flag_callback(
          "-v,--verbose", [] { set_verbosity(Verbosity::verbose); }, "Print the run time")
       ->excludes(quiet);

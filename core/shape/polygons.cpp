@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "shapegauge/core/base/text.h"
+
 namespace shapegauge {
 
 namespace {
@@ -58,7 +60,8 @@ std::vector<std::int32_t> labels_of_triangles(const Shape& shape, std::span<cons
 
 std::optional<std::string> polygon_note(const Shape& shape) {
   if (!has_polygons(shape)) return std::nullopt;
-  return fmt::format("the {} faces of the file became {} triangles", polygon_count(shape), shape.triangles.rows());
+  return fmt::format("{} of the file became {}", counted(polygon_count(shape), "face", "faces"),
+                     counted(shape.triangles.rows(), "triangle", "triangles"));
 }
 
 }  // namespace shapegauge

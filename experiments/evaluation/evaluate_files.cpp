@@ -287,10 +287,10 @@ std::optional<std::string> left_out_warning(const Evaluation& evaluation, const 
                                             const EvaluationOptions& options) {
   if (evaluation.models_left_out == 0) return std::nullopt;
   return task.judged.empty()
-             ? fmt::format("{} models are not queries, because their classes have fewer than {} models",
-                           evaluation.models_left_out, options.minimum_class_size)
-             : fmt::format("{} queries have fewer than {} relevant models and are omitted from all scores",
-                           evaluation.models_left_out, options.minimum_class_size - 1);
+             ? fmt::format("omitted as queries: {} of classes with fewer than {} models",
+                           counted(evaluation.models_left_out, "model", "models"), options.minimum_class_size)
+             : fmt::format("omitted from all scores: {} with fewer than {} relevant models",
+                           counted(evaluation.models_left_out, "query", "queries"), options.minimum_class_size - 1);
 }
 
 EvaluationData open_evaluation_files(const EvaluationFiles& files) {

@@ -154,7 +154,7 @@ TEST_F(EvaluateCommand, SmallClassesAreLeftOutAndTold) {
   const Outcome outcome = evaluate_toy("--format json --min-class-size 4");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["queries"], 4);
-  EXPECT_THAT(outcome.errors, HasSubstr("warning: 3 models are not queries"));
+  EXPECT_THAT(outcome.errors, HasSubstr("omitted as queries: 3 models"));
 }
 
 TEST_F(EvaluateCommand, CurvesOfAnyKindAndTablesGoToTheirFiles) {

@@ -7,12 +7,21 @@
 namespace shapegauge::naive {
 namespace {
 
-// h[i], for ranks i = 1 ... of the list without the query. h[0] is not used.
+// Returns true if all models but the query are infinitely far from it.
+bool finds_nothing(const Matrix& distances, int query) {
+  for (int model = 0; model < distances.cols(); ++model) {
+    if (model != query && distances(query, model) < std::numeric_limits<double>::infinity()) return false;
+  }
+  return true;
+}
+
+// h[i], for ranks i = 1 ... of the list without the query, which is empty if it finds nothing. h[0] is not used.
 std::vector<int> hits_without_query(const Matrix& distances, const std::vector<int>& labels, int query,
                                     const std::vector<int>& tie_order) {
   const auto place = [&](int model) {
     return tie_order.empty() ? model : tie_order.at(static_cast<std::size_t>(model));
   };
+  if (finds_nothing(distances, query)) return {0};
   const int count = static_cast<int>(labels.size());
   std::vector<int> h(labels.size(), 0);
   for (int model = 0; model < count; ++model) {
@@ -30,9 +39,12 @@ std::vector<int> hits_without_query(const Matrix& distances, const std::vector<i
   return h;
 }
 
+int length(const std::vector<int>& h) { return static_cast<int>(h.size()) - 1; }
+
+// Ranks beyond the end of the list are misses.
 double sum_of_first(const std::vector<int>& h, int last) {
   double sum = 0;
-  for (int i = 1; i <= last; ++i) sum += h.at(static_cast<std::size_t>(i));
+  for (int i = 1; i <= std::min(last, length(h)); ++i) sum += h.at(static_cast<std::size_t>(i));
   return sum;
 }
 
@@ -50,16 +62,15 @@ double average_precision(const std::vector<int>& h, int last, int relevant) {
   return sum / relevant;
 }
 
-std::vector<double> psb_measures(const std::vector<int>& h, int models, int class_size) {
-  const int relevant = class_size - 1;
-  const int k = std::min(32, models - 1);
+std::vector<double> psb_measures(const std::vector<int>& h, int relevant) {
+  const int k = std::min(32, length(h));
   const std::vector<int> all_hits(static_cast<std::size_t>(relevant) + 1, 1);
-  return {static_cast<double>(h.at(1)),
+  return {sum_of_first(h, 1),
           sum_of_first(h, relevant) / relevant,
-          sum_of_first(h, std::min(2 * relevant, models - 1)) / relevant,
+          sum_of_first(h, 2 * relevant) / relevant,
           2 * sum_of_first(h, k) / (k + relevant),
-          discounted(h, models - 1) / discounted(all_hits, relevant),
-          average_precision(h, models - 1, relevant)};
+          discounted(h, length(h)) / discounted(all_hits, relevant),
+          average_precision(h, length(h), relevant)};
 }
 
 std::vector<int> with_query_in_front(const std::vector<int>& h) {
@@ -69,24 +80,24 @@ std::vector<int> with_query_in_front(const std::vector<int>& h) {
 }
 
 // `h` is the list with the query in front.
-std::vector<double> paper_measures(const std::vector<int>& h, int models, int class_size) {
-  const int k = std::min(32, models);
+std::vector<double> paper_measures(const std::vector<int>& h, int class_size) {
+  const int k = std::min(32, length(h));
   const double precision = sum_of_first(h, k) / k;
   const double recall = sum_of_first(h, k) / class_size;
   const std::vector<int> all_hits(static_cast<std::size_t>(class_size) + 1, 1);
-  return {static_cast<double>(h.at(2)),
+  return {sum_of_first(h, 2) - 1,
           sum_of_first(h, class_size) / class_size,
-          sum_of_first(h, std::min(2 * class_size, models)) / class_size,
+          sum_of_first(h, 2 * class_size) / class_size,
           2 / (1 / precision + 1 / recall),
-          discounted(h, models) / discounted(all_hits, class_size),
-          average_precision(h, models, class_size)};
+          discounted(h, length(h)) / discounted(all_hits, class_size),
+          average_precision(h, length(h), class_size)};
 }
 
 int size_of_class(const std::vector<int>& labels, int query) {
   return static_cast<int>(std::ranges::count(labels, labels.at(static_cast<std::size_t>(query))));
 }
 
-// Points (recall, precision) at the hits.
+// Points (recall, precision) at the hits; the precision at those that are not in the list is 0.
 struct Point {
   double recall;
   double precision;
@@ -98,6 +109,7 @@ std::vector<Point> points_at_hits(const std::vector<int>& h, int relevant) {
     if (h.at(static_cast<std::size_t>(i)) == 0) continue;
     points.push_back({sum_of_first(h, i) / relevant, sum_of_first(h, i) / i});
   }
+  while (std::ssize(points) < relevant) points.push_back({(std::ssize(points) + 1.0) / relevant, 0});
   return points;
 }
 
@@ -129,34 +141,44 @@ double largest_from(const std::vector<Point>& points, double recall) {
   return precision;
 }
 
-int first(const std::vector<int>& h, int count) { return std::min(count, static_cast<int>(h.size()) - 1); }
+double reciprocal_rank(const std::vector<int>& h) {
+  for (int i = 1; i <= length(h); ++i) {
+    if (h.at(static_cast<std::size_t>(i)) == 1) return 1.0 / i;
+  }
+  return 0;
+}
 
-// P@1, P@5, R@3, R@9, F1@4, MRR, nDCG, R-prec, AUC-PR.
-std::vector<double> text_retrieval_measures(const std::vector<int>& h, int relevant) {
-  const int last = static_cast<int>(h.size()) - 1;
-  const auto precision = [&](int k) { return sum_of_first(h, first(h, k)) / k; };
-  const auto recall = [&](int k) { return sum_of_first(h, first(h, k)) / relevant; };
-  const bool found = precision(4) > 0;
-  int first_hit = 1;
-  while (h.at(static_cast<std::size_t>(first_hit)) == 0) ++first_hit;
-  double gained = 0;
-  double ideal = 0;
-  for (int i = 1; i <= last; ++i) gained += h.at(static_cast<std::size_t>(i)) / std::log2(i + 1);
-  for (int i = 1; i <= relevant; ++i) ideal += 1 / std::log2(i + 1);
-  const std::vector<Point> points = points_at_hits(h, relevant);
+double area_below(const std::vector<Point>& points) {
+  if (points.empty()) return 0;
   double area = points.front().recall * points.front().precision;
   for (std::size_t i = 1; i < points.size(); ++i) {
     area += (points[i].recall - points[i - 1].recall) * (points[i].precision + points[i - 1].precision) / 2;
   }
-  return {
-      precision(1),    precision(5),   recall(3),        recall(9), found ? 2 / (1 / precision(4) + 1 / recall(4)) : 0,
-      1.0 / first_hit, gained / ideal, recall(relevant), area};
+  return area;
+}
+
+// P@1, P@5, R@3, R@9, F1@4, MRR, nDCG, R-prec, AUC-PR.
+std::vector<double> text_retrieval_measures(const std::vector<int>& h, int relevant) {
+  const auto precision = [&](int k) { return sum_of_first(h, k) / k; };
+  const auto recall = [&](int k) { return sum_of_first(h, k) / relevant; };
+  const double f1 = precision(4) > 0 ? 2 / (1 / precision(4) + 1 / recall(4)) : 0;
+  double gained = 0;
+  double ideal = 0;
+  for (int i = 1; i <= length(h); ++i) gained += h.at(static_cast<std::size_t>(i)) / std::log2(i + 1);
+  for (int i = 1; i <= relevant; ++i) ideal += 1 / std::log2(i + 1);
+  return {precision(1),
+          precision(5),
+          recall(3),
+          recall(9),
+          f1,
+          reciprocal_rank(h),
+          gained / ideal,
+          recall(relevant),
+          area_below(points_at_hits(h, relevant))};
 }
 
 // `h` is the list with the query in front.
-double bulls_eye(const std::vector<int>& h, int class_size) {
-  return sum_of_first(h, first(h, 2 * class_size)) / class_size;
-}
+double bulls_eye(const std::vector<int>& h, int class_size) { return sum_of_first(h, 2 * class_size) / class_size; }
 
 }  // namespace
 
@@ -168,12 +190,11 @@ std::vector<std::string> measure_names() {
 std::vector<double> measures_of(const Matrix& distances, const std::vector<int>& labels, int query, Protocol protocol,
                                 const std::vector<int>& tie_order) {
   const std::vector<int> h = hits_without_query(distances, labels, query, tie_order);
-  const int models = static_cast<int>(labels.size());
   const int class_size = size_of_class(labels, query);
   const bool paper = protocol == Protocol::paper;
   const std::vector<int> judged = paper ? with_query_in_front(h) : h;
   const int relevant = paper ? class_size : class_size - 1;
-  std::vector<double> values = paper ? paper_measures(judged, models, class_size) : psb_measures(h, models, class_size);
+  std::vector<double> values = paper ? paper_measures(judged, class_size) : psb_measures(h, relevant);
   for (const double value : text_retrieval_measures(judged, relevant)) values.push_back(value);
   values.push_back(bulls_eye(with_query_in_front(h), class_size));
   return values;

@@ -31,12 +31,10 @@ EvaluationCase case_with_ties(std::size_t models, unsigned seed, Protocol protoc
       if (symmetric && j < i) result.distances(i, j) = result.distances(j, i);
     }
   }
-  // Queries that find nothing have tests of their own (RankedList).
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index other = (i + 1) % count;
-    const auto finite = (result.distances.row(i).array() < std::numeric_limits<double>::infinity()).count();
-    const bool is_own_finite = result.distances(i, i) < std::numeric_limits<double>::infinity();
-    if (finite == (is_own_finite ? 1 : 0)) result.distances(i, other) = result.distances(other, i) = 1;
+  // Sometimes one query finds nothing.
+  if (std::bernoulli_distribution(0.25)(random)) {
+    const auto row = std::uniform_int_distribution<Eigen::Index>(0, count - 1)(random);
+    result.distances.row(row).setConstant(std::numeric_limits<double>::infinity());
   }
   return result;
 }
