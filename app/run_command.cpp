@@ -287,7 +287,7 @@ void add_run_command(CLI::App& app, int& status) {
   CLI::Option* configuration =
       command->add_option("configuration", arguments->source.configuration, "Configuration file (JSON)");
   begin_option_group(*command, output_options);
-  command->add_option("--output", arguments->output, "Folder for the results (default: results/<name>)");
+  command->add_option("-o,--output", arguments->output, "Folder for the results (default: results/<name>)");
   add_threads_option(*command, arguments->threads);
   begin_option_group(*command, input_options);
   command

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json as _json
+import re as _re
 from typing import Any, Mapping, NamedTuple, Optional, Union
 
 import numpy as _numpy
@@ -101,26 +102,37 @@ def _scalar_field(found: dict[str, Any]) -> ScalarField:
                        found["points"])
 
 
-# The settings of each method: the argument's name, and that in configurations.
+# The field and the settings of each method: the argument's name, and that in configurations.
+_SDF_FIELDS = {"offset": "offset_sdf", "cone": "cone_sdf", "inscribed_ball": "inscribed_ball"}
 _SDF_SETTINGS = {
     "offset": {"offset": "offset", "accuracy": "accuracy"},
     "cone": {"rays": "rays", "opening_angle": "opening_angle_degrees", "engine": "engine"},
+    "inscribed_ball": {"separation_angle": "separation_angle_degrees"},
 }
 _SDF_DEFAULTS = REGISTERED["defaults"]["sdf"]
 
 
+def _sdf_method(method: Any) -> str:
+    names = {**{name: name for name in _SDF_FIELDS}, **{field: name for name, field in _SDF_FIELDS.items()}}
+    if isinstance(method, str) and method in names:
+        return names[method]
+    shown = repr(method) if isinstance(method, str) else with_article(type(method).__name__)
+    raise InputError(f'method must be "offset", "cone" or "inscribed_ball", not {shown}')
+
+
 @with_settings([(f'Settings of method="{method}"',
-                 listing(settings_of("fields", f"{method}_sdf", names), _SDF_DEFAULTS))
+                 listing(settings_of("fields", _SDF_FIELDS[method], names), _SDF_DEFAULTS))
                 for method, names in _SDF_SETTINGS.items()])
 @shape_function
 def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, str] = None, *,
         accuracy: Optional[str] = None, at: Sites = "faces", rays: Optional[int] = None,
-        opening_angle: Optional[float] = None, engine: Optional[str] = None, normals: Any = None,
-        threads: int = 0) -> ScalarField:
-    """The shape diameter function, in the units of the input.
+        opening_angle: Optional[float] = None, engine: Optional[str] = None, separation_angle: Optional[float] = None,
+        normals: Any = None, threads: int = 0) -> ScalarField:
+    """The thickness of a shape by the shape diameter function or inscribed balls, in the units of the input.
 
-    method: "offset" (of the offset surface: noise, cracks and point clouds do no harm) or "cone" (the conventional one,
-    closed meshes); each has settings of its own, below. Returns a ScalarField, which unpacks as values and weights; its
+    method: "offset" (SDF of the offset surface, robust to noise and cracks, also for point clouds), "cone" (the
+    conventional SDF, for closed meshes) or "inscribed_ball" (diameter of the largest inscribed ball); "offset_sdf" and
+    "cone_sdf", the names in configurations, are the same. Each method has its own settings, below. Returns a ScalarField, which unpacks as values and weights; its
     `offset` is the one that "auto" chose.
 
     >>> values, weights = sg.sdf(vertices, faces, method="offset", offset=0.05, at="faces")
@@ -128,22 +140,21 @@ def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, s
     0.0125
     >>> values, weights = sg.sdf(mesh, "cone")
     """
-    if not isinstance(method, str) or method not in _SDF_SETTINGS:
-        shown = repr(method) if isinstance(method, str) else with_article(type(method).__name__)
-        raise InputError(f'method must be "offset" or "cone", not {shown}')
-    given: dict[str, Any] = {"offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle": opening_angle, "engine": engine}
+    method = _sdf_method(method)
+    given: dict[str, Any] = {"offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle": opening_angle,
+                             "engine": engine, "separation_angle": separation_angle}
     given = {name: value for name, value in given.items() if value is not None}
     own = _SDF_SETTINGS[method]
     for name in given:
         if name not in own:
-            other = "cone" if method == "offset" else "offset"
+            other = next(other for other, settings in _SDF_SETTINGS.items() if name in settings)
             raise InputError(f'{name} requires method="{other}", not "{method}"')
     if method == "offset":
         given = {**_SDF_DEFAULTS, **given}
     try:
-        found = _field(shape, f"{method}_sdf", at, {own[name]: value for name, value in given.items()}, threads)
+        found = _field(shape, _SDF_FIELDS[method], at, {own[name]: value for name, value in given.items()}, threads)
     except InputError as error:
-        raise InputError(str(error).replace("opening_angle_degrees", "opening_angle")) from None
+        raise InputError(_re.sub("(opening|separation)_angle_degrees", r"\1_angle", str(error))) from None
     warn(found["leaks"] + found["without_value"])
     return _scalar_field(found)
 

@@ -112,6 +112,8 @@ CALLS = [
     (lambda: sg.sdf(MESH, "x"), "cone"),
     (lambda: sg.sdf(MESH, "cone", opening_angle=500), "opening_angle: "),
     (lambda: sg.sdf(MESH, "cone", rays={1}), "rays"),
+    (lambda: sg.sdf(MESH, "cone_sdf", separation_angle=5), 'separation_angle requires method="inscribed_ball"'),
+    (lambda: sg.sdf(MESH, "inscribed_ball", separation_angle=180), "separation_angle: "),
     (lambda: sg.field(MESH, "centricity", sources=float("inf")), "sources is inf"),
     (lambda: sg.field(MESH, 5), "type"),
     (lambda: sg.describe(MESH, "x"), "^descriptor: "),

@@ -50,6 +50,15 @@ def test_sdf_takes_the_registered_defaults():
     assert (sg.sdf(vertices, faces).values == sg.sdf(vertices, faces, offset=offset, accuracy=accuracy).values).all()
 
 
+def test_sdf_computes_the_field_of_each_method_by_either_name():
+    vertices, faces = bumpy_torus()
+    ball = sg.field(vertices, faces, "inscribed_ball", separation_angle_degrees=30).values
+    assert (sg.sdf(vertices, faces, "inscribed_ball", separation_angle=30).values == ball).all()
+    assert (ball != sg.sdf(vertices, faces, "inscribed_ball").values).any()
+    for method in ["offset", "cone"]:
+        assert (sg.sdf(vertices, faces, method).values == sg.sdf(vertices, faces, f"{method}_sdf").values).all()
+
+
 @pytest.mark.parametrize("function, kind", [(sg.field, "fields"), (sg.describe, "descriptors"), (sg.rerank, "rerank")],
                          ids=lambda value: getattr(value, "__name__", value))
 def test_docstrings_list_every_entry_with_its_settings(function, kind):
