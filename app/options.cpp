@@ -13,7 +13,6 @@
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/preparation/cavities.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
@@ -128,14 +127,8 @@ ColourChoice parse_colours(const ColourArguments& arguments, const std::string& 
 }
 
 void remark_on_cavities(const Shape& shape, bool measures_hull, Remarks& remarks) {
-  const std::size_t cavities = cavity_count(shape);
-  if (cavities == 0) return;
-  const std::string found = fmt::format("the shape is hollow ({} inner surface{})", cavities, cavities > 1 ? "s" : "");
-  if (measures_hull) {
-    remarks.warnings.push_back(
-        found + ": offset_sdf measures its hull, as if it were solid; inscribed_ball and cone_sdf measure its wall");
-  } else {
-    remarks.notes.push_back(found + ": values are the thickness of its wall, not of the hull");
+  if (const auto remark = hollow_remark(shape, measures_hull)) {
+    (measures_hull ? remarks.warnings : remarks.notes).push_back(*remark);
   }
 }
 

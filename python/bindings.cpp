@@ -90,6 +90,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     std::optional<double> offset;
     std::optional<std::string> leak;
     std::optional<std::string> two_sided;
+    std::optional<std::string> hollow;
   };
   Computed computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
@@ -104,6 +105,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
       result.offset = chosen->offset;
       result.leak = leak_warning(*chosen, Audience::python);
       result.two_sided = two_sided_warning(shape, result.values.values, chosen->offset);
+      result.hollow = hollow_remark(shape, true);
     }
     return result;
   });
@@ -118,6 +120,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   };
   result["leaks"] = listed(computed.leak);
   result["two_sided"] = listed(computed.two_sided);
+  result["hollow"] = listed(computed.hollow);
   result["without_value"] = outcome_warnings(computed.values.outcomes);
   return result;
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/preparation/cavities.h"
 #include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/core/shape/connectivity.h"
 
@@ -49,6 +51,15 @@ std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience aud
   return fmt::format("the {} ({:.2g} % of the diagonal){}: the offset surface leaks into it; {}",
                      stays_open ? "widest gap of the shape" : "offset is smaller than the gaps of the shape",
                      100 * chosen.gap, stays_open ? " stays open" : "", advice(chosen, audience));
+}
+
+std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull) {
+  const auto cavities = static_cast<std::int64_t>(cavity_count(shape));
+  if (cavities == 0) return std::nullopt;
+  return fmt::format(
+      "the shape is hollow ({}): {}", counted(cavities, "inner surface", "inner surfaces"),
+      measures_hull ? "offset_sdf measures its hull, as if it were solid; inscribed_ball and cone_sdf measure its wall"
+                    : "values are the thickness of its wall, not of the hull");
 }
 
 std::optional<std::string> two_sided_warning(const Shape& shape, const Eigen::VectorXd& values, double offset) {

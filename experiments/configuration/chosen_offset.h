@@ -32,4 +32,8 @@ std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience aud
 /// closed meshes. `values` are those of the offset SDF; `offset` is a fraction of the diagonal.
 std::optional<std::string> two_sided_warning(const Shape& shape, const Eigen::VectorXd& values, double offset);
 
+/// Says of a hollow body (cavity_count()) whether values are those of its hull, as the offset SDF computes them, or of
+/// its wall. Nothing for other shapes.
+std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull);
+
 }  // namespace shapegauge

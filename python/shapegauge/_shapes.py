@@ -87,7 +87,7 @@ def field(shape: ShapeArrays, type: str = "offset_sdf", *, at: Sites = "faces", 
     >>> values, weights = sg.field(mesh, "centricity", sources=24)
     """
     found = _field(shape, word(type, "type"), at, settings, threads)
-    warn(found["leaks"] + found["without_value"])
+    warn(found["leaks"] + found["hollow"] + found["without_value"])
     return _scalar_field(found)
 
 
@@ -155,7 +155,7 @@ def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, s
         found = _field(shape, _SDF_FIELDS[method], at, {own[name]: value for name, value in given.items()}, threads)
     except InputError as error:
         raise InputError(_re.sub("(opening|separation)_angle_degrees", r"\1_angle", str(error))) from None
-    warn(found["leaks"] + found["without_value"])
+    warn(found["leaks"] + found["hollow"] + found["without_value"])
     return _scalar_field(found)
 
 

@@ -77,6 +77,17 @@ def test_the_offset_that_was_chosen_is_told(tmp_path):
     assert sg.sdf(VERTICES, FACES, "cone").offset is None and sg.sdf(VERTICES, FACES, "cone").normals is None
 
 
+def test_the_offset_sdf_of_a_hollow_body_is_of_its_hull():
+    axis = VERTICES * [1, 1, 0]
+    axis /= np.linalg.norm(axis, axis=1, keepdims=True)
+    vertices = np.concatenate([VERTICES, (VERTICES + axis) / 2])  # inner surface: halfway to the axis of the tube
+    faces = np.concatenate([FACES, FACES[:, ::-1] + len(VERTICES)])
+    _, found = warned(lambda: sg.sdf(vertices, faces))
+    assert [sentence for sentence in found if "hollow (1 inner surface)" in sentence and "hull" in sentence] == found
+    _, found = warned(lambda: sg.sdf(vertices, faces, "inscribed_ball"))
+    assert found == []
+
+
 def test_ties_are_counted_and_bounded():
     # All distances but one are equal: FT is what the order of equals makes of it.
     labels = [0, 0, 0, 1, 1, 1]
