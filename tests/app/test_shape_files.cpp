@@ -54,6 +54,12 @@ TEST_F(ShapeFiles, SeveralGiveWhatEachGivesAlone) {
   }
 }
 
+TEST_F(ShapeFiles, TwoFillANewFolder) {
+  ASSERT_EQ(run("convert @sphere.off @box.off -o @pair --output-format ply").status, 0);
+  EXPECT_EQ(read_shape(at("pair/sphere.ply")).vertices.rows(), test::sphere(10, 2).vertices.rows());
+  EXPECT_EQ(read_shape(at("pair/box.ply")).vertices.rows(), test::box({1, 2, 3}, 1).vertices.rows());
+}
+
 TEST_F(ShapeFiles, OneFailureDoesNotEndTheRest) {
   const Outcome outcome = run("convert @sphere.off @broken.off @absent.off @box.off -o @out --output-format ply");
   EXPECT_EQ(outcome.status, 1);

@@ -81,6 +81,8 @@ CALLS = [
     (lambda: sg.describe(MESH, "light_field", type="d2"), "type"),
     (lambda: sg.write("x.off", MESH, 3), "normals"),
     (lambda: sg.sdf(MESH, normals=VERTICES), "normals"),
+    (lambda: sg.sdf(VERTICES, normals=VERTICES[:-1]), "normals for"),
+    (lambda: sg.sdf(VERTICES[:-1], normals=VERTICES), "normals for"),
     # Arrays.
     (lambda: sg.sdf([[0, 0, 0]], [[0, 1, 2]]), "outside 0..0"),
     (lambda: sg.sdf([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], [[0, 1, 2]]), "finite"),

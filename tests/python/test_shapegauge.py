@@ -205,6 +205,12 @@ def test_sums_of_distances():
                                rtol=1e-12)
 
 
+@pytest.mark.parametrize("descriptor", ["surflet_pairs", "shape_dna", "geodesic_spectrum"])
+def test_features_do_not_depend_on_the_unit(descriptor):
+    vertices, faces = bumpy_torus()
+    np.testing.assert_array_equal(sg.describe(vertices, faces, descriptor), sg.describe(4 * vertices, faces, descriptor))
+
+
 def test_what_is_odd_is_warned_of():
     distances, labels = toy()
     with pytest.warns(UserWarning, match="similarities"):

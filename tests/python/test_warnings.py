@@ -77,6 +77,19 @@ def test_the_offset_that_was_chosen_is_told(tmp_path):
     assert sg.sdf(VERTICES, FACES, "cone").offset is None and sg.sdf(VERTICES, FACES, "cone").normals is None
 
 
+def test_models_that_a_run_omits_are_named(tmp_path):
+    for model in ("a/one", "a/two", "b/one", "b/two"):
+        (tmp_path / "shapes" / model).parent.mkdir(parents=True, exist_ok=True)
+        sg.write(tmp_path / "shapes" / f"{model}.off", VERTICES * (2 if "two" in model else 1), FACES)
+    (tmp_path / "shapes/b/three.off").write_text("OFF\n")
+    configuration = {"name": "omitted", "dataset": {"root": str(tmp_path / "shapes"), "layout": "folders"},
+                     "on_error": "skip",
+                     "signatures": [{"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"range": "dataset"}}]}
+    run, found = warned(lambda: sg.run(configuration, tmp_path / "out", cache=""))
+    assert len(run.left_out) == 1 and "three" in run.left_out[0]
+    assert f"omitted {run.left_out[0]}" in found
+
+
 def test_the_offset_sdf_of_a_hollow_body_is_of_its_hull():
     axis = VERTICES * [1, 1, 0]
     axis /= np.linalg.norm(axis, axis=1, keepdims=True)

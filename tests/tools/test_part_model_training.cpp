@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -28,6 +29,17 @@ TEST(PartModelTraining, LearnsWhatIsNotLinear) {
     right += (model.probability(example.features) > 0.5) == (example.together > 0.5) ? 1 : 0;
   }
   EXPECT_GT(right, 750);  // a linear model is right for half of them
+}
+
+TEST(PartModelTraining, ItsFirstStepHasTheLengthOfTheRate) {
+  // Adam's corrected moments of one gradient are the gradient and its square: the step is the rate, whatever its
+  // length. One batch, an epoch of two: half of the rate of the cosine.
+  const std::vector<PartExample> batch = examples(200, 1);
+  const double rate = 0.01;
+  const PartModel once = train_part_model(batch, {.networks = 1, .epochs = 1, .rate = rate});
+  const PartModel twice = train_part_model(batch, {.networks = 1, .epochs = 2, .rate = rate});
+  EXPECT_EQ(once.output_bias, 0);  // the rate ends at 0
+  EXPECT_NEAR(std::abs(twice.output_bias), rate / 2, 1e-4 * rate);
 }
 
 TEST(PartModelTraining, LearnsShares) {

@@ -42,21 +42,21 @@ TEST(ScaledToUnitArea, RefusesACloudWithoutArea) {
   for (const Eigen::Index points : {1, 30}) {
     EXPECT_THAT(
         [&] {
-          prepare_shape({Points::Ones(points, 3), {}, {}}, {}).shape;
+          prepare_shape({Points::Ones(points, 3), {}, {}}, {});
         },
         ThrowsMessage<InputError>(HasSubstr("needs distinct points")));
   }
   Points huge = Points::Random(20, 3) * 1e200;
-  EXPECT_THROW(prepare_shape({huge, {}, {}}, {}).shape, InputError);
+  EXPECT_THROW(prepare_shape({huge, {}, {}}, {}), InputError);
 }
 
 TEST(ScaledToUnitArea, RefusesAnAreaOfZeroOrNotFinite) {
-  EXPECT_THROW(prepare_shape(Shape{}, {}).shape, InputError);
-  EXPECT_THROW(prepare_shape(test::box({1, 0, 0}, 1), {}).shape, InputError);
-  EXPECT_THROW(prepare_shape(test::box({1e200, 1e200, 1}, 1), {}).shape, InputError);
+  EXPECT_THROW(prepare_shape(Shape{}, {}), InputError);
+  EXPECT_THROW(prepare_shape(test::box({1, 0, 0}, 1), {}), InputError);
+  EXPECT_THROW(prepare_shape(test::box({1e200, 1e200, 1}, 1), {}), InputError);
   Shape with_nan = test::box({1, 1, 1}, 1);
   with_nan.vertices(0, 0) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(prepare_shape(with_nan, {}).shape, InputError);
+  EXPECT_THROW(prepare_shape(with_nan, {}), InputError);
 }
 
 TEST(PrepareShape, ScalesTheEstimateOfTheAreaToOne) {

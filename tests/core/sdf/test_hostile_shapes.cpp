@@ -107,7 +107,7 @@ TEST(HostileShapes, WhatHasNoExtentIsAnInputError) {
   EXPECT_TRUE((sample_shape(point, SampleSite::vertices).weights.array() == 0).all());
   EXPECT_THAT([&] { offset_sdf(point, sample_shape(point, SampleSite::faces), {}); },
               ThrowsMessage<InputError>(HasSubstr("no usable extent")));
-  EXPECT_THAT([&] { prepare_shape(point, {}).shape; }, ThrowsMessage<InputError>(HasSubstr("area")));
+  EXPECT_THAT([&] { prepare_shape(point, {}); }, ThrowsMessage<InputError>(HasSubstr("area")));
   const ConeSdfResult cone = cone_sdf(point, sample_shape(point, SampleSite::faces), {});
   EXPECT_EQ(cone.missing, static_cast<std::size_t>(point.triangles.rows()));
 }
@@ -145,7 +145,7 @@ TEST(HostileShapes, HugeAndTinyCoordinates) {
 
 void expect_unusable(const Shape& shape, const std::string& message) {
   EXPECT_THAT([&] { is_watertight(shape); }, ThrowsMessage<InputError>(HasSubstr(message)));
-  EXPECT_THAT([&] { prepare_shape(shape, {}).shape; }, ThrowsMessage<InputError>(HasSubstr(message)));
+  EXPECT_THAT([&] { prepare_shape(shape, {}); }, ThrowsMessage<InputError>(HasSubstr(message)));
   const Samples samples = sample_shape(tetrahedron_at({0, 0, 0}, 1), SampleSite::faces);
   EXPECT_THAT([&] { cone_sdf(shape, samples, {}); }, ThrowsMessage<InputError>(HasSubstr(message)));
   for (const SampleSite site : {SampleSite::faces, SampleSite::vertices}) {

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/fields/bilateral.h"
@@ -228,6 +230,15 @@ TEST(MakeField, ValuesFollowTheScaleByTheirDimension) {
     if (type.name.ends_with("_kernel")) settings["eigenvalues"] = 20;
     const double factor = unit_of(read_field(settings).dimension, 3);
     EXPECT_TRUE(values_on(larger, settings).isApprox(factor * values_on(shape, settings), 1e-3)) << type.name;
+  }
+}
+
+TEST(FieldTypes, HaveEachSettingOnce) {
+  for (const FieldType& type : field_types().entries()) {
+    std::set<std::string> names;
+    for (const Parameter& parameter : type.parameters) {
+      EXPECT_TRUE(names.emplace(parameter.name).second) << type.name << ": " << parameter.name;
+    }
   }
 }
 
