@@ -149,7 +149,6 @@ double reciprocal_rank(const std::vector<int>& h) {
 }
 
 double area_below(const std::vector<Point>& points) {
-  if (points.empty()) return 0;
   double area = points.front().recall * points.front().precision;
   for (std::size_t i = 1; i < points.size(); ++i) {
     area += (points[i].recall - points[i - 1].recall) * (points[i].precision + points[i - 1].precision) / 2;
