@@ -1,7 +1,7 @@
-// measure_search COLLECTION MODELS [answers]: run times of an index of MODELS models. The models of a described
+// measure_search COLLECTION MODELS [FOLDER]: run times of an index of MODELS models. The models of a described
 // collection are multiplied: each copy's features are moved towards those of another model, by a random fraction.
-// "answers": only plain answers, with the scales that the models have in the collection, for numbers whose pairs take
-// hours.
+// FOLDER: only plain answers, with the scales that the models have in the collection, for numbers whose pairs take
+// hours. The new folder gets a link to the file of each model, and the index, for queries by the command line.
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
@@ -13,6 +13,8 @@
 
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/stopwatch.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/search/index_rows.h"
 #include "shapegauge/experiments/search/search.h"
@@ -27,7 +29,8 @@ ShapeIndex multiplied(const ShapeIndex& few, std::size_t models) {
   many.learnt = few.learnt;
   many.field_ranges = few.field_ranges;
   const auto rows = static_cast<Eigen::Index>(models);
-  for (const Signatures& table : few.tables) many.tables.emplace_back(rows, table.cols());
+  std::vector<Signatures> tables;
+  for (const IndexTable& table : few.tables) tables.emplace_back(rows, table.columns);
   for (std::size_t i = 0; i < models; ++i) {
     const std::size_t of = i % few.models.size();
     IndexedFile model = few.models[of];
@@ -39,13 +42,13 @@ ShapeIndex multiplied(const ShapeIndex& few, std::size_t models) {
     many.models.push_back(model);
     const auto other = static_cast<Eigen::Index>(random.below(few.models.size()));
     const auto part = static_cast<float>(i == of ? 0 : random.uniform(0, 0.5));
-    for (std::size_t k = 0; k < many.tables.size(); ++k) {
-      const Signatures& table = few.tables[k];
-      auto row = many.tables[k].row(static_cast<Eigen::Index>(i));
-      row = (1 - part) * table.row(static_cast<Eigen::Index>(of)) + part * table.row(other);
-      if ((table.array() == table.array().round()).all()) row = row.array().round();
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+      const auto table = few.tables[k].signatures();
+      tables[k].row(static_cast<Eigen::Index>(i)) =
+          (1 - part) * table.row(static_cast<Eigen::Index>(of)) + part * table.row(other);
     }
   }
+  for (Signatures& table : tables) many.tables.emplace_back(std::move(table));
   return many;
 }
 
@@ -58,7 +61,31 @@ CollectionSum multiplied(CollectionSum sum, Eigen::Index models) {
   return sum;
 }
 
-int measure(const std::filesystem::path& collection, std::size_t models, bool answers_only) {
+/// Makes a folder with a link for each model, and writes the index beside it.
+void write_collection(OpenIndex index, const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  fs::create_directory(folder);
+  std::vector<IndexedFile>& models = index.contents.models;
+  const std::size_t originals = index.collection.files.size();
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const fs::path file = index.collection.file(index.collection.files[i % originals].path);
+    fs::create_hard_link(file, folder / fmt::format("{:06}{}", i, file.extension().string()));
+  }
+  index.collection = find_collection(folder);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const CollectionFile& file = index.collection.files[i];
+    models[i] = {.id = file.id, .path = file.path.generic_string(), .sha256 = ""};
+    models[i].bytes = fs::file_size(index.collection.file(file.path));
+    models[i].sha256 = sha256_of_file(index.collection.file(file.path));
+  }
+  index.file = usual_index_path(folder);
+  std::vector<std::string> notes;
+  write_index(index, notes);
+  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
+}
+
+int measure(const std::filesystem::path& collection, std::size_t models, const std::filesystem::path& folder) {
+  const bool answers_only = !folder.empty();
   Cache cache(default_cache_folder());
   IndexUpdate update;
   const RunControl control;
@@ -82,12 +109,16 @@ int measure(const std::filesystem::path& collection, std::size_t models, bool an
   start();
   index.contents.sum = answers_only ? sum : sum_of(index.method, index.contents, control);
   if (!answers_only) report("scales and weights of all pairs");
-  const std::string bytes = encode_index(index.contents, index.method.key());
-  fmt::print("index: {:.1f} kB a model\n", static_cast<double>(bytes.size()) / 1000 / static_cast<double>(models));
+  if (answers_only) write_collection(index, folder);
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "measure_search.index";
+  write_file_atomically(file, encode_index(index.contents, index.method.key()));
+  fmt::print("index: {:.1f} kB a model\n",
+             static_cast<double>(std::filesystem::file_size(file)) / 1000 / static_cast<double>(models));
   start();
   IndexFault fault{};
-  index.contents = decode_index(bytes, index.method.key(), fault).value();
+  index.contents = decode_index(map_file(file), index.method.key(), fault).value();
   report("read the index");
+  std::filesystem::remove(file);
   std::vector<std::string> notes;
   const std::vector<SearchQuery> query{
       {.name = "query", .file = index.collection.file(index.contents.models.front().path)}};
@@ -111,10 +142,10 @@ int measure(const std::filesystem::path& collection, std::size_t models, bool an
 
 int main(int count, char** arguments) try {
   if (count < 3) {
-    fmt::print(stderr, "measure_search COLLECTION MODELS [answers]\n");
+    fmt::print(stderr, "measure_search COLLECTION MODELS [FOLDER]\n");
     return EXIT_FAILURE;
   }
-  return measure(arguments[1], std::stoul(arguments[2]), count > 3);
+  return measure(arguments[1], std::stoul(arguments[2]), count > 3 ? arguments[3] : "");
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());
   return EXIT_FAILURE;

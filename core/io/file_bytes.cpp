@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <string>
 #include <string_view>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -88,18 +89,22 @@ void write_directly(const fs::path& path, std::string_view bytes) {
   if (const int error = write_and_close(descriptor, bytes, Flush::no)) fail_writing(path, error);
 }
 
-}  // namespace
-
-std::string read_file_bytes(const fs::path& path, std::size_t limit) {
-  const Descriptor file(path);
+/// Returns the size of an open file. Throws InputError if it is not a regular file, or empty.
+std::size_t checked_size(const Descriptor& file, const fs::path& path) {
   if (file.get() < 0) fail_reading(path, errno);
   struct stat status = {};
   if (::fstat(file.get(), &status) != 0) fail_reading(path, errno);
   if (S_ISDIR(status.st_mode)) fail_reading(path, "it is a folder");
   if (!S_ISREG(status.st_mode)) fail_reading(path, "it is not a regular file");
   if (status.st_size == 0) fail_reading(path, "the file is empty");
+  return static_cast<std::size_t>(status.st_size);
+}
 
-  std::string bytes(std::min(limit, static_cast<std::size_t>(status.st_size)), '\0');
+}  // namespace
+
+std::string read_file_bytes(const fs::path& path, std::size_t limit) {
+  const Descriptor file(path);
+  std::string bytes(std::min(limit, checked_size(file, path)), '\0');
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
@@ -110,6 +115,15 @@ std::string read_file_bytes(const fs::path& path, std::size_t limit) {
   }
   bytes.resize(done);
   return bytes;
+}
+
+MappedBytes map_file(const fs::path& path) {
+  const Descriptor file(path);
+  const std::size_t size = checked_size(file, path);
+  void* begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.get(), 0);
+  if (begin == MAP_FAILED) fail_reading(path, errno);
+  return {.memory = {begin, [size](void* mapped) { ::munmap(mapped, size); }},
+          .bytes = {static_cast<const char*>(begin), size}};
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes, Flush flush) {

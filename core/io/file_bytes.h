@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,17 @@ namespace shapegauge {
 /// is absent, unreadable, not a regular file, or empty.
 std::string read_file_bytes(const std::filesystem::path& path,
                             std::size_t limit = std::numeric_limits<std::size_t>::max());
+
+/// Bytes of a file and the memory that they are in.
+struct MappedBytes {
+  std::shared_ptr<const void> memory;  ///< unmaps the file when nobody has it any more
+  std::string_view bytes;
+};
+
+/// Maps a file into memory, read-only: a large file is then not copied. Replacing the file leaves the bytes as they are,
+/// overwriting it in place changes them, and truncating it crashes a program that reads them. Throws InputError as
+/// read_file_bytes() does.
+MappedBytes map_file(const std::filesystem::path& path);
 
 /// Flushing of a file to disk before it is renamed, which protects it from power failures.
 enum class Flush { no, yes };

@@ -27,20 +27,20 @@ DistanceMatrix whole_matrix(const SearchMethod& method, std::size_t term, const 
 /// Distances between all models by one term.
 class TermDistances {
  public:
-  TermDistances(const SearchMethod& method, std::size_t term, const Signatures& table, bool in_memory)
-      : distance_(distances_of(method)[term]), table_(&table) {
-    check_signatures({table, 0}, distance_);
-    if (in_memory) whole_ = whole_matrix(method, term, table);
+  TermDistances(const SearchMethod& method, std::size_t term, const IndexTable& table, bool in_memory)
+      : distance_(distances_of(method)[term]), table_(table.signatures()) {
+    check_signatures({table_, 0}, distance_);
+    if (in_memory) whole_ = whole_matrix(method, term, table_);
   }
 
   [[nodiscard]] DistanceMatrix rows(Eigen::Index first, Eigen::Index count) const {
     if (whole_.size() > 0) return whole_.middleRows(first, count);
-    return distances_between(distance_, {table_->middleRows(first, count), first}, {*table_, 0});
+    return distances_between(distance_, {table_.middleRows(first, count), first}, {table_, 0});
   }
 
  private:
   NamedDistance distance_;
-  const Signatures* table_;
+  Eigen::Map<const Signatures> table_;
   DistanceMatrix whole_;  ///< or empty
 };
 
@@ -59,10 +59,12 @@ std::optional<EarlierSum> earlier_sum(const ShapeIndex& index, const ShapeIndex&
   }
   if (2 * fresh > index.models.size()) return std::nullopt;
   for (std::size_t k = 0; k < index.tables.size(); ++k) {
-    bool same = index.tables[k].cols() == before.tables[k].cols();
+    const auto now = index.tables[k].signatures();
+    const auto then = before.tables[k].signatures();
+    bool same = now.cols() == then.cols();
     for (std::size_t i = 0; i < earlier.places.size() && same; ++i) {
       const Eigen::Index place = earlier.places[i];
-      same = place < 0 || index.tables[k].row(static_cast<Eigen::Index>(i)) == before.tables[k].row(place);
+      same = place < 0 || now.row(static_cast<Eigen::Index>(i)) == then.row(place);
     }
     earlier.unchanged.push_back(same);
   }
@@ -108,11 +110,11 @@ std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& di
   std::vector<Eigen::VectorXd> found;
   for (std::size_t k = 0; k < distances.size(); ++k) {
     const Signatures row = signatures[k];
-    const Eigen::Index models = index.tables[k].rows();
+    const Eigen::Index models = index.tables[k].rows;
     // A query from elsewhere gets an index after all models.
     const SignatureBlock some{row, member >= 0 ? member : models};
     check_signatures(some, distances[k]);
-    found.emplace_back(distances_between(distances[k], some, {index.tables[k], 0}).row(0));
+    found.emplace_back(distances_between(distances[k], some, {index.tables[k].signatures(), 0}).row(0));
   }
   return found;
 }

@@ -146,7 +146,7 @@ ShapeIndex described(const SearchMethod& method, const Collection& collection, s
   for (const std::size_t term : method.terms) {
     Signatures& table = computed.signatures[term];
     const bool all = std::ssize(complete) == table.rows();
-    index.tables.push_back(all ? std::move(table) : Signatures(table(complete, Eigen::all)));
+    index.tables.emplace_back(all ? std::move(table) : Signatures(table(complete, Eigen::all)));
   }
   index.sum = sum_of(method, index, control, before);
   return index;
@@ -169,7 +169,7 @@ std::optional<ShapeIndex> read_index(const fs::path& file, const std::string& ke
   if (!fs::exists(file, absent)) return std::nullopt;
   IndexFault fault = IndexFault::damaged;
   try {
-    if (auto index = decode_index(read_file_bytes(file), key, fault)) return index;
+    if (auto index = decode_index(map_file(file), key, fault)) return index;
   } catch (const InputError&) {  // empty, or not to be read
   }
   notes.push_back(fmt::format("{} is {} and is rebuilt", file.string(),
@@ -213,7 +213,7 @@ OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::
 OpenIndex open_index_as_it_is(SearchMethod method, const fs::path& collection, const fs::path& file) {
   OpenIndex index{.method = std::move(method), .collection = {}, .file = file, .contents = {}};
   IndexFault fault = IndexFault::damaged;
-  std::optional<ShapeIndex> contents = decode_index(read_file_bytes(file), index.method.key(), fault);
+  std::optional<ShapeIndex> contents = decode_index(map_file(file), index.method.key(), fault);
   if (!contents) {
     throw InputError(fmt::format("{} is {}; rebuild it by searching without --no-update", file.string(),
                                  fault == IndexFault::damaged ? "damaged" : "of another method or program"));

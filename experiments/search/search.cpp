@@ -96,8 +96,9 @@ class QueryDescriber {
 
   [[nodiscard]] std::vector<Eigen::RowVectorXf> rows_of_model(std::size_t model) const {
     std::vector<Eigen::RowVectorXf> rows;
-    for (const Signatures& table : index_->contents.tables)
-      rows.emplace_back(table.row(static_cast<Eigen::Index>(model)));
+    for (const IndexTable& table : index_->contents.tables) {
+      rows.emplace_back(table.signatures().row(static_cast<Eigen::Index>(model)));
+    }
     return rows;
   }
 

@@ -1,8 +1,7 @@
 #include "shapegauge/experiments/search/shape_index.h"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/distributed/packing.h"
@@ -13,8 +12,16 @@ namespace {
 
 constexpr std::string_view format_line = "shapegauge search index 1\n";
 constexpr std::size_t digits_of_sha256 = 64;
+constexpr std::size_t header_size = format_line.size() + digits_of_sha256 + 1;
 
-using ByteTable = Eigen::Matrix<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+/// The tables follow the other data, each at a multiple of this from the file's beginning: read where they are.
+constexpr std::size_t alignment = 64;
+
+constexpr std::size_t aligned(std::size_t place) { return (place + alignment - 1) / alignment * alignment; }
+
+std::size_t bytes_of(const IndexTable& table) {
+  return static_cast<std::size_t>(table.rows * table.columns) * sizeof(float);
+}
 
 void add(Packer& packer, const std::vector<IndexedFile>& files) {
   packer.add(files.size());
@@ -43,39 +50,6 @@ void take(Unpacker& unpacker, std::vector<Matrix>& matrices) {
   for (Matrix& matrix : matrices) unpacker.take(matrix);
 }
 
-constexpr float largest_byte = 255;
-
-/// Returns true for a table of integers from 0 to 255, which then take a byte each.
-bool fits_bytes(const Signatures& table) {
-  return std::all_of(table.data(), table.data() + table.size(), [](float number) {
-    return number >= 0 && number <= largest_byte && number == std::floor(number) && !std::signbit(number);
-  });
-}
-
-void add_tables(Packer& packer, const std::vector<Signatures>& tables) {
-  packer.add(tables.size());
-  for (const Signatures& table : tables) {
-    const bool bytes = fits_bytes(table);
-    packer.add(bytes);
-    if (bytes) {
-      packer.add(ByteTable(table.cast<std::uint8_t>()));
-    } else {
-      packer.add(table);
-    }
-  }
-}
-
-void take_tables(Unpacker& unpacker, std::vector<Signatures>& tables) {
-  tables.resize(unpacker.take_value<std::size_t>());
-  for (Signatures& table : tables) {
-    if (unpacker.take_value<bool>()) {
-      table = unpacker.take_value<ByteTable>().cast<float>();
-    } else {
-      unpacker.take(table);
-    }
-  }
-}
-
 void add(Packer& packer, const NearestModels& nearest) {
   packer.add(nearest.indices).add(nearest.distances).add(nearest.largest);
 }
@@ -101,41 +75,75 @@ void take(Unpacker& unpacker, CollectionSum& sum) {
   take(unpacker, sum.means);
 }
 
-}  // namespace
-
-std::string encode_index(const ShapeIndex& index, const std::string& key) {
-  Packer packer;
-  packer.add_bytes(key.data(), key.size());
+void add(Packer& packer, const ShapeIndex& index) {
   add(packer, index.models);
   add(packer, index.failures);
-  add_tables(packer, index.tables);
+  packer.add(index.tables.size());
+  for (const IndexTable& table : index.tables) packer.add(table.rows).add(table.columns);
   add(packer, index.learnt);
   packer.add(index.field_ranges);
   add(packer, index.sum);
   add(packer, index.nearest);
-  const std::string content = std::move(packer).bytes();
-  return fmt::format("{}{}\n{}", format_line, sha256(content), content);
 }
 
-std::optional<ShapeIndex> decode_index(std::string_view bytes, const std::string& key, IndexFault& fault) {
-  fault = IndexFault::damaged;
-  const std::size_t begin = format_line.size() + digits_of_sha256 + 1;
-  if (!bytes.starts_with(format_line) || bytes.size() < begin) return std::nullopt;
-  const std::string_view content = bytes.substr(begin);
-  if (bytes.substr(format_line.size(), digits_of_sha256) != sha256(content)) return std::nullopt;
-  fault = IndexFault::other_method;
-  if (!content.starts_with(key)) return std::nullopt;
-  Unpacker unpacker(content.substr(key.size()));
-  ShapeIndex index;
+void take(Unpacker& unpacker, ShapeIndex& index) {
   take(unpacker, index.models);
   take(unpacker, index.failures);
-  take_tables(unpacker, index.tables);
+  index.tables.resize(unpacker.take_value<std::size_t>());
+  for (IndexTable& table : index.tables) unpacker.take(table.rows).take(table.columns);
   take(unpacker, index.learnt);
   unpacker.take(index.field_ranges);
   take(unpacker, index.sum);
   take(unpacker, index.nearest);
+}
+
+}  // namespace
+
+IndexTable::IndexTable(Signatures own) : rows(own.rows()), columns(own.cols()) {
+  const auto kept = std::make_shared<const Signatures>(std::move(own));
+  entries = {kept, kept->data()};
+}
+
+std::string encode_index(const ShapeIndex& index, const std::string& key) {
+  Packer data;
+  add(data, index);
+  Packer content;
+  content.add_bytes(key.data(), key.size()).add(std::string_view(std::move(data).bytes()));
+  std::string bytes = fmt::format("{}{:0>{}}\n{}", format_line, "", digits_of_sha256, std::move(content).bytes());
+  std::size_t size = bytes.size();
+  for (const IndexTable& table : index.tables) size = aligned(size) + bytes_of(table);
+  bytes.reserve(size);
+  for (const IndexTable& table : index.tables) {
+    bytes.resize(aligned(bytes.size()));
+    bytes.append(reinterpret_cast<const char*>(table.entries.get()), bytes_of(table));
+  }
+  const std::string checksum = sha256(std::string_view(bytes).substr(header_size));
+  return bytes.replace(format_line.size(), checksum.size(), checksum);
+}
+
+std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::string& key, IndexFault& fault) {
+  fault = IndexFault::damaged;
+  if (!file.bytes.starts_with(format_line) || file.bytes.size() < header_size) return std::nullopt;
+  const std::string_view content = file.bytes.substr(header_size);
+  if (file.bytes.substr(format_line.size(), digits_of_sha256) != sha256(content)) return std::nullopt;
+  fault = IndexFault::other_method;
+  if (!content.starts_with(key)) return std::nullopt;
+  Unpacker unpacker(content.substr(key.size()));
+  const auto data_size = unpacker.take_value<std::size_t>();
+  ShapeIndex index;
+  take(unpacker, index);
+  std::size_t place = header_size + key.size() + sizeof(data_size) + data_size;
+  for (IndexTable& table : index.tables) {
+    place = aligned(place);
+    table.entries = {file.memory, reinterpret_cast<const float*>(file.bytes.data() + place)};
+    place += bytes_of(table);
+  }
   fault = IndexFault::none;
   return index;
+}
+
+void keep_in_memory(ShapeIndex& index) {
+  for (IndexTable& table : index.tables) table = IndexTable(table.signatures());
 }
 
 }  // namespace shapegauge

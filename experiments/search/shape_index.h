@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/retrieval/collection_sum.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -27,11 +29,23 @@ struct IndexedFile {
   std::string failure = {};  ///< reason why it could not be described; otherwise empty
 };
 
-/// Index of a collection for answering queries: a few kilobytes a shape.
+/// Signatures in memory of their own, or in that of an index file.
+struct IndexTable {
+  IndexTable() = default;
+  explicit IndexTable(Signatures own);
+
+  [[nodiscard]] Eigen::Map<const Signatures> signatures() const { return {entries.get(), rows, columns}; }
+
+  std::shared_ptr<const float> entries;  ///< row by row; keeps the memory that they are in
+  Eigen::Index rows = 0;
+  Eigen::Index columns = 0;
+};
+
+/// Index of a collection for answering queries.
 struct ShapeIndex {
   std::vector<IndexedFile> models;     ///< described files, in natural order of ids
   std::vector<IndexedFile> failures;   ///< the other files
-  std::vector<Signatures> tables;      ///< by term of the method: row i is of models[i]
+  std::vector<IndexTable> tables;      ///< by term of the method: row i is of models[i]
   std::vector<LearntFeatures> learnt;  ///< by planned descriptor of the method's configuration
   std::vector<Interval> field_ranges;  ///< by planned field, over the collection
   CollectionSum sum;
@@ -45,7 +59,10 @@ std::string encode_index(const ShapeIndex& index, const std::string& key);
 /// Reason why an index file is unusable.
 enum class IndexFault { none, damaged, other_method };
 
-/// Decodes an index. Nothing if it is corrupt or of another method.
-std::optional<ShapeIndex> decode_index(std::string_view bytes, const std::string& key, IndexFault& fault);
+/// Decodes an index, whose tables remain where the bytes are. Nothing if it is corrupt or of another method.
+std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::string& key, IndexFault& fault);
+
+/// Copies the tables, so that changes to the index file do not concern them.
+void keep_in_memory(ShapeIndex& index);
 
 }  // namespace shapegauge

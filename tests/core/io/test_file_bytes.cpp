@@ -25,6 +25,25 @@ auto throws_cannot_write(const std::filesystem::path& path, const std::string& r
   return ThrowsMessage<InputError>(AllOf(StartsWith("cannot write " + path.string()), EndsWith(reason)));
 }
 
+TEST(MappedFile, HasTheBytesAlsoAfterTheFileIsReplacedOrRemoved) {
+  const TemporaryFolder folder;
+  const std::string bytes("a\0b\r\n", 5);
+  const auto path = folder.file("in", bytes);
+  const MappedBytes mapped = map_file(path);
+  EXPECT_EQ(mapped.bytes, bytes);
+  write_file_atomically(path, "others");
+  EXPECT_EQ(mapped.bytes, bytes);
+  std::filesystem::remove(path);
+  EXPECT_EQ(mapped.bytes, bytes);
+}
+
+TEST(MappedFile, FailsAsReadingDoes) {
+  const TemporaryFolder folder;
+  for (const auto& path : {folder.path(), folder.path() / "absent", folder.file("empty", "")}) {
+    EXPECT_THAT([&] { map_file(path); }, ThrowsMessage<InputError>(StartsWith("cannot read " + path.string())));
+  }
+}
+
 TEST(AtomicFile, WritesTheBytesAndNothingElse) {
   const TemporaryFolder folder;
   const std::string bytes("a\0b\r\n", 5);

@@ -56,9 +56,9 @@ TEST(OpenIndex, ShapesWithoutOneOfTheSignaturesAreLeftOut) {
   IndexUpdate update;
   OpenIndex index = folder.open(update);
   EXPECT_EQ(index.contents.models.size(), 8U);
-  for (const Signatures& table : index.contents.tables) {
-    EXPECT_EQ(table.rows(), 8);
-    EXPECT_TRUE(table.allFinite());
+  for (const IndexTable& table : index.contents.tables) {
+    EXPECT_EQ(table.rows, 8);
+    EXPECT_TRUE(table.signatures().allFinite());
   }
   ASSERT_EQ(update.left_out.size(), 1U);
   EXPECT_THAT(update.left_out[0].id, HasSubstr("T4"));
