@@ -22,7 +22,7 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
       "Classes of the models: .cla, a table (id, class and optionally subclass and split), a list of classes, one per "
       "line, an integer .npy, or a folder of class folders");
   command.add_option("--targets", files.targets, "Classes of the targets, if --labels are those of the queries");
-  command.add_option("--qrels", files.qrels, "TREC relevance judgements in place of --labels");
+  command.add_option("--qrels", files.qrels, "TREC relevance judgements, instead of --labels");
   command
       .add_option("--level", files.level,
                   "Level of the .cla hierarchy: 1 for the roots, 2 for their children, 0 for the classes themselves")

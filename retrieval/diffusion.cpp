@@ -25,14 +25,15 @@ using Graph = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array diffusion_table = {
-    option_of<&DiffusionOptions::neighbours>(
-        "neighbours", {.low = 1, .high = 1000},
-        "Nearest models that a walk goes on to, about half of a class; of several numbers, the mean of the results.",
-        automatic_neighbours),
+    option_of<&DiffusionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
+                                             "Number of nearest models that a random walk can continue to, about half "
+                                             "of a class; a list gives the mean of the results.",
+                                             automatic_neighbours),
     option_of<&DiffusionOptions::damping>("damping", {.low = 0, .high = 1, .high_open = true},
-                                          "A walk goes on with this probability."),
-    option_of<&DiffusionOptions::tie>("tie", {.low = 0, .high = 1},
-                                      "Share of the original distance, which orders what no walk tells apart."),
+                                          "Probability that a random walk continues."),
+    option_of<&DiffusionOptions::tie>(
+        "tie", {.low = 0, .high = 1},
+        "Weight of the original distance, which orders models that the walks do not separate."),
 };
 constexpr auto diffusion_parameters = parameters_of(diffusion_table);
 

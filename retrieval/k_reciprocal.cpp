@@ -27,12 +27,12 @@ using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // by column
 constexpr std::array reciprocal_table = {
     option_of<&ReciprocalOptions::neighbours>(
         "neighbours", {.low = 1, .high = 1000},
-        "Nearest models among which those of each other are sought; of several numbers, the mean of the results.",
+        "Number of nearest models among which mutual neighbours are found; a list gives the mean of the results.",
         automatic_neighbours),
     option_of<&ReciprocalOptions::expansion_neighbours>(
         "expansion_neighbours", {.low = 1, .high = 1000},
-        "Nearest models over which sets are averaged; at most neighbours, or the greatest of them."),
-    option_of<&ReciprocalOptions::original>("original", {.low = 0, .high = 1}, "Share of the original distance."),
+        "Number of nearest models over which sets are averaged; at most the (largest) number of neighbours."),
+    option_of<&ReciprocalOptions::original>("original", {.low = 0, .high = 1}, "Weight of the original distance."),
 };
 constexpr auto reciprocal_parameters = parameters_of(reciprocal_table);
 

@@ -20,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::array expansion_table = {
     option_of<&ExpansionOptions::neighbours>(
         "neighbours", {.low = 1, .high = 1000},
-        "Nearest models whose rows are added to a model's own; of several numbers, the mean of the results.",
+        "Number of nearest models whose rows are added to a model's own; a list gives the mean of the results.",
         automatic_neighbours),
 };
 constexpr auto expansion_parameters = parameters_of(expansion_table);

@@ -70,7 +70,7 @@ struct SpectrumChoice {
 
 constexpr std::array spectrum_table = {
     option_of<&SpectrumChoice::eigenvalues>("eigenvalues", {.low = 2, .high = 1000},
-                                            "Eigenvalues of the Laplacian, from the least on."),
+                                            "Number of eigenvalues of the Laplacian, smallest first."),
     option_of<&SpectrumChoice::on>("on", meaning_of_on),
 };
 
@@ -103,9 +103,9 @@ struct HeatKernelField {
 };
 
 constexpr std::array heat_kernel_table = {
-    measured_in("areas of the surface", option_of<&HeatKernelField::time>(
-                                            "time", {.low = 1e-6, .high = 100},
-                                            "How long heat spreads: about the square of a neighbourhood's size.")),
+    measured_in("areas of the surface",
+                option_of<&HeatKernelField::time>("time", {.low = 1e-6, .high = 100},
+                                                  "Diffusion time: about the square of the neighbourhood's size.")),
     option_within<&HeatKernelField::spectrum, spectrum_table, 0>(),
     option_within<&HeatKernelField::spectrum, spectrum_table, 1>(),
 };
@@ -124,7 +124,7 @@ struct ScaleInvariantField {
 
 constexpr std::array scale_invariant_table = {
     option_of<&ScaleInvariantField::frequency>("frequency", {.low = 0, .high = 63},
-                                               "Which of the Fourier coefficients over the logarithm of time."),
+                                               "Index of the Fourier coefficient over the logarithm of time."),
     option_within<&ScaleInvariantField::spectrum, spectrum_table, 0>(),
     option_within<&ScaleInvariantField::spectrum, spectrum_table, 1>(),
 };
@@ -144,7 +144,7 @@ struct WaveKernelField {
 };
 
 constexpr std::array wave_kernel_field_table = {
-    option_of<&WaveKernelField::energy>("energy", {.low = 0, .high = 999}, "Which of the energies, from the least on."),
+    option_of<&WaveKernelField::energy>("energy", {.low = 0, .high = 999}, "Index of the energy, in ascending order."),
     option_within<&WaveKernelField::options, wave_kernel_table, 0>(),
     option_within<&WaveKernelField::options, wave_kernel_table, 1>(),
     option_within<&WaveKernelField::spectrum, spectrum_table, 0>(),

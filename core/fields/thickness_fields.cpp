@@ -25,7 +25,7 @@ std::vector<Parameter> offset_sdf_parameters() {
   parameters[0].default_value = {};
   parameters[0].choices = automatic;
   parameters[0].description =
-      "Offset distance; auto: chosen for each shape between 1 and 5 % by its gaps and its noise.";
+      "Offset distance; auto: between 1 and 5 %, chosen for each shape from its gaps and noise.";
   return parameters;
 }
 

@@ -65,7 +65,7 @@ constexpr std::array motion_parameters{
     Parameter{.name = "scale",
               .default_value = 1.0,
               .bounds = motion_scale_bounds,
-              .description = "Largest factor of the scale, whose logarithm is uniform; 1: none."}};
+              .description = "Largest scale factor; the logarithm is uniform. 1: no scaling."}};
 
 Shape apply_vertex_noise(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
   return vertex_noise(std::move(shape), options_from(vertex_noise_table, settings), random);

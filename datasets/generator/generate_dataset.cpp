@@ -33,13 +33,13 @@ constexpr Parameter seed_parameter{.name = "seed",
                                    .kind = ParameterKind::integer,
                                    .default_value = std::int64_t{1},
                                    .bounds = seed_bounds,
-                                   .description = "The same seed makes the same shapes."};
+                                   .description = "Random seed; the same seed gives the same shapes."};
 
 constexpr Parameter faces_parameter{.name = "faces",
                                     .kind = ParameterKind::integer,
                                     .default_value = std::int64_t{GeneratorOptions{}.faces},
                                     .bounds = {.low = 1000, .high = 100'000},
-                                    .description = "Triangles of a model, approximately."};
+                                    .description = "Approximate number of triangles per model."};
 
 constexpr int most_models = 1000;
 
@@ -226,7 +226,7 @@ std::span<const Parameter> generator_parameters() {
        .kind = ParameterKind::integer,
        .default_value = std::int64_t{usual.models_per_class},
        .bounds = {.low = 1, .high = most_models},
-       .description = "Models of each class."},
+       .description = "Number of models per class."},
       faces_parameter,
       seed_parameter};
   return parameters;
@@ -244,7 +244,7 @@ std::span<const Parameter> generated_model_parameters() {
        .kind = ParameterKind::integer,
        .default_value = std::int64_t{0},
        .bounds = {.low = 0, .high = most_models - 1},
-       .description = "Which of the models of its class, from 0."},
+       .description = "Index of the model in its class, from 0."},
       faces_parameter,
       seed_parameter};
   return parameters;

@@ -69,15 +69,14 @@ std::span<const Parameter> experiment_parameters() {
                 .kind = ParameterKind::integer,
                 .default_value = std::int64_t{1},
                 .bounds = seed_bounds,
-                .description = "Of the perturbations: what is drawn for a model depends on it and on the model's id "
-                               "(of a comparison: the shape's name)."},
+                .description = "Seed of the perturbations. Random numbers depend on the seed and on the model's id (in "
+                               "comparisons, the shape's name)."},
       Parameter{.name = "on_error",
                 .kind = ParameterKind::choice,
                 .default_value = reactions[0],
                 .choices = reactions,
-                .description =
-                    "A model or shape that cannot be used: stop the run, or skip it and name it at the end. A model "
-                    "that only some methods cannot take stays with the others."}};
+                .description = "Action for an unusable model or shape: stop the run, or skip it and list it at the "
+                               "end. A model that is unusable for some methods only is kept for the others."}};
   return parameters;
 }
 
@@ -105,31 +104,31 @@ std::span<const Parameter> evaluation_parameters() {
                 .kind = ParameterKind::choice,
                 .default_value = ties[0],
                 .choices = ties,
-                .description = "Order of models at equal distance: by index, relevant ones first or last, or the mean "
-                               "over all orders."},
-      Parameter{
-          .name = "minimum_class_size",
-          .kind = ParameterKind::integer,
-          .default_value = std::int64_t{2},
-          .bounds = {.low = 2, .high = 1'000'000},
-          .description = "Models of smaller classes are never queries (the Princeton benchmark's own table: 3)."}};
+                .description = "Order of models at equal distance: by index, relevant models first or last, or the "
+                               "mean over all orders."},
+      Parameter{.name = "minimum_class_size",
+                .kind = ParameterKind::integer,
+                .default_value = std::int64_t{2},
+                .bounds = {.low = 2, .high = 1'000'000},
+                .description = "Minimum class size of queries (psbTable of the Princeton Shape Benchmark: 3)."}};
   return parameters;
 }
 
 std::span<const Parameter> preparation_parameters() {
   static const std::array parameters{
-      Parameter{.name = "denoise",
-                .kind = ParameterKind::boolean,
-                .default_value = PreparationOptions{}.denoise,
-                .description = "Smooth the meshes whose vertices are noisy beyond doubt, as much as their noise asks "
-                               "for; clean meshes and clouds stay as they are."},
+      Parameter{
+          .name = "denoise",
+          .kind = ParameterKind::boolean,
+          .default_value = PreparationOptions{}.denoise,
+          .description =
+              "Smooth clearly noisy meshes, in proportion to their noise; clean meshes and clouds are unchanged."},
       Parameter{.name = "scale",
                 .kind = ParameterKind::choice,
                 .default_value = scales[0],
                 .choices = scales,
-                .description = "area: to unit surface area, a cloud to unit estimated area; tube_area: to unit area as "
-                               "the volume of a tube about the surface tells it, which holds under noise, cracks and "
-                               "sampling."}};
+                .description =
+                    "area: to unit surface area (clouds: estimated area); tube_area: to unit area, estimated from "
+                    "the volume of a tube about the surface, which is robust to noise, cracks and sampling."}};
   return parameters;
 }
 

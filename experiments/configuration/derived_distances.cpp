@@ -97,23 +97,23 @@ std::span<const Parameter> derived_parameters() {
                 .kind = ParameterKind::choice,
                 .default_value = distance_scales[0],
                 .choices = distance_scales,
-                .description = "With sum: what each signature's distances are divided by first, their median or mean "
-                               "over all pairs of models; local: each by the two models' mean distances to their ten "
-                               "nearest; local_spread: the same, then the interquartile range of the result."},
-      Parameter{.name = "weights",
-                .kind = ParameterKind::choice,
-                .default_value = weight_kinds[0],
-                .choices = weight_kinds,
-                .description =
-                    "With sum: what the weights of the terms are multiplied by. given: nothing; agreement: what "
-                    "the nearest models say of each signature, those that it has in common with the others "
-                    "and those that neighbours have in common."},
+                .description = "With sum: divisor of each signature's distances. median, mean: over all pairs of "
+                               "models; local: the two models' mean distances to their ten nearest; local_spread: as "
+                               "local, then the interquartile range of the result."},
+      Parameter{
+          .name = "weights",
+          .kind = ParameterKind::choice,
+          .default_value = weight_kinds[0],
+          .choices = weight_kinds,
+          .description =
+              "With sum: factor of the given weights. given: 1; agreement: estimated from the nearest models, by how "
+              "many a signature shares with the other signatures, and how many neighbours share with each other."},
       Parameter{.name = "score",
                 .kind = ParameterKind::choice,
                 .default_value = rank_scores[0],
                 .choices = rank_scores,
-                .description = "With fuse_ranks: reciprocal, 1 / (60 + rank): what is first anywhere counts most; "
-                               "borda: all ranks count alike."}};
+                .description = "With fuse_ranks: score of a rank. reciprocal: 1 / (60 + rank), which favours first "
+                               "ranks; borda: linear in the rank."}};
   return parameters;
 }
 
@@ -121,7 +121,7 @@ std::span<const Parameter> sum_term_parameters() {
   static const std::array parameters{Parameter{.name = "weight",
                                                .default_value = 1.0,
                                                .bounds = {.low = 0, .high = 1e6},
-                                               .description = "What its distances are multiplied by."}};
+                                               .description = "Factor of its distances."}};
   return parameters;
 }
 

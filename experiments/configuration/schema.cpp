@@ -182,7 +182,7 @@ std::string experiment_schema() {
   definitions["protocol"]["enum"] = protocol_names();
   definitions["distance"]["enum"] = distances().names();
   definitions["evaluation"]["properties"]["measures"]["description"] =
-      fmt::format("Measures, as NN or P@10; without it those of the protocols. There are {}.",
+      fmt::format("Measures, such as NN or P@10 (default: those of the protocols). Available: {}.",
                   fmt::join(measure_definitions().names(), ", "));
   return schema.dump(2) + "\n";
 }

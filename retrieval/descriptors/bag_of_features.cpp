@@ -20,17 +20,18 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    option_of<&BagOfFeaturesOptions::words>("words", {.low = 1, .high = 10'000}, "Words of the codebook."),
-    option_of<&BagOfFeaturesOptions::soft>("soft", "Count a sample for all words by Gaussian weights."),
+    option_of<&BagOfFeaturesOptions::words>("words", {.low = 1, .high = 10'000}, "Number of words in the codebook."),
+    option_of<&BagOfFeaturesOptions::soft>("soft", "Assign each sample to all words, with Gaussian weights."),
     measured_in(
         "mean distances of a word from the nearest other",
         option_of<&BagOfFeaturesOptions::softness>("softness", {.low = 0.01, .high = 100}, "Width of the Gaussian.")),
     option_of<&BagOfFeaturesOptions::standardise>("standardise",
                                                   "Divide each field by its standard deviation over the data set."),
-    option_of<&BagOfFeaturesOptions::samples_per_shape>("samples_per_shape", {.low = 1, .high = 100'000},
-                                                        "Samples of each shape from which the codebook is learnt."),
+    option_of<&BagOfFeaturesOptions::samples_per_shape>(
+        "samples_per_shape", {.low = 1, .high = 100'000},
+        "Number of samples per shape from which the codebook is learnt."),
     option_of<&BagOfFeaturesOptions::iterations>("iterations", {.low = 1, .high = 10'000},
-                                                 "Iterations of k-means at most."),
+                                                 "Maximum number of k-means iterations."),
     option_of<&BagOfFeaturesOptions::seed>("seed", {.low = 0, .high = 2'147'483'647}, "Seed of the random numbers."),
 };
 constexpr auto parameters = parameters_of(table);
@@ -215,7 +216,7 @@ Descriptor bag_of_features_descriptor() {
   constexpr std::size_t most_fields = 1000;
   return {.name = "bag_of_features",
           .description =
-              "Shares of the surface by words of a codebook over several fields' values (Sivic and Zisserman 2003).",
+              "Bag of features: shares of the surface by codebook word of several fields (Sivic and Zisserman 2003).",
           .parameters = parameters,
           .fewest_fields = 1,
           .most_fields = most_fields,

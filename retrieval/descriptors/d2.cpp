@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::array table = {
     option_of<&D2Options::points>("points", {.low = 2, .high = 10'000},
-                                  "Places on the surface, all pairs of which count."),
-    option_of<&D2Options::bins>("bins", {.low = 1, .high = 10'000}, "Bins of the histogram of distances."),
+                                  "Number of points on the surface; all their pairs are used."),
+    option_of<&D2Options::bins>("bins", {.low = 1, .high = 10'000}, "Number of bins of the distance histogram."),
     measured_in("mean distances",
-                option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100}, "The end of the last bin.")),
+                option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100}, "Upper end of the last bin.")),
 };
 constexpr auto parameters = parameters_of(table);
 
@@ -55,7 +55,7 @@ Eigen::VectorXf d2(const Shape& shape, const D2Options& options) {
 
 Descriptor d2_descriptor() {
   return {.name = "d2",
-          .description = "Shape distribution of the distances between places on the surface (Osada et al. 2002).",
+          .description = "Shape distribution of the distances between points on the surface (Osada et al. 2002).",
           .parameters = parameters,
           .version = d2_version,
           .describe =

@@ -21,20 +21,20 @@ namespace {
 
 constexpr std::string_view name = "joint_histogram";
 constexpr std::array table = {
-    option_of<&JointAxis::bins>("bins", {.low = 1, .high = 1000}, "Bins of the axis."),
+    option_of<&JointAxis::bins>("bins", {.low = 1, .high = 1000}, "Number of bins of the axis."),
     measured_in("bins",
                 option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
                                                       "Standard deviation of a Gaussian that smooths along the axis.")),
     option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide the values by their mean first."),
     option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9}, "Lower end of the range."),
     option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9}, "Upper end of the range."),
-    option_of<&JointAxis::per_shape>("per_shape", "Take each shape's own range instead."),
-    option_of<&JointAxis::over_data_set>("over_data_set", "Take the data set's range instead."),
+    option_of<&JointAxis::per_shape>("per_shape", "Use each shape's own range instead."),
+    option_of<&JointAxis::over_data_set>("over_data_set", "Use the range over the data set instead."),
 };
 constexpr auto parameters = parameters_of(table);
 constexpr std::array options_table = {
     option_of<&JointHistogramOptions::square_roots>(
-        "square_roots", "Compare the square roots of the shares, so that small ones count more."),
+        "square_roots", "Compare the square roots of the shares, which gives small ones more weight."),
 };
 constexpr auto options_parameters = parameters_of(options_table);
 

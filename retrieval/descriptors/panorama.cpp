@@ -23,9 +23,9 @@ namespace {
 
 constexpr std::array table = {
     option_of<&PanoramaOptions::angles>("angles", {.low = 64, .high = 1024},
-                                        "Cells around a cylinder; a multiple of 64."),
+                                        "Number of cells around a cylinder; a multiple of 64."),
     option_of<&PanoramaOptions::heights>("heights", {.low = 64, .high = 1024},
-                                         "Cells along a cylinder; a multiple of 64."),
+                                         "Number of cells along a cylinder; a multiple of 64."),
     option_of<&PanoramaOptions::frequencies>("frequencies", {.low = 1, .high = 31},
                                              "Highest Fourier frequency in either direction."),
     option_of<&PanoramaOptions::exponent>("exponent", {.low = 0.1, .high = 1}, "Exponent of the Fourier magnitudes."),

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::array table = {
     option_of<&ShapeDnaOptions::eigenvalues>("eigenvalues", {.low = 1, .high = 1000},
-                                             "Positive eigenvalues, from the least on."),
-    option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank", "Whether the k-th is divided by k."),
+                                             "Number of positive eigenvalues, smallest first."),
+    option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank", "Divide the k-th eigenvalue by k."),
 };
 constexpr std::array<std::string_view, 2> surfaces{"mesh", "proxy"};
 

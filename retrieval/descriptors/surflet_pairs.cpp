@@ -17,11 +17,12 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    option_of<&SurfletPairsOptions::distance_bins>("distance_bins", {.low = 2, .high = 64}, "Bins of the distance."),
+    option_of<&SurfletPairsOptions::distance_bins>("distance_bins", {.low = 2, .high = 64},
+                                                   "Number of bins of the distance."),
     option_of<&SurfletPairsOptions::angle_bins>("angle_bins", {.low = 2, .high = 16},
-                                                "Bins of each of the three cosines."),
+                                                "Number of bins of each of the three cosines."),
     option_of<&SurfletPairsOptions::largest_distance>("largest_distance", {.low = 1, .high = 100},
-                                                      "End of the distance axis, in mean distances."),
+                                                      "Upper end of the distance axis, in mean distances."),
 };
 constexpr auto parameters = parameters_of(table);
 
