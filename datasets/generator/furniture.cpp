@@ -114,7 +114,9 @@ SolidObject draw_table(RandomNumbers& random) {
   SolidObject object;
   const bool round = draw.happens(0.4);
   const double height = draw(0.5, 1.3);
-  const Vector3d half(draw(0.6, 1), draw(0.45, 0.7), draw(0.03, 0.07));
+  const double thin = draw(0.03, 0.07);
+  const double wide = draw(0.45, 0.7);
+  const Vector3d half(draw(0.6, 1), wide, thin);
   object.thinnest = 2 * half.z();
   object.parts.push_back({0, plate_top(half, round)});
   if (draw.happens(round ? 0.6 : 0.25)) {
@@ -131,7 +133,9 @@ SolidObject draw_chair(RandomNumbers& random) {
   Draw draw(random);
   SolidObject object;
   const bool fat = draw.happens(0.25);
-  const Vector3d half(draw(0.4, 0.6), draw(0.4, 0.55), fat ? draw(0.12, 0.2) : draw(0.035, 0.07));
+  const double seat = fat ? draw(0.12, 0.2) : draw(0.035, 0.07);
+  const double wide = draw(0.4, 0.55);
+  const Vector3d half(draw(0.4, 0.6), wide, seat);
   const double thickness = fat ? draw(0.08, 0.13) : draw(0.035, 0.06);
   const double back = draw(0.5, 1.1);
   object.thinnest = 1.5 * std::min(half.z(), thickness);

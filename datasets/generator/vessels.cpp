@@ -153,8 +153,9 @@ SolidObject draw_teapot(RandomNumbers& random) {
                                         revolved(outline, 0))});
   const double high = height * draw(0.75, 0.9);
   const double low = height * draw(0.2, 0.4);
-  const Solid handle = ear({radius_at(outline, high), 0, high}, {radius_at(outline, low), 0, low}, draw(0.25, 0.45),
-                           draw(0.05, 0.08), draw);
+  const double thin = draw(0.05, 0.08);
+  const double reach = draw(0.25, 0.45);
+  const Solid handle = ear({radius_at(outline, high), 0, high}, {radius_at(outline, low), 0, low}, reach, thin, draw);
   object.parts.push_back({2, turned_about_z(difference(handle, revolved(outline, 0)), 180)});
   const double knob = draw(0.08, 0.14);
   object.parts.push_back({3, revolved({{0.4 * knob, height},

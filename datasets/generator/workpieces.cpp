@@ -92,7 +92,8 @@ SolidObject draw_bracket(RandomNumbers& random) {
   SolidObject object;
   object.blend = 0.01;
   const double thick = draw(0.06, 0.12);
-  const Vector3d half(draw(0.5, 0.9), draw(0.3, 0.6), thick);
+  const double wide = draw(0.3, 0.6);
+  const Vector3d half(draw(0.5, 0.9), wide, thick);
   Solid base = rounded_box({0, 0, 0}, half, 0.02);
   const double hole = draw(0.07, 0.12);
   for (const double side : {-1.0, 1.0}) {
@@ -126,9 +127,10 @@ SolidObject draw_hammer(RandomNumbers& random) {
   SolidObject object;
   const double length = draw(1.2, 2);
   const double grip = draw(0.06, 0.11);
+  const double oval = draw(0.7, 1);
+  const double end = grip * draw(0.9, 1.4);
   object.parts.push_back(
-      {0, tube({{{0, 0, 0}, grip * draw(0.9, 1.4)}, {{0, 0, 0.4 * length}, grip}, {{0, 0, length}, 0.9 * grip}},
-               {1, 0, 0}, draw(0.7, 1))});
+      {0, tube({{{0, 0, 0}, end}, {{0, 0, 0.4 * length}, grip}, {{0, 0, length}, 0.9 * grip}}, {1, 0, 0}, oval)});
   const double reach = draw(0.25, 0.5);
   const double size = draw(0.13, 0.22);
   const bool round = draw.happens(0.5);

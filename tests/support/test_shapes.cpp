@@ -204,8 +204,11 @@ Permuted permuted(const Shape& shape, unsigned seed) {
 Eigen::Matrix3d rotation(unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  Eigen::Quaterniond quaternion(normal(random), normal(random), normal(random), normal(random));
-  return quaternion.normalized().toRotationMatrix();
+  const double z = normal(random);
+  const double y = normal(random);
+  const double x = normal(random);
+  const double w = normal(random);
+  return Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
 }
 
 double signed_volume(const Shape& mesh) {

@@ -34,7 +34,7 @@ double sampled_radius(const Triangle& triangle, const Eigen::Vector3d& normal) {
 TEST(TouchingBall, AgreesWithCandidatePoints) {
   RandomNumbers random(7);
   const auto vector = [&] {
-    return Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    return Eigen::Vector3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
   };
   int stopped = 0;
   for (int i = 0; i < 100; ++i) {

@@ -66,9 +66,9 @@ TEST(GridSurface, FindRunsReturnsAllPointsWithinReach) {
   RandomNumbers random(2, 0);
   std::vector<GridPoints::Run> runs;
   for (int round = 0; round < 200; ++round) {
-    const Eigen::Vector3d place(random.uniform(0, block_edge * grid.blocks.x()),
+    const Eigen::Vector3d place{random.uniform(0, block_edge * grid.blocks.x()),
                                 random.uniform(0, block_edge * grid.blocks.y()),
-                                random.uniform(0, block_edge * grid.blocks.z()));
+                                random.uniform(0, block_edge * grid.blocks.z())};
     const double reach = random.uniform(0.1, 9);
     surface.points.find_runs(grid, place, reach, runs);
     std::vector<int> found(surface.points.triangle.size(), 0);

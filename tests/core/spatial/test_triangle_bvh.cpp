@@ -107,7 +107,7 @@ RC_GTEST_PROP(TriangleBVH, FindsTheClosestPointOfACloud, ()) {
 TEST(TriangleBVH, FindsTheClosestOfAFewLargeTriangles) {
   RandomNumbers random(1);
   const auto place = [&] {
-    return Eigen::RowVector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    return Eigen::RowVector3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
   };
   for (int soup = 0; soup < 20; ++soup) {
     Shape shape;
