@@ -17,6 +17,7 @@
 #include "shapegauge/experiments/retrieval/judge_distances.h"
 #include "shapegauge/experiments/signatures/cache_records.h"
 #include "shapegauge/experiments/signatures/compute_signatures.h"
+#include "shapegauge/experiments/signatures/signature_tables.h"
 #include "shapegauge/metrics/protocol.h"
 
 namespace shapegauge {

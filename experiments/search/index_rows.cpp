@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "shapegauge/core/base/parallel.h"
-#include "shapegauge/experiments/signatures/compute_signatures.h"
+#include "shapegauge/experiments/signatures/signature_tables.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 

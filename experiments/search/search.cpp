@@ -11,8 +11,8 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/search/index_rows.h"
-#include "shapegauge/experiments/signatures/compute_signatures.h"
 #include "shapegauge/experiments/signatures/describe_through_cache.h"
+#include "shapegauge/experiments/signatures/signature_tables.h"
 #include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {

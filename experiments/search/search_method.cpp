@@ -13,7 +13,7 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/signatures/cache_records.h"
-#include "shapegauge/experiments/signatures/compute_signatures.h"
+#include "shapegauge/experiments/signatures/signature_tables.h"
 #include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {

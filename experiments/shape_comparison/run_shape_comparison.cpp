@@ -16,8 +16,8 @@
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/engine/run_control.h"
-#include "shapegauge/experiments/signatures/compute_signatures.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
+#include "shapegauge/experiments/signatures/signature_tables.h"
 
 namespace shapegauge {
 

@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/parallel.h"
-#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/packing.h"
 #include "shapegauge/experiments/engine/run_control.h"
@@ -17,39 +15,12 @@
 #include "shapegauge/experiments/signatures/describe_learnt.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/experiments/signatures/describe_through_cache.h"
+#include "shapegauge/experiments/signatures/signature_tables.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
 
 namespace {
-
-/// Returns the ranges of a field on the models that have values of it.
-std::vector<Interval> ranges_of(const std::vector<const ModelDescription*>& models, std::size_t field) {
-  std::vector<Interval> ranges;
-  ranges.reserve(models.size());
-  for (const ModelDescription* model : models) {
-    if (model->fields[field].error.empty()) ranges.push_back(model->fields[field].range);
-  }
-  return ranges;
-}
-
-/// Returns the union of the ranges of a field over all models.
-Interval common_range(const std::vector<const ModelDescription*>& models, std::size_t field) {
-  return enclosing_interval(ranges_of(models, field));
-}
-
-/// Returns one histogram signature of models that have it.
-Signatures histograms_of(const std::vector<const ModelDescription*>& models, const HistogramConfiguration& wanted,
-                         std::size_t signature, std::size_t field, std::span<const Interval> data_set_ranges) {
-  Signatures table(static_cast<Eigen::Index>(models.size()), wanted.options.bins);
-  const bool of_dataset = wanted.range == HistogramRange::dataset;
-  parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
-    table.row(static_cast<Eigen::Index>(i)) =
-        of_dataset ? kept_histogram(models[i]->fields[field], data_set_ranges[field], wanted.options)
-                   : models[i]->histograms[signature];
-  });
-  return table;
-}
 
 /// Results for each model: the descriptions on this process, and the failures of all.
 struct Described {
@@ -72,7 +43,7 @@ struct Described {
       fmt::format(R"(model {}: {}{}; repair or remove it, or set "on_error" to "skip")", id, first.message, others));
 }
 
-void stop_if_told(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
+void stop_on_failures(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
   const bool none_left = failures.size() == dataset.models.size();
   if (!failures.empty() && (none_left || on_error == OnError::stop)) {
     stop_for(dataset, failures, on_error);
@@ -131,7 +102,7 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
                           std::span<const PlannedField> plan, Cache& cache, Communicator& ranks) {
   Described described;
   described.failures = failures_of_all(ranks.rank() == 0 ? check_models(dataset) : std::vector<ModelFailure>(), ranks);
-  stop_if_told(dataset, described.failures, configuration.on_error);
+  stop_on_failures(dataset, described.failures, configuration.on_error);
   const std::vector<std::size_t> remaining = models_without(described.failures, dataset.models.size());
   // Processing shapes in parallel needs no synchronisation, but a few shapes do not occupy all threads.
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency() * ranks.size());
@@ -149,7 +120,7 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
     if (stops && more.size() > 1) more.resize(1);
     described.failures.insert(described.failures.end(), more.begin(), more.end());
     std::ranges::sort(described.failures, {}, &ModelFailure::model);
-    stop_if_told(dataset, described.failures, configuration.on_error);
+    stop_on_failures(dataset, described.failures, configuration.on_error);
   };
   add(failures_of_all(failures, ranks));
   check_signatures_exist(dataset, configuration.signatures, described, plan, ranks);
@@ -160,149 +131,6 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   check_signatures_exist(dataset, configuration.signatures, described, plan, ranks);
   return described;
 }
-
-ArgumentError different_lengths(Eigen::Index one, Eigen::Index other) {
-  return ArgumentError(fmt::format("a descriptor returned {} features for one model and {} for another", one, other));
-}
-
-/// Returns the features of one descriptor of models that have them.
-Signatures features_of(const std::vector<const ModelDescription*>& models, std::size_t descriptor) {
-  const Eigen::Index length = models.front()->features[descriptor].features.size();
-  Signatures table(std::ssize(models), length);
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const Eigen::VectorXf& features = models[i]->features[descriptor].features;
-    if (features.size() != length) {
-      throw different_lengths(length, features.size());
-    }
-    table.row(static_cast<Eigen::Index>(i)) = features.transpose();
-  }
-  return table;
-}
-
-/// Returns a table with the rows of `some` at these places and NaN elsewhere; without columns if there are none.
-Signatures rows_at_places(const Signatures& some, std::span<const Eigen::Index> places, std::size_t all) {
-  const auto rows = static_cast<Eigen::Index>(all);
-  if (some.rows() == rows) return some;
-  Signatures table =
-      Signatures::Constant(rows, places.empty() ? 0 : some.cols(), std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t i = 0; i < places.size(); ++i) table.row(places[i]) = some.row(static_cast<Eigen::Index>(i));
-  return table;
-}
-
-/// Positions of the models with each signature.
-std::vector<std::vector<Eigen::Index>> places_with(const std::vector<const ModelDescription*>& models,
-                                                   const std::vector<SignatureConfiguration>& signatures,
-                                                   std::span<const PlannedField> plan) {
-  std::vector<std::vector<Eigen::Index>> places(signatures.size());
-  for (std::size_t model = 0; model < models.size(); ++model) {
-    const std::vector<std::string> errors = signature_errors(*models[model], signatures, plan);
-    for (std::size_t i = 0; i < signatures.size(); ++i) {
-      if (errors[i].empty()) places[i].push_back(static_cast<Eigen::Index>(model));
-    }
-  }
-  return places;
-}
-
-}  // namespace
-
-NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration) {
-  if (!signature.descriptor) return distances().at(configuration.distance);
-  return {.name = distance_of(signature.descriptor->descriptor), .function = signature.descriptor->descriptor.distance};
-}
-
-std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields) {
-  std::vector<Interval> ranges;
-  for (std::size_t field = 0; field < fields; ++field) ranges.push_back(common_range(models, field));
-  return ranges;
-}
-
-std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
-                                            std::span<const PlannedField> plan,
-                                            const std::vector<SignatureConfiguration>& signatures,
-                                            std::span<const Interval> data_set_ranges) {
-  std::vector<Signatures> tables(signatures.size());
-  if (models.empty()) return tables;
-  const std::vector<std::vector<Eigen::Index>> places = places_with(models, signatures, plan);
-  const auto set_table = [&](std::size_t i, const auto& table_of) {
-    std::vector<const ModelDescription*> with;
-    for (const Eigen::Index place : places[i]) with.push_back(models[static_cast<std::size_t>(place)]);
-    tables[i] = rows_at_places(with.empty() ? Signatures() : table_of(with), places[i], models.size());
-  };
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    for (const std::size_t i : plan[field].signatures) {
-      set_table(
-          i, [&](const auto& with) { return histograms_of(with, signatures[i].histogram, i, field, data_set_ranges); });
-    }
-  }
-  const std::vector<PlannedDescriptor> descriptors = plan_descriptors(signatures, plan);
-  for (std::size_t d = 0; d < descriptors.size(); ++d) {
-    set_table(descriptors[d].signature, [&](const auto& with) { return features_of(with, d); });
-  }
-  for (const std::size_t i : computation_order(signatures)) {
-    if (signatures[i].field || signatures[i].descriptor || signatures[i].derived) continue;
-    set_table(i, [&](const auto&) {
-      std::vector<Signatures> parts;
-      for (const std::size_t part : signatures[i].parts) parts.push_back(tables[part](places[i], Eigen::all));
-      return concatenate(parts);
-    });
-  }
-  return tables;
-}
-
-bool leaks(const ShapeDiagnostics& model, std::optional<double> chosen_offset, const nlohmann::json& settings) {
-  const auto given = settings.find("offset");
-  if (given == settings.end()) return false;
-  return model.gap_size > (chosen_offset ? *chosen_offset : given->get<double>()) * model.diagonal;
-}
-
-std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
-                                       std::span<const PlannedField> plan) {
-  std::vector<FieldReport> reports;
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    FieldReport& report = reports.emplace_back();
-    report.settings = to_json(plan[field].field.settings);
-    for (const ModelDescription* model : models) {
-      if (!model->fields[field].error.empty()) continue;
-      ++report.models;
-      report.seconds += model->fields[field].seconds;
-      if (leaks(model->diagnostics, model->fields[field].offset, report.settings)) ++report.leaking;
-      for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
-    }
-  }
-  return reports;
-}
-
-ShapeReport report_shape(const ModelDescription& model) {
-  ShapeReport report{.sha256 = model.sha256,
-                     .diagnostics = model.diagnostics,
-                     .chosen = model.chosen,
-                     .area = model.area,
-                     .noise = model.noise,
-                     .pass_band = model.pass_band,
-                     .outcomes = {},
-                     .offsets = {},
-                     .seconds = {},
-                     .descriptor_seconds = {}};
-  for (const FieldDescription& field : model.fields) {
-    report.outcomes.push_back(field.outcomes);
-    report.offsets.push_back(field.offset);
-    report.seconds.push_back(field.seconds);
-  }
-  for (const FeatureDescription& descriptor : model.features) report.descriptor_seconds.push_back(descriptor.seconds);
-  return report;
-}
-
-std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
-                                       const HistogramConfiguration& wanted, std::size_t field) {
-  if (wanted.range == HistogramRange::fixed) return std::vector(models.size(), wanted.fixed);
-  if (wanted.range == HistogramRange::dataset) return std::vector(models.size(), common_range(models, field));
-  std::vector<Interval> ranges;
-  ranges.reserve(models.size());
-  for (const ModelDescription* model : models) ranges.push_back(model->fields[field].range);
-  return ranges;
-}
-
-namespace {
 
 /// Returns the fields of the views, with the scales of pictures and histograms.
 std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, std::span<const PlannedField> plan,
@@ -326,7 +154,7 @@ std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, st
 std::vector<Interval> ranges_over_data_set(const std::vector<const ModelDescription*>& own, std::size_t fields,
                                            Communicator& ranks) {
   Packer packer;
-  for (std::size_t field = 0; field < fields; ++field) packer.add(ranges_of(own, field));
+  for (std::size_t field = 0; field < fields; ++field) packer.add(model_ranges(own, field));
   const std::string told = on_first_rank(ranks, [parts = ranks.gather(std::move(packer).bytes()), fields] {
     std::vector<std::vector<Interval>> by_field(fields);
     for (const std::string& part : parts) {
@@ -357,7 +185,7 @@ std::vector<Eigen::Index> lengths_of(const std::vector<Signatures>& tables, Comm
           Unpacker unpacker(part);
           for (Eigen::Index& length : lengths) {
             const auto other = unpacker.take_value<Eigen::Index>();
-            if (length > 0 && other > 0 && length != other) throw different_lengths(other, length);
+            if (length > 0 && other > 0 && length != other) throw different_feature_counts(other, length);
             length = std::max(length, other);
           }
         }
@@ -403,8 +231,9 @@ std::vector<Signatures> rows_of_rank(std::vector<Signatures> tables, std::span<c
 }
 
 /// Gathers the descriptions of all models on rank 0, in order, without values, histograms and features. Collective.
-std::vector<ModelDescription> told_of_all(const std::vector<const ModelDescription*>& own,
-                                          std::span<const std::size_t> places, std::size_t all, Communicator& ranks) {
+std::vector<ModelDescription> descriptions_on_first_rank(const std::vector<const ModelDescription*>& own,
+                                                         std::span<const std::size_t> places, std::size_t all,
+                                                         Communicator& ranks) {
   Packer packer;
   for (std::size_t i = 0; i < own.size(); ++i) packer.add(places[i]).add(described_bytes(*own[i]));
   std::vector<ModelDescription> models(ranks.rank() == 0 ? all : 0);
@@ -470,25 +299,9 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
   computed.field_ranges = ranges;
   computed.learnt = std::move(described.learnt);
   computed.signatures = rows_of_rank(std::move(tables), places, computed.models.size(), ranks);
-  std::vector<ModelDescription> told = told_of_all(models, places, computed.models.size(), ranks);
-  if (ranks.rank() == 0) report(std::move(told), configuration, plan, computed);
+  std::vector<ModelDescription> all = descriptions_on_first_rank(models, places, computed.models.size(), ranks);
+  if (ranks.rank() == 0) report(std::move(all), configuration, plan, computed);
   return computed;
-}
-
-std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
-  std::vector<std::string> warnings;
-  for (const FieldReport& field : fields) {
-    if (field.leaking > 0) {
-      warnings.push_back(fmt::format(
-          R"({} of {} shapes have gaps wider than the offset of the field {}: the offset surface leaks into them; )"
-          R"(use a larger offset or "auto")",
-          field.leaking, field.models, field.settings.dump()));
-    }
-    for (const std::string& warning : outcome_warnings(field.outcomes)) {
-      warnings.push_back(fmt::format("{} in the field {}", warning, field.settings.dump()));
-    }
-  }
-  return warnings;
 }
 
 }  // namespace shapegauge

@@ -2,12 +2,72 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "shapegauge/experiments/configuration/field_settings.h"
+
 namespace shapegauge {
+
+bool leaks(const ShapeDiagnostics& model, std::optional<double> chosen_offset, const nlohmann::json& settings) {
+  const auto given = settings.find("offset");
+  if (given == settings.end()) return false;
+  return model.gap_size > (chosen_offset ? *chosen_offset : given->get<double>()) * model.diagonal;
+}
+
+std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
+                                       std::span<const PlannedField> plan) {
+  std::vector<FieldReport> reports;
+  for (std::size_t field = 0; field < plan.size(); ++field) {
+    FieldReport& report = reports.emplace_back();
+    report.settings = to_json(plan[field].field.settings);
+    for (const ModelDescription* model : models) {
+      if (!model->fields[field].error.empty()) continue;
+      ++report.models;
+      report.seconds += model->fields[field].seconds;
+      if (leaks(model->diagnostics, model->fields[field].offset, report.settings)) ++report.leaking;
+      for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
+    }
+  }
+  return reports;
+}
+
+ShapeReport report_shape(const ModelDescription& model) {
+  ShapeReport report{.sha256 = model.sha256,
+                     .diagnostics = model.diagnostics,
+                     .chosen = model.chosen,
+                     .area = model.area,
+                     .noise = model.noise,
+                     .pass_band = model.pass_band,
+                     .outcomes = {},
+                     .offsets = {},
+                     .seconds = {},
+                     .descriptor_seconds = {}};
+  for (const FieldDescription& field : model.fields) {
+    report.outcomes.push_back(field.outcomes);
+    report.offsets.push_back(field.offset);
+    report.seconds.push_back(field.seconds);
+  }
+  for (const FeatureDescription& descriptor : model.features) report.descriptor_seconds.push_back(descriptor.seconds);
+  return report;
+}
+
+std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
+  std::vector<std::string> warnings;
+  for (const FieldReport& field : fields) {
+    if (field.leaking > 0) {
+      warnings.push_back(fmt::format(
+          R"({} of {} shapes have gaps wider than the offset of the field {}: the offset surface leaks into them; )"
+          R"(use a larger offset or "auto")",
+          field.leaking, field.models, field.settings.dump()));
+    }
+    for (const std::string& warning : outcome_warnings(field.outcomes)) {
+      warnings.push_back(fmt::format("{} in the field {}", warning, field.settings.dump()));
+    }
+  }
+  return warnings;
+}
 
 nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics) {
   // A positive length implies a positive diagonal.

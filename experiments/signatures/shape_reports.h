@@ -1,15 +1,60 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/datasets/files/table.h"
-#include "shapegauge/experiments/signatures/compute_signatures.h"
+#include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/signatures/describe_model.h"
+
+/// Reports on models and fields, and their tables.
 
 namespace shapegauge {
+
+/// Report on one model, after the perturbations, in the file's units.
+struct ShapeReport {
+  std::string sha256 = {};  ///< of the file; empty without a file
+  ShapeDiagnostics diagnostics;
+  std::vector<std::size_t> chosen;             ///< choices of perturbations that choose, in order
+  double area = 0;                             ///< area that was scaled to 1, in the file's units squared
+  double noise = 0;                            ///< NoiseLevel::relative(), if the preparation estimates noise
+  double pass_band = 0;                        ///< of the preparation's smoothing; 0 if not smoothed
+  std::vector<FieldOutcomes> outcomes;         ///< by field
+  std::vector<std::optional<double>> offsets;  ///< by field: the offset, if it chose one
+  std::vector<double> seconds;                 ///< by field
+  std::vector<double> descriptor_seconds;      ///< by signature that is a descriptor, without its fields
+};
+
+/// Checks whether the model's gaps are wider than the offset of a field: the one that the field chose or, without one,
+/// that of its settings. Fields without an offset do not leak.
+bool leaks(const ShapeDiagnostics& model, std::optional<double> chosen_offset, const nlohmann::json& settings);
+
+/// Report on a field over all models used.
+struct FieldReport {
+  nlohmann::json settings;  ///< as in a configuration
+  FieldOutcomes outcomes;   ///< totals
+  double seconds = 0;       ///< total over the models, including concurrent work
+  std::size_t models = 0;   ///< with values of it
+  std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_size()), into which it leaks
+};
+
+/// Returns the reports on the plan's fields over all models.
+std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
+                                       std::span<const PlannedField> plan);
+
+/// Returns the report on a model.
+ShapeReport report_shape(const ModelDescription& model);
+
+/// Returns warnings about the fields, one sentence each: offsets that leak, samples undecided or without a value.
+std::vector<std::string> field_warnings(std::span<const FieldReport> fields);
 
 /// Formats diagnostics by the names of ShapeDiagnostics. `boundary_fraction`, `gap_fraction` and `noise_fraction` are
 /// lengths divided by the diagonal, or 0 without one.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 #include "tests/support/test_shapes.h"
 
@@ -24,6 +25,45 @@ TEST(DiagnosticsJson, NamesEveryDiagnostic) {
 
 TEST(DiagnosticsJson, AnEmptyShapeHasNoFractionThatIsNotANumber) {
   EXPECT_EQ(diagnostics_json(diagnose(Shape{}))["boundary_fraction"], 0);
+}
+
+/// A model of diagonal 10 with gaps of this length, and what a field of a fixed offset and one that chose it made of
+/// it.
+ModelDescription model_with_gaps(double gap_size, double chosen_offset) {
+  ModelDescription model;
+  model.diagnostics.diagonal = 10;
+  model.diagnostics.gap_size = gap_size;
+  FieldDescription fixed;
+  fixed.outcomes = {{"total", 8}, {"missing", 1}};
+  fixed.seconds = 0.5;
+  FieldDescription automatic = fixed;
+  automatic.offset = chosen_offset;
+  model.fields = {fixed, automatic};
+  return model;
+}
+
+SignatureConfiguration signature_of(const char* name, const nlohmann::json& field) {
+  SignatureConfiguration signature;
+  signature.name = name;
+  signature.field = read_field(field);
+  return signature;
+}
+
+TEST(ReportFields, CountsAndAddsOverTheModels) {
+  const ModelDescription closed = model_with_gaps(0.4, 0.05);  // narrower than 0.05 of the diagonal
+  const ModelDescription open = model_with_gaps(0.6, 0.05);
+  const ModelDescription wide = model_with_gaps(0.6, 0.07);
+  const std::vector<PlannedField> plan =
+      plan_fields({signature_of("fixed", {{"type", "offset_sdf"}, {"offset", 0.05}}),
+                   signature_of("auto", {{"type", "offset_sdf"}, {"offset", "auto"}})});
+  ASSERT_EQ(plan.size(), 2U);
+  const std::vector<FieldReport> reports = report_fields({&closed, &open, &wide}, plan);
+  ASSERT_EQ(reports.size(), 2U);
+  EXPECT_EQ(reports[0].models, 3U);
+  EXPECT_EQ(reports[0].leaking, 2U);  // both with gaps wider than half a unit
+  EXPECT_EQ(reports[1].leaking, 1U);  // the one whose chosen offset is below its gaps
+  EXPECT_EQ(reports[0].outcomes, (FieldOutcomes{{"total", 24}, {"missing", 3}}));
+  EXPECT_EQ(reports[0].seconds, 1.5);
 }
 
 struct Results {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/signatures/describe_model.h"
+#include "shapegauge/retrieval/distances.h"
+#include "shapegauge/retrieval/histogram.h"
+
+/// Tables of signatures, assembled from the descriptions of models.
+
+namespace shapegauge {
+
+/// Returns the distance between signatures of a kind that is not derived: a descriptor's own, or the configuration's.
+NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration);
+
+/// Returns the ranges of a field of the plan on the models that have values of it.
+std::vector<Interval> model_ranges(const std::vector<const ModelDescription*>& models, std::size_t field);
+
+/// Returns the range of each field of the plan over the models that have values of it. Throws ArgumentError if none
+/// has.
+std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields);
+
+/// Assembles the signatures, in the configuration's order, of all models: row i is of models[i], NaN for a model
+/// without the signature. A signature that no model has is without columns. Signatures derived from distances are
+/// empty. `data_set_ranges` are the ranges of the plan's fields over the whole data set, if a histogram needs them.
+/// Runs in the calling TBB arena. Throws ArgumentError if a descriptor returns features of different lengths.
+std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
+                                            std::span<const PlannedField> plan,
+                                            const std::vector<SignatureConfiguration>& signatures,
+                                            std::span<const Interval> data_set_ranges);
+
+/// Returns the range of each model's histogram of a field.
+std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
+                                       const HistogramConfiguration& wanted, std::size_t field);
+
+/// Returns the error of a descriptor whose features have different lengths.
+ArgumentError different_feature_counts(Eigen::Index one, Eigen::Index other);
+
+}  // namespace shapegauge
