@@ -40,7 +40,7 @@ namespace fs = std::filesystem;
 struct RunSource {
   fs::path configuration;
   std::vector<std::string> overrides;  ///< of the configuration, see apply_overrides()
-  fs::path replay;                     ///< manifest of the run to repeat, in place of a configuration
+  fs::path replay;                     ///< manifest of the run to repeat, instead of a configuration
   fs::path dataset_root;               ///< folder of the data set for a replay; if empty, the recorded one
 };
 

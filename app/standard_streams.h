@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-/// Standard input and output, given as "-" in place of a file.
+/// Standard input and output, given as "-" instead of a file.
 
 namespace shapegauge {
 

@@ -41,7 +41,7 @@ struct PartialOverview {
   Eigen::Index block = 1;
   Eigen::Index side = 0;        ///< number of cells along a side
   std::vector<Cell> sums;       ///< row by row; empty if a cell is one entry
-  std::vector<double> entries;  ///< used in place of sums: rows from `first` on, in the models' order
+  std::vector<double> entries;  ///< used instead of sums: rows from `first` on, in the models' order
   NearestIndices nearest;       ///< of the rows from `first` on
   DistanceMatrix nearest_distances;
 };

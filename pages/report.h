@@ -18,7 +18,7 @@ namespace shapegauge {
 struct ReportHistograms {
   const Signatures* table = nullptr;  ///< one histogram a row
   std::vector<Interval> ranges;       ///< by row: range of the histogram
-  std::vector<std::size_t> parts;     ///< in place of a table: methods whose histograms are concatenated
+  std::vector<std::size_t> parts;     ///< instead of a table: methods whose histograms are concatenated
 };
 
 /// Confidence intervals of an evaluation's averages, by measure; empty without intervals.

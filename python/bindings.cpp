@@ -174,7 +174,7 @@ struct WantedEvaluation {
   std::vector<int> labels;                   ///< of the rows; negative for no class
   std::vector<int> targets;                  ///< of the columns, if they are other models; otherwise empty
   std::vector<int> subclasses;               ///< of the models, see numbered_subclasses(); empty for none
-  std::optional<Eigen::MatrixXi> relevance;  ///< grades in place of classes; 0 for not relevant
+  std::optional<Eigen::MatrixXi> relevance;  ///< grades instead of classes; 0 for not relevant
   bool square = true;                        ///< row i and column i are the same model
   bool negated = false;                      ///< the values are similarities
   EvaluationOptions options;

@@ -39,8 +39,8 @@ Eigen::VectorXd diffused_diagonal(const Eigen::SparseMatrix<double, Eigen::RowMa
 ///
 /// The new distances are 1 - S plus `tie` times the distance divided by the mean distance to the k nearest. For one k,
 /// S = (1 - damping) F. For several, S is the mean over k of F_ij / sqrt(F_ii F_jj), and the mean distance is that to
-/// the nearest of the largest k. All models connected by a walk count as joined by neighbours. Requests the original
-/// rows twice. Throws InputError for options out of range, and as nearest_models() does.
+/// the nearest of the largest k. Models are connected (rerank.h) if a walk connects them. Requests the original rows
+/// twice. Throws InputError for options out of range, and as nearest_models() does.
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit);
 

@@ -77,7 +77,7 @@ enum class RankScore {
   borda,       ///< number of models ranked behind: all ranks count equally
 };
 
-/// Fuses rankings: ranks each model's row of each matrix (without the model itself; ties: lesser index first) and sums
+/// Fuses rankings: ranks each model's row of each matrix (without the model itself; ties: smaller index first) and sums
 /// the ranks' scores by weight. The distance is 1 minus the mean of the scores of (i, j) and (j, i), divided by the
 /// score of a model that all rank first. The result is symmetric, in [0, 1), zero on the diagonal, and depends on
 /// orders only. Models at an infinite distance are unranked and score 0; pairs unranked in both rows of all matrices

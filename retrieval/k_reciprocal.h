@@ -14,8 +14,8 @@ struct ReciprocalOptions {
 
 /// Re-ranks by k-reciprocal neighbours (Zhong, Zheng, Cao, Li 2017): the Jaccard distance of models' sets of mutual
 /// neighbours, with Gaussian weights, each averaged over its nearest. For several k1 it is the mean of the Jaccard
-/// distances. Models whose sets intersect count as joined by neighbours. Throws InputError for options out of range,
-/// and as diffused() does.
+/// distances. Models whose sets intersect are connected (rerank.h). Throws InputError for options out of range, and as
+/// diffused() does.
 DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOptions& options = {});
 
 RerankMethod k_reciprocal_method();

@@ -18,7 +18,7 @@ namespace shapegauge {
 
 /// k nearest others of each of n models.
 struct NearestModels {
-  /// n x k, nearest first (ties: lesser index first). -1 if a model has fewer at a finite distance.
+  /// n x k, nearest first (ties: smaller index first). -1 if a model has fewer at a finite distance.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> indices;
   DistanceMatrix distances;  ///< n x k; infinite where the index is -1
   double largest = 0;        ///< largest finite distance between any two models

@@ -12,12 +12,12 @@
 
 /// Re-ranking: unsupervised improvement of the distances between the models of a set, using the whole set. Every
 /// function gives the same bytes on any number of threads. Permuting the models permutes the result, up to rounding and
-/// to equal distances (ties: lesser index first).
+/// to equal distances (ties: smaller index first).
 ///
-/// Models at an infinite distance are not neighbours. An infinite distance stays infinite unless neighbours join the
-/// two models; it then counts as the largest finite distance of the matrix. A model without neighbours therefore keeps
-/// infinite distances to all others and does not affect them. Finite distances stay finite, whatever their size. The
-/// diagonal is ignored.
+/// Models at an infinite distance are not neighbours. An infinite distance stays infinite unless the two models are
+/// connected through neighbours, as each method defines; it then counts as the largest finite distance of the matrix. A
+/// model without neighbours therefore keeps infinite distances to all others and does not affect them. Finite distances
+/// stay finite, whatever their size. The diagonal is ignored.
 namespace shapegauge {
 
 /// Word for neighbour_counts() of an empty list.

@@ -75,8 +75,9 @@ class Regions {
     return neighbours_[static_cast<std::size_t>(region)];
   }
 
+  /// Adds to the statistics of a region.
   void add(std::int32_t region, const RegionSum& sum) { sums_[static_cast<std::size_t>(region)] += sum; }
-  /// Adds to (a, b) and to (b, a); within a region (a == b), adds twice.
+  /// Adds to a statistic of the pairs (a, b) and (b, a); within a region (a == b), adds twice.
   void add(std::int32_t a, std::int32_t b, PairSum what, double value) {
     Eigen::MatrixXd& sums = pairs_[static_cast<std::size_t>(what)];
     sums(a, b) += value;

@@ -8,7 +8,7 @@
 
 namespace shapegauge {
 
-/// Shape that is segmented in place of another one, with the mapping between the two.
+/// Shape that is segmented instead of another one, with the mapping between the two.
 struct SegmentationProxy {
   Shape shape;
   std::vector<std::int32_t> node_of;  ///< by triangle (or point) of the given shape: its node of the proxy
@@ -17,7 +17,7 @@ struct SegmentationProxy {
   [[nodiscard]] std::vector<std::int32_t> transferred(std::span<const std::int32_t> labels) const;
 };
 
-/// Chooses the shape to segment in place of a given one.
+/// Chooses the shape to segment instead of a given one.
 /// - For a mesh of few triangles: the same surface subdivided to at least 8,000 triangles, since patches consist of
 ///   triangles.
 /// - For a mesh with more than one in twenty edges on a boundary: 10,000 points of its surface. A surface with cracks

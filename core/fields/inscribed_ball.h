@@ -31,7 +31,7 @@ inline constexpr std::array inscribed_ball_table = {
 ///
 /// The ball lies opposite to the outward normal of the sample and shrinks until nothing intersects it. This is the
 /// shrinking ball of Ma, Bae and Choi (2012, 3D medial axis point approximation using nearest neighbors and the normal
-/// field), made exact by using triangles in place of sampled points. A triangle stops the ball only if its outward
+/// field), made exact by using triangles instead of sampled points. A triangle stops the ball only if its outward
 /// normal differs from the sample's by at least the separation angle, because a tessellated or noisy surface bends
 /// towards the ball next to the sample. At 0 every triangle can stop it. Above 90 degrees the sides next to a
 /// right-angled edge cannot, which leaves the thickness between opposite sides. The triangles around a sampled vertex

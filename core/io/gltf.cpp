@@ -234,7 +234,7 @@ void replace_sparse(const tinygltf::Model& model, const tinygltf::Accessor& acce
 Positions positions_of(const tinygltf::Model& model, int accessor_index, const std::string& name) {
   const tinygltf::Accessor& accessor = item_at(model.accessors, accessor_index, "accessor", name);
   if (accessor.type != TINYGLTF_TYPE_VEC3) fail(name, "the positions of a mesh are no vectors of three numbers");
-  if (accessor.bufferView < 0) fail(name, "the positions of a mesh are in no buffer (it may be compressed)");
+  if (accessor.bufferView < 0) fail(name, "the positions of a mesh have no buffer view; it may be compressed");
   const std::size_t size = size_of_component(accessor.componentType, name);
   const BufferItems items = items_in(model, accessor.bufferView, accessor.byteOffset, accessor.count, 3 * size, name);
   Positions positions(items.count);
@@ -257,7 +257,7 @@ std::vector<std::int32_t> corners_of(const tinygltf::Model& model, const tinyglt
     return corners;
   }
   const tinygltf::Accessor& accessor = item_at(model.accessors, primitive.indices, "accessor", name);
-  if (accessor.bufferView < 0) fail(name, "the indices of a mesh are in no buffer (it may be compressed)");
+  if (accessor.bufferView < 0) fail(name, "the indices of a mesh have no buffer view; it may be compressed");
   const std::size_t size = size_of_component(accessor.componentType, name);
   const BufferItems items = items_in(model, accessor.bufferView, accessor.byteOffset, accessor.count, size, name);
   corners.reserve(items.count);

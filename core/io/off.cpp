@@ -96,7 +96,7 @@ bool ends_keyword(std::string_view rest) {
 /// Returns true if the next non-blank line has exactly one word.
 bool single_word_on_line(TextScanner scanner) { return !scanner.read_word().empty() && scanner.at_line_end(); }
 
-/// Reads an OFF file's keyword and an optional `BINARY`. A file with a number in place of the keyword is plain OFF.
+/// Reads an OFF file's keyword and an optional `BINARY`. A file with a number instead of the keyword is plain OFF.
 /// Throws InputError for anything else, and for points that are not three-dimensional (4OFF, nOFF).
 OffHeader read_off_header(TextScanner& scanner) {
   if (scanner.at_end()) scanner.fail_whole("contains only white space and comments");

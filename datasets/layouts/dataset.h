@@ -25,8 +25,8 @@ struct Model {
 
 /// Entries of folders that are skipped in the search for shapes, without hidden ones.
 struct SkippedEntries {
-  std::size_t files = 0;    ///< not named like shapes
-  std::size_t shapes = 0;   ///< named like shapes, where the layout has none
+  std::size_t files = 0;    ///< files without the extension of a shape format
+  std::size_t shapes = 0;   ///< shape files where the layout has none
   std::size_t folders = 0;  ///< with their contents
 };
 

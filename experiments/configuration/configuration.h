@@ -37,8 +37,8 @@ struct SignatureConfiguration {
   std::string name;
   std::optional<Field> field;
   HistogramConfiguration histogram;            ///< of the field
-  std::optional<DescriptorChoice> descriptor;  ///< in place of a field
-  std::optional<DerivedDistances> derived;     ///< in place of a field and a descriptor
+  std::optional<DescriptorChoice> descriptor;  ///< instead of a field
+  std::optional<DerivedDistances> derived;     ///< instead of a field and a descriptor
   std::vector<std::size_t>
       parts;  ///< by index: signatures to concatenate or to derive from; they come earlier in computation_order()
 };

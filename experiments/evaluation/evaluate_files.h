@@ -21,7 +21,7 @@ struct EvaluationFiles {
   std::filesystem::path matrix;      ///< distances, similarities, features, a TREC run or ranked lists
   std::filesystem::path labels{};    ///< see read_labels(); empty with judgements
   std::filesystem::path targets{};   ///< labels of the targets if `labels` are those of the queries; may be empty
-  std::filesystem::path qrels{};     ///< TREC judgements in place of labels; may be empty
+  std::filesystem::path qrels{};     ///< TREC judgements instead of labels; may be empty
   std::filesystem::path ids{};       ///< ids of the rows, one a line; may be empty
   RowOrder order = RowOrder::usual;  ///< of rows without ids
   Unanswered unanswered = Unanswered::left_out;  ///< handling of queries without a ranked list

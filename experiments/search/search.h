@@ -64,7 +64,7 @@ struct SearchOptions {
 struct SearchAnswer {
   std::string query;
   std::optional<std::size_t> member;  ///< the query's own model, which is excluded from the answer
-  std::vector<RankedModel> nearest;   ///< models of the index, nearest first (ties: lesser index first)
+  std::vector<RankedModel> nearest;   ///< models of the index, nearest first (ties: smaller index first)
   std::string failure = {};           ///< reason for a missing answer; otherwise empty
 };
 

@@ -1,7 +1,7 @@
 """Shape diameter function, shape signatures and retrieval evaluation.
 
 Arrays are those of NumPy: vertices are n x 3 floats, faces m x 3 vertex indices, points n x 3 floats, distances n x n
-floats. In place of vertices and faces, functions accept an object with ``vertices`` and ``faces`` (trimesh), with
+floats. Instead of vertices and faces, functions accept an object with ``vertices`` and ``faces`` (trimesh), with
 ``vertices`` and ``triangles``, or with ``points`` (Open3D, meshio); further arguments follow it. A shape without faces is
 a point cloud.
 

@@ -23,7 +23,7 @@ def settings_of(kind: str, name: str, names: Optional[Mapping[str, str]] = None)
 
 
 def listing(settings: Mapping[str, Mapping[str, Any]], defaults: Optional[Mapping[str, Any]] = None) -> str:
-    """The settings as text, one after the other: name, meaning, legal values, default. defaults: in place of theirs."""
+    """The settings as text, one after the other: name, meaning, legal values, default. defaults: instead of theirs."""
     lines: list[str] = []
     for name, setting in settings.items():
         default = (defaults or {}).get(name, setting["default"])

@@ -90,7 +90,7 @@ Vectors samples_of(std::span<const ShapeFields> shapes, int per_shape) {
   return matrix;
 }
 
-/// Returns standard deviations by column; 1 in place of 0.
+/// Returns standard deviations by column; 1 instead of 0.
 Eigen::RowVectorXf deviations_of(const Vectors& samples) {
   const Eigen::MatrixXd values = samples.cast<double>();
   const Eigen::RowVectorXd mean = values.colwise().mean();

@@ -25,7 +25,7 @@ class ExteriorFrontier {
   /// Adds a cube; nothing is known of its exterior points. Cubes are numbered from 0 on.
   void add(const Eigen::Vector3d& centre, double half);
 
-  /// Says in which half-spaces (twice the same for one) the exterior points of a cube lie, in place of what was said
+  /// Says in which half-spaces (twice the same for one) the exterior points of a cube lie, instead of what was said
   /// before.
   void bound(std::int32_t cube, const HalfSpace& first, const HalfSpace& second);
 

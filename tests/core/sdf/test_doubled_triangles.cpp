@@ -25,7 +25,7 @@ void expect_same_bits(const Eigen::VectorXd& found, const Eigen::VectorXd& expec
   ASSERT_EQ(found.size(), expected.size());
   for (Eigen::Index i = 0; i < found.size(); ++i) {
     const bool same = found[i] == expected[i] || (std::isnan(found[i]) && std::isnan(expected[i]));
-    ASSERT_TRUE(same) << i << ": " << found[i] << " in place of " << expected[i];
+    ASSERT_TRUE(same) << i << ": " << found[i] << " instead of " << expected[i];
   }
 }
 

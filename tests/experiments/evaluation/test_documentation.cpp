@@ -20,7 +20,7 @@ const std::string& guide() {
 }
 
 // The indented block after the first line that contains the words, without indentation.
-std::string block_behind(const std::string& words) {
+std::string block_after(const std::string& words) {
   std::string block;
   bool found = false;
   for (const std::string_view line : split_lines(std::string_view(guide()).substr(guide().find(words)))) {
@@ -33,7 +33,7 @@ std::string block_behind(const std::string& words) {
 }
 
 // Rows of the Markdown table after a heading, with trimmed cells.
-std::vector<std::vector<std::string>> table_behind(const std::string& heading) {
+std::vector<std::vector<std::string>> table_after(const std::string& heading) {
   std::vector<std::vector<std::string>> rows;
   for (std::string_view line : split_lines(std::string_view(guide()).substr(guide().find(heading)))) {
     if (!line.starts_with('|')) {
@@ -54,8 +54,8 @@ std::vector<std::vector<std::string>> table_behind(const std::string& heading) {
 class FiveShapes : public testing::Test {
  protected:
   FiveShapes() {
-    test::write_text(folder_.path() / "five.csv", block_behind("`five.csv`"));
-    test::write_text(folder_.path() / "classes.csv", block_behind("`classes.csv`"));
+    test::write_text(folder_.path() / "five.csv", block_after("`five.csv`"));
+    test::write_text(folder_.path() / "classes.csv", block_after("`classes.csv`"));
     input = open_evaluation_files({.matrix = folder_.path() / "five.csv", .labels = folder_.path() / "classes.csv"});
   }
 
@@ -82,7 +82,7 @@ void expect_printed(const std::string& printed, double value, const std::string&
 }
 
 TEST_F(FiveShapes, EveryMeasureIsWorkedAndRight) {
-  const auto rows = table_behind("## Measures");
+  const auto rows = table_after("## Measures");
   std::size_t worked = 0;
   for (const MeasureDefinition& definition : measure_definitions().entries()) {
     for (const auto& row : rows) {
@@ -99,14 +99,14 @@ TEST_F(FiveShapes, EveryMeasureIsWorkedAndRight) {
 }
 
 TEST_F(FiveShapes, UnderThePaperProtocol) {
-  for (const auto& row : table_behind("## Protocols")) {
+  for (const auto& row : table_after("## Protocols")) {
     expect_printed(row[1], value(row[0], "psb"), row[0] + " psb");
     expect_printed(row[2], value(row[0], "paper"), row[0] + " paper");
   }
 }
 
 TEST_F(FiveShapes, UnderEveryOrderOfTheTied) {
-  const auto rows = table_behind("## Ties");
+  const auto rows = table_after("## Ties");
   EXPECT_EQ(rows.size(), ties_names().size());
   for (const auto& row : rows) {
     const std::string ties = row[0].substr(1, row[0].size() - 2);  // between backticks
@@ -117,7 +117,7 @@ TEST_F(FiveShapes, UnderEveryOrderOfTheTied) {
 
 TEST(Guide, NamesTheDistancesThatThereAre) {
   std::vector<std::string> named;
-  for (const auto& row : table_behind("### Feature vectors")) {
+  for (const auto& row : table_after("### Feature vectors")) {
     for (std::string_view cell = row[0]; cell.find('`') != std::string_view::npos;) {
       cell.remove_prefix(cell.find('`') + 1);
       named.emplace_back(cell.substr(0, cell.find('`')));
