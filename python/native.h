@@ -62,10 +62,14 @@ pybind11::array array_of(Matrix&& matrix) {
 Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                const Eigen::Ref<const Points>& normals);
 
-/// Adds the search functions to the module.
+/// Adds functions to the module, by file.
+/// @{
+void bind_shapes(pybind11::module_& module);
+void bind_evaluation(pybind11::module_& module);
+void bind_comparison(pybind11::module_& module);
 void bind_search(pybind11::module_& module);
-
 /// Adds settings(): what the registries know of settings, as JSON.
 void bind_settings(pybind11::module_& module);
+/// @}
 
 }  // namespace shapegauge

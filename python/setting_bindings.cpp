@@ -1,4 +1,4 @@
-// What registries and tables of options say of settings, for defaults and docstrings of the Python package.
+// Settings of registries and tables of options, for defaults and docstrings of the Python package.
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>

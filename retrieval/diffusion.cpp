@@ -1,6 +1,5 @@
 #include "shapegauge/retrieval/diffusion.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +19,7 @@ namespace shapegauge {
 
 namespace {
 
-using Graph = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -74,176 +73,6 @@ void settle_infinite(const DistanceMatrix& distances, const Joined& joined, Dist
   }
 }
 
-using FloatGraph = Eigen::SparseMatrix<float, Eigen::RowMajor>;
-/// Columns of a few models, stored side by side for vectorisation.
-using Block = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
-
-/// Adds a row of the graph times the block to the sum.
-void add_product(const FloatGraph& graph, Eigen::Index row, const Block& block, std::vector<float>& sum) {
-  const auto count = static_cast<Eigen::Index>(sum.size());
-  for (FloatGraph::InnerIterator entry(graph, row); entry; ++entry) {
-    const float* const values = block.data() + entry.col() * count;
-    for (Eigen::Index k = 0; k < count; ++k) sum[static_cast<std::size_t>(k)] += entry.value() * values[k];
-  }
-}
-
-/// Returns columns of the identity.
-Block unit_columns(Eigen::Index size, std::span<const Eigen::Index> models) {
-  Block columns = Block::Zero(size, std::ssize(models));
-  for (std::size_t k = 0; k < models.size(); ++k) columns(models[k], static_cast<Eigen::Index>(k)) = 1;
-  return columns;
-}
-
-/// Returns `count` consecutive indices.
-std::vector<Eigen::Index> counted_from(Eigen::Index first, Eigen::Index count) {
-  std::vector<Eigen::Index> indices(static_cast<std::size_t>(count));
-  std::iota(indices.begin(), indices.end(), first);
-  return indices;
-}
-
-/// Returns the decay of the coefficients of 1 / (1 - damping x) in Chebyshev polynomials.
-double series_rate(double damping) { return damping / (1 + std::sqrt(1 - damping * damping)); }
-
-/// Computes columns of (I - damping graph)^-1 by the Chebyshev semi-iteration (Golub and Varga 1961). The graph's
-/// eigenvalues are in [-1, 1], which determines the number of steps for a tolerance. Single precision is finer than the
-/// tolerance.
-class ColumnSolver {
- public:
-  ColumnSolver(const Graph& graph, double damping)
-      : graph_((damping * graph).cast<float>()), squared_damping_(damping * damping) {
-    constexpr double tolerance = 1e-6;
-    steps_ = damping > 0 ? static_cast<int>(std::ceil(std::log(2 / tolerance) / -std::log(series_rate(damping)))) : 0;
-  }
-
-  [[nodiscard]] Block columns(Eigen::Index first, Eigen::Index count) const {
-    Block before = Block::Zero(graph_.rows(), count);
-    Block now = unit_columns(graph_.rows(), counted_from(first, count));
-    double weight = 1 / (1 - squared_damping_ / 2);
-    for (int step = 0; step < steps_; ++step) {
-      advance(first, static_cast<float>(weight), now, before);
-      now.swap(before);
-      weight = 1 / (1 - squared_damping_ * weight / 4);
-    }
-    return now;
-  }
-
- private:
-  /// before += weight (damping graph now + identity columns - before)
-  void advance(Eigen::Index first, float weight, const Block& now, Block& before) const {
-    const Eigen::Index count = now.cols();
-    std::vector<float> sum(static_cast<std::size_t>(count));
-    for (Eigen::Index row = 0; row < graph_.rows(); ++row) {
-      std::ranges::fill(sum, 0.0F);
-      if (row >= first && row < first + count) sum[static_cast<std::size_t>(row - first)] = 1;
-      add_product(graph_, row, now, sum);
-      float* const values = before.data() + row * count;
-      for (Eigen::Index k = 0; k < count; ++k) values[k] += weight * (sum[static_cast<std::size_t>(k)] - values[k]);
-    }
-  }
-
-  FloatGraph graph_;
-  double squared_damping_;
-  int steps_;
-};
-
-/// Computes entries of the diagonal of (I - damping graph)^-1 as a series of Chebyshev polynomials T_m of the graph.
-/// Columns of T_m give the diagonals of T_2m and T_2m+1, since T_2m = 2 T_m^2 - 1 and T_2m+1 = 2 T_m T_m+1 - T_1
-/// (Weisse, Wellein, Alvermann, Fehske 2006); half of the series suffices.
-class DiagonalSolver {
- public:
-  DiagonalSolver(const Graph& graph, double damping)
-      : graph_(graph.cast<float>()), rate_(series_rate(damping)), root_(std::sqrt(1 - damping * damping)) {
-    constexpr double tolerance = 1e-6;
-    const double terms = damping > 0 ? std::log(tolerance * root_ * (1 - rate_) / 2) / std::log(rate_) : 0;
-    steps_ = static_cast<int>(std::ceil(terms / 2));
-  }
-
-  [[nodiscard]] Eigen::VectorXd entries(std::span<const Eigen::Index> models) const {
-    const auto count = std::ssize(models);
-    Block now = unit_columns(graph_.rows(), models);
-    Block before = Block::Zero(graph_.rows(), count);
-    Eigen::ArrayXd sums = Eigen::ArrayXd::Constant(count, 1 / root_);
-    Eigen::ArrayXd squares(count);
-    Eigen::ArrayXd products(count);
-    double coefficient = 2 / root_;
-    for (int step = 0; step < steps_; ++step) {
-      advance(step > 0 ? 2.0F : 1.0F, now, before, squares, products);
-      if (step > 0) sums += coefficient * (2 * squares - 1);
-      coefficient *= rate_;
-      if (step > 0) sums += coefficient * 2 * products;  // no model is its own neighbour: T_1 has a diagonal of zeros
-      coefficient *= rate_;
-      now.swap(before);
-    }
-    return sums;
-  }
-
- private:
-  /// before = factor graph now - before; the columns' squares of now, and their products with the new before
-  void advance(float factor, const Block& now, Block& before, Eigen::ArrayXd& squares, Eigen::ArrayXd& products) const {
-    const Eigen::Index count = now.cols();
-    squares.setZero();
-    products.setZero();
-    std::vector<float> sum(static_cast<std::size_t>(count));
-    for (Eigen::Index row = 0; row < graph_.rows(); ++row) {
-      std::ranges::fill(sum, 0.0F);
-      add_product(graph_, row, now, sum);
-      float* const next = before.data() + row * count;
-      const float* const values = now.data() + row * count;
-      for (Eigen::Index k = 0; k < count; ++k) {
-        next[k] = factor * sum[static_cast<std::size_t>(k)] - next[k];
-        squares[k] += double{values[k]} * values[k];
-        products[k] += double{values[k]} * next[k];
-      }
-    }
-  }
-
-  FloatGraph graph_;
-  double rate_;
-  double root_;
-  int steps_;
-};
-
-/// Replaces the lower triangle by that of the Cholesky factor, in the blocks and steps of Eigen's LLT. Can be
-/// interrupted between blocks.
-void factorise(Eigen::MatrixXd& matrix) {
-  using Steps = Eigen::internal::llt_inplace<double, Eigen::Lower>;
-  const Eigen::Index size = matrix.rows();
-  if (size < 32) {
-    Steps::unblocked(matrix);
-    return;
-  }
-  const Eigen::Index block = std::clamp<Eigen::Index>(size / 8 / 16 * 16, 8, 128);
-  for (Eigen::Index k = 0; k < size; k += block) {
-    check_interruption();
-    const Eigen::Index width = std::min(block, size - k);
-    const Eigen::Index rest = size - k - width;
-    auto corner = matrix.block(k, k, width, width);
-    if (Steps::unblocked(corner) >= 0 || rest == 0) return;
-    auto below = matrix.block(k + width, k, rest, width);
-    corner.adjoint().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(below);
-    matrix.block(k + width, k + width, rest, rest).selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);
-  }
-}
-
-/// Inverts a symmetric positive definite matrix by its Cholesky factorisation, in parallel where possible. The result
-/// has the same bits as Eigen's matrix.llt().solve(identity), on any number of threads. Throws Interrupted.
-Eigen::MatrixXd positive_definite_inverse(Eigen::MatrixXd matrix) {
-  // A multiple of the column block of Eigen's kernels, for the same bits as in the whole.
-  constexpr Eigen::Index columns_together = 64;
-  const Eigen::Index size = matrix.rows();
-  factorise(matrix);
-  Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(size, size);
-  parallel_for(Eigen::Index{0}, (size + columns_together - 1) / columns_together, [&](Eigen::Index part) {
-    const Eigen::Index first = part * columns_together;
-    auto columns = inverse.middleCols(first, std::min(columns_together, size - first));
-    matrix.triangularView<Eigen::Lower>().solveInPlace(columns);
-    matrix.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
-  });
-  return inverse;
-}
-
 /// Computes exp(-distance^2 / (scale_a scale_b)), by logarithms if a product overflows or underflows.
 double affinity_of(double distance, double scale_a, double scale_b) {
   if (!(distance > 0)) return 1;
@@ -253,13 +82,20 @@ double affinity_of(double distance, double scale_a, double scale_b) {
   return std::exp(-std::exp(2 * std::log(distance) - std::log(scale_a) - std::log(scale_b)));
 }
 
+/// Returns `count` consecutive indices.
+std::vector<Eigen::Index> counted_from(Eigen::Index first, Eigen::Index count) {
+  std::vector<Eigen::Index> indices(static_cast<std::size_t>(count));
+  std::iota(indices.begin(), indices.end(), first);
+  return indices;
+}
+
 /// Returns, by model, the least model connected to it by the edges of any of the graphs.
-std::vector<std::int32_t> components_of(const std::vector<Graph>& graphs, std::size_t models) {
+std::vector<std::int32_t> components_of(const std::vector<WalkGraph>& graphs, std::size_t models) {
   DisjointSets components;
   components.grow_to(models);
-  for (const Graph& graph : graphs) {
+  for (const WalkGraph& graph : graphs) {
     for (Eigen::Index row = 0; row < graph.rows(); ++row) {
-      for (Graph::InnerIterator entry(graph, row); entry; ++entry) {
+      for (WalkGraph::InnerIterator entry(graph, row); entry; ++entry) {
         if (entry.value() > 0) components.join(static_cast<std::int32_t>(row), static_cast<std::int32_t>(entry.col()));
       }
     }
@@ -272,7 +108,7 @@ std::vector<std::int32_t> components_of(const std::vector<Graph>& graphs, std::s
 /// Graphs of a diffusion, one for each number of neighbours, with the conversion of similarities to distances.
 struct Diffusion {
   double damping;
-  std::vector<Graph> graphs;
+  std::vector<WalkGraph> graphs;
   std::vector<std::int32_t> components;
   OriginalShare original;
 
@@ -307,8 +143,8 @@ struct Diffusion {
         components(components_of(graphs, static_cast<std::size_t>(nearest.indices.rows()))),
         original(original_of(nearest, options.tie)) {}
 
-  static std::vector<Graph> graphs_of(const NearestModels& nearest, const std::vector<int>& counts) {
-    std::vector<Graph> graphs;
+  static std::vector<WalkGraph> graphs_of(const NearestModels& nearest, const std::vector<int>& counts) {
+    std::vector<WalkGraph> graphs;
     for (const int count : counts) graphs.push_back(diffusion_graph(nearest, count));
     return graphs;
   }
@@ -322,7 +158,7 @@ struct Diffusion {
 /// Computes the similarities of all models.
 Eigen::MatrixXd dense_similarities(const Diffusion& diffusion) {
   Eigen::MatrixXd mean;
-  for (const Graph& graph : diffusion.graphs) {
+  for (const WalkGraph& graph : diffusion.graphs) {
     Eigen::MatrixXd system = -diffusion.damping * Eigen::MatrixXd(graph);
     system.diagonal().array() += 1;
     Eigen::MatrixXd affinities = positive_definite_inverse(std::move(system));
@@ -339,7 +175,7 @@ Eigen::MatrixXd dense_similarities(const Diffusion& diffusion) {
 std::vector<Eigen::VectorXd> diagonal_roots(const Diffusion& diffusion) {
   std::vector<Eigen::VectorXd> roots;
   if (diffusion.graphs.size() == 1) return roots;
-  for (const Graph& graph : diffusion.graphs) {
+  for (const WalkGraph& graph : diffusion.graphs) {
     roots.emplace_back(diffused_diagonal(graph, diffusion.damping).cwiseSqrt().cwiseInverse());
   }
   return roots;
@@ -367,7 +203,7 @@ class QueryDiffusion {
                  const DiffusionOptions& options)
       : diffusion_(nearest, options), query_(query), distances_(distances.transpose()) {
     const bool normalised = diffusion_.graphs.size() > 1;
-    for (const Graph& graph : diffusion_.graphs) {
+    for (const WalkGraph& graph : diffusion_.graphs) {
       Eigen::RowVectorXd column = diffused_affinities(graph, query, 1, diffusion_.damping);
       column *= normalised ? 1 / std::sqrt(column[query]) : 1 - diffusion_.damping;
       columns_.push_back(std::move(column));
@@ -417,10 +253,10 @@ void for_column_groups(Eigen::Index count, const Visit& visit) {
 
 }  // namespace
 
-Graph diffusion_graph(const NearestModels& nearest, int k) {
+WalkGraph diffusion_graph(const NearestModels& nearest, int k) {
   const Eigen::Index models = nearest.indices.rows();
   const Eigen::Index count = std::min<Eigen::Index>(k, nearest.indices.cols());
-  Graph graph(models, models);
+  WalkGraph graph(models, models);
   if (count == 0) return graph;
   Eigen::VectorXd scales = nearest.distances.leftCols(count).rowwise().mean();
   for (Eigen::Index i = 0; i < models; ++i) {
@@ -444,7 +280,7 @@ Graph diffusion_graph(const NearestModels& nearest, int k) {
   return inverse_root.asDiagonal() * graph * inverse_root.asDiagonal();
 }
 
-DistanceMatrix diffused_affinities(const Graph& graph, Eigen::Index first, Eigen::Index count, double damping) {
+DistanceMatrix diffused_affinities(const WalkGraph& graph, Eigen::Index first, Eigen::Index count, double damping) {
   DistanceMatrix rows(count, graph.cols());
   const ColumnSolver solver(graph, damping);
   for_column_groups(count, [&](Eigen::Index begin, Eigen::Index some) {
@@ -453,7 +289,7 @@ DistanceMatrix diffused_affinities(const Graph& graph, Eigen::Index first, Eigen
   return rows;
 }
 
-Eigen::VectorXd diffused_diagonal(const Graph& graph, double damping) {
+Eigen::VectorXd diffused_diagonal(const WalkGraph& graph, double damping) {
   Eigen::VectorXd diagonal(graph.rows());
   const DiagonalSolver solver(graph, damping);
   for_column_groups(graph.rows(), [&](Eigen::Index begin, Eigen::Index some) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <cstddef>
 #include <functional>
 #include <vector>
 
+#include "shapegauge/retrieval/graph_inverse.h"
 #include "shapegauge/retrieval/nearest_models.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -23,17 +23,16 @@ struct DiffusionOptions {
 /// Computes the symmetric normalised affinity matrix of a random walk on the k nearest neighbours. Affinities are
 /// exp(-d^2 / (s_i s_j)), where s is a model's mean distance to its neighbours (Zelnik-Manor and Perona 2004). With A =
 /// (W + W^T) / 2, returns D^-1/2 A D^-1/2. k is limited to the available neighbours.
-Eigen::SparseMatrix<double, Eigen::RowMajor> diffusion_graph(const NearestModels& nearest, int k);
+WalkGraph diffusion_graph(const NearestModels& nearest, int k);
 
 /// Computes `count` rows, from `first` on, of the diffused affinities F = (I - damping graph)^-1 (Zhou et al. 2004;
 /// Donoser and Bischof 2013). Solves the sparse system for several rows at once by Chebyshev iteration, without an
 /// inverse. The error is about 1e-6 of the largest affinity for a damping of at most 0.999; single precision makes it
 /// 1e-5 at 0.9999 and 4e-4 at 0.99999. The damping is from 0 to below 1.
-DistanceMatrix diffused_affinities(const Eigen::SparseMatrix<double, Eigen::RowMajor>& graph, Eigen::Index first,
-                                   Eigen::Index count, double damping);
+DistanceMatrix diffused_affinities(const WalkGraph& graph, Eigen::Index first, Eigen::Index count, double damping);
 
 /// Computes the diagonal of the diffused affinities to about 1e-6, at half the cost of the rows.
-Eigen::VectorXd diffused_diagonal(const Eigen::SparseMatrix<double, Eigen::RowMajor>& graph, double damping);
+Eigen::VectorXd diffused_diagonal(const WalkGraph& graph, double damping);
 
 /// Diffuses the distances of a set of models and calls visit(first, rows) with blocks of new rows, in order.
 ///

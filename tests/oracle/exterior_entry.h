@@ -29,7 +29,7 @@ class ExteriorEntrySearch {
   ExteriorEntry find(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction);
 
  private:
-  /// Some triangle within r of x.
+  /// Returns a triangle within r of x, if there is one.
   [[nodiscard]] std::optional<std::int32_t> covering(const Eigen::Vector3d& x);
 
   const OffsetExterior& exterior_;

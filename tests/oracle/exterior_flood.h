@@ -17,7 +17,7 @@ namespace shapegauge {
 /// surround it.
 class ExteriorFlood {
  public:
-  /// The nodes are the exterior's. Run again when leaves have been divided, it looks only at ways to and from the new
+  /// Floods the nodes of an exterior. After leaves have been divided, only examines connections to and from the new
   /// ones.
   void run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes);
 

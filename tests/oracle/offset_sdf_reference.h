@@ -11,7 +11,7 @@ namespace shapegauge {
 
 /// The definition of the offset SDF taken literally (docs/reference/definitions.md#offset-sdf): every distance is a
 /// minimum over all triangles, the exterior is a dense grid flooded from outside, the ray is followed in small steps.
-/// Slow, and meant to be obviously right; the specification that the fast implementation is held to.
+/// Slow and simple: the specification of the fast implementation.
 class OffsetSdfReference {
  public:
   /// r is a length in the shape's units.

@@ -10,8 +10,8 @@ namespace shapegauge::test {
 /// Any finite double, including denormals and -0.
 rc::Gen<double> any_finite();
 
-/// Vertices anywhere and faces of 3 to 6 corners at random: duplicates, degenerate and non-manifold faces and unused
-/// vertices come by themselves.
+/// Random vertices and random faces of 3 to 6 corners, among them duplicate, degenerate and non-manifold faces and
+/// unused vertices.
 struct Polygons {
   Points vertices;
   std::vector<std::vector<std::int32_t>> faces;

@@ -14,7 +14,7 @@ double share_apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double to
   return static_cast<double>(((a - b).cwiseAbs().array() > tolerance).count()) / static_cast<double>(a.size());
 }
 
-/// A torus, whose samples are measured as they are and in what is made of it.
+/// A torus, whose samples are measured on it and on damaged versions of it.
 class DamagedTorus : public testing::Test {
  protected:
   /// That the SDF at the torus' faces stays where the surface is given by another shape.

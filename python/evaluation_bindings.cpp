@@ -1,0 +1,305 @@
+// Evaluation of matrices and comparison of methods.
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "python/native.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
+#include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/experiments/results/method_comparison_tables.h"
+#include "shapegauge/metrics/bootstrap.h"
+#include "shapegauge/metrics/evaluation.h"
+#include "shapegauge/metrics/matrix_checks.h"
+#include "shapegauge/metrics/method_comparison.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
+
+namespace py = pybind11;
+
+namespace shapegauge {
+
+namespace {
+
+/// Rows and columns of a matrix, and options of its evaluation.
+struct WantedEvaluation {
+  std::vector<int> labels;                   ///< of the rows; negative for no class
+  std::vector<int> targets;                  ///< of the columns, if they are other models; otherwise empty
+  std::vector<int> subclasses;               ///< of the models, see numbered_subclasses(); empty for none
+  std::optional<Eigen::MatrixXi> relevance;  ///< grades instead of classes; 0 for not relevant
+  bool square = true;                        ///< row i and column i are the same model
+  bool negated = false;                      ///< the values are similarities
+  EvaluationOptions options;
+};
+
+EvaluationOptions options_of(const std::string& protocol, const std::string& ties,
+                             const std::vector<std::string>& measures, int minimum_class_size,
+                             const std::string& curve) {
+  EvaluationOptions options;
+  const auto known_protocol = protocol_of(protocol);
+  if (!known_protocol) throw InputError("unknown protocol \"" + protocol + "\"; known are psb, paper and trec");
+  const auto known_ties = ties_of(ties);
+  if (!known_ties) {
+    throw InputError("unknown ties \"" + ties + "\"; known are index, optimistic, pessimistic and expected");
+  }
+  if (!curve.empty()) {
+    options.curve = curve_kind_of(curve);
+    if (!options.curve) throw InputError("unknown curve \"" + curve + "\"; known are psb, paper, trec and raw");
+  }
+  options.protocol = *known_protocol;
+  options.ties = *known_ties;
+  options.measures = measures_of(measures);
+  options.minimum_class_size = minimum_class_size;
+  return options;
+}
+
+int class_or_none(int label) { return label < 0 ? no_class : label; }
+
+/// Makes the task with every model as a query to all others, or with rows as queries to columns. A model with a
+/// negative label has no class: it is not a query, and relevant to none.
+RetrievalTask task_of(const WantedEvaluation& wanted) {
+  RetrievalTask task = leave_one_out(wanted.labels);
+  std::ranges::transform(wanted.labels, task.query_classes.begin(), class_or_none);
+  if (!wanted.square) {
+    task.target_classes.clear();
+    std::ranges::transform(wanted.targets, std::back_inserter(task.target_classes), class_or_none);
+    task.own_column.assign(wanted.labels.size(), -1);
+  }
+  task.query_subclasses = task.target_subclasses = wanted.subclasses;
+  if (!wanted.relevance) return task;
+  const Eigen::MatrixXi& grades = *wanted.relevance;
+  task.judged.resize(wanted.labels.size());
+  task.grades.resize(wanted.labels.size());
+  for (Eigen::Index i = 0; i < grades.rows(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    for (Eigen::Index j = 0; j < grades.cols(); ++j) {
+      if (grades(i, j) <= 0 || j == task.own_column[row]) continue;
+      task.judged[row].push_back(j);
+      task.grades[row].push_back(grades(i, j));
+    }
+    if (task.judged[row].empty()) task.query_classes[row] = no_class;
+  }
+  return task;
+}
+
+/// Evaluation with warnings about the matrix.
+struct EvaluatedMatrix {
+  std::shared_ptr<Evaluation> evaluation;
+  std::vector<std::string> warnings;
+};
+
+EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distances, const WantedEvaluation& wanted,
+                                int threads) {
+  return compute(threads, [&] {
+    MatrixChecks checks(wanted.square);
+    const RowSource rows = [&](Eigen::Index first, Eigen::Index count) -> DistanceMatrix {
+      DistanceMatrix some = distances.middleRows(first, count);
+      checks.add(some);
+      if (wanted.square) {
+        checks.compare(some, first, distances.block(first, first, distances.rows() - first, count));
+      }
+      return some;
+    };
+    const RetrievalTask task = task_of(wanted);
+    EvaluatedMatrix result;
+    result.evaluation = std::make_shared<Evaluation>(evaluate(rows, task, wanted.options));
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < wanted.labels.size(); ++i) ids.push_back(std::to_string(i));
+    const MatrixFindings found = checks.findings();
+    result.warnings = matrix_warnings(found, ids, wanted.negated, Audience::python);
+    if (const auto left_out = left_out_warning(*result.evaluation, task, wanted.options)) {
+      result.warnings.push_back(*left_out);
+    }
+    if (const auto tied = ties_warning(*result.evaluation, found, Audience::python)) {
+      result.warnings.push_back(*tied);
+    }
+    return result;
+  });
+}
+
+/// Returns low and high ends by measure, of the averages over queries and over classes; empty for too few units.
+py::tuple intervals(const Evaluation& evaluation, double confidence, const std::string& blocks, int resamples,
+                    std::uint64_t seed, int threads) {
+  const auto known_blocks = blocks_of(blocks);
+  if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
+  const EvaluationIntervals found = compute(threads, [&] {
+    return intervals_of(
+        evaluation,
+        {.confidence = confidence, .blocks = *known_blocks, .resampling = {.resamples = resamples, .seed = seed}});
+  });
+  const auto ends = [](const std::vector<ConfidenceInterval>& of_measures) {
+    std::vector<std::pair<double, double>> pairs;
+    for (const ConfidenceInterval& one : of_measures) pairs.emplace_back(one.low, one.high);
+    return pairs;
+  };
+  return py::make_tuple(ends(found.micro), ends(found.macro));
+}
+
+/// Converts an evaluation to a tuple for pickle, and back.
+/// @{
+py::tuple state_of(const Evaluation& evaluation) {
+  py::list curves;
+  const auto add = [&](const PrecisionRecallCurve& curve) {
+    curves.append(py::make_tuple(curve.recall, curve.precision));
+  };
+  add(evaluation.micro_curve);
+  add(evaluation.macro_curve);
+  for (const PrecisionRecallCurve& curve : evaluation.class_curves) add(curve);
+  return py::make_tuple(name_of(evaluation.protocol), name_of(evaluation.ties), name_of(evaluation.curve),
+                        evaluation.measures, evaluation.queries, evaluation.query_classes, evaluation.per_query,
+                        evaluation.classes, evaluation.per_class, evaluation.micro, evaluation.macro, curves,
+                        evaluation.models_left_out, evaluation.queries_with_ties,
+                        evaluation.first_tier_bounds.pessimistic, evaluation.first_tier_bounds.optimistic);
+}
+
+Evaluation evaluation_of(const py::tuple& state) {
+  constexpr std::size_t members = 16;
+  if (state.size() != members) throw InputError("a pickle of scores is of another version of shapegauge");
+  std::size_t next = 0;
+  const auto take = [&](auto& value) { value = state[next++].cast<std::decay_t<decltype(value)>>(); };
+  const auto word = [&] { return state[next++].cast<std::string>(); };
+  Evaluation evaluation;
+  evaluation.protocol = protocol_of(word()).value();
+  evaluation.ties = ties_of(word()).value();
+  evaluation.curve = curve_kind_of(word()).value();
+  take(evaluation.measures);
+  take(evaluation.queries);
+  take(evaluation.query_classes);
+  take(evaluation.per_query);
+  take(evaluation.classes);
+  take(evaluation.per_class);
+  take(evaluation.micro);
+  take(evaluation.macro);
+  const auto curves = state[next++].cast<std::vector<std::pair<std::vector<double>, std::vector<double>>>>();
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    PrecisionRecallCurve curve{.recall = curves[i].first, .precision = curves[i].second};
+    if (i < 2) {
+      (i == 0 ? evaluation.micro_curve : evaluation.macro_curve) = std::move(curve);
+    } else {
+      evaluation.class_curves.push_back(std::move(curve));
+    }
+  }
+  take(evaluation.models_left_out);
+  take(evaluation.queries_with_ties);
+  take(evaluation.first_tier_bounds.pessimistic);
+  take(evaluation.first_tier_bounds.optimistic);
+  return evaluation;
+}
+/// @}
+
+std::string formatted(const TextTable& table, const std::string& format) {
+  if (format == "latex") return to_latex(table);
+  if (format == "markdown") return to_markdown(table);
+  return format == "csv" ? to_csv(table) : to_plain_text(table);
+}
+
+/// Comparison of methods, as by the command `compare`.
+struct ComparedMethods {
+  AlignedMethods methods;
+  std::vector<MethodComparison> comparisons;
+  ComparisonOptions options;
+
+  [[nodiscard]] std::vector<std::string> warnings() const {
+    const auto few = few_units_warning(comparisons.front(), options, Audience::python);
+    return few ? std::vector{*few} : std::vector<std::string>();
+  }
+};
+
+ComparedMethods compare_evaluations(const std::vector<std::string>& names,
+                                    const std::vector<std::shared_ptr<Evaluation>>& evaluations,
+                                    const std::string& test, const std::string& blocks, double confidence,
+                                    int resamples, std::uint64_t seed, int threads) {
+  return compute(threads, [&] {
+    ComparedMethods compared;
+    const Evaluation& first = *evaluations.at(0);
+    compared.methods = {.methods = names,
+                        .protocol = name_of(first.protocol),
+                        .measures = first.measures,
+                        .classes = first.query_classes,
+                        .values = {}};
+    const auto known = pair_test_of(test);
+    if (!known) throw InputError("unknown test \"" + test + "\"; known are randomization, t and bootstrap");
+    const auto known_blocks = blocks_of(blocks);
+    if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
+    compared.options.test = *known;
+    compared.options.blocks = *known_blocks;
+    compared.options.confidence = confidence;
+    compared.options.resampling = {.resamples = resamples, .seed = seed};
+    for (Eigen::Index k = 0; k < first.per_query.cols(); ++k) {
+      Eigen::MatrixXd values(first.per_query.rows(), static_cast<Eigen::Index>(evaluations.size()));
+      for (std::size_t method = 0; method < evaluations.size(); ++method) {
+        values.col(static_cast<Eigen::Index>(method)) = evaluations[method]->per_query.col(k);
+      }
+      compared.comparisons.push_back(compare_methods(values, first.query_classes, compared.options));
+      compared.methods.values.push_back(std::move(values));
+    }
+    return compared;
+  });
+}
+
+}  // namespace
+
+void bind_evaluation(py::module_& module) {
+  py::class_<Evaluation, std::shared_ptr<Evaluation>>(module, "Evaluation")
+      .def_readonly("measures", &Evaluation::measures)
+      .def_readonly("queries", &Evaluation::queries)
+      .def_readonly("query_classes", &Evaluation::query_classes)
+      .def_readonly("classes", &Evaluation::classes)
+      .def_readonly("micro", &Evaluation::micro)
+      .def_readonly("macro", &Evaluation::macro)
+      .def_readonly("per_query", &Evaluation::per_query)
+      .def_readonly("per_class", &Evaluation::per_class)
+      .def_readonly("models_left_out", &Evaluation::models_left_out)
+      .def_readonly("queries_with_ties", &Evaluation::queries_with_ties)
+      .def_property_readonly("protocol", [](const Evaluation& evaluation) { return name_of(evaluation.protocol); })
+      .def_property_readonly("recall", [](const Evaluation& evaluation) { return evaluation.micro_curve.recall; })
+      .def_property_readonly("precision", [](const Evaluation& evaluation) { return evaluation.micro_curve.precision; })
+      .def("table",
+           [](const Evaluation& evaluation, const std::string& method, const std::string& format) {
+             const std::vector<NamedEvaluation> one{{.method = method, .evaluation = &evaluation}};
+             return formatted(summary_table(one), format);
+           })
+      .def(py::pickle(&state_of, &evaluation_of));
+  module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
+                            const std::optional<std::vector<int>>& targets, const std::vector<int>& subclasses,
+                            const std::optional<Eigen::MatrixXi>& relevance, const std::string& protocol,
+                            const std::string& ties, const std::vector<std::string>& measures, const std::string& curve,
+                            int minimum_class_size, bool negated, int threads) {
+    const WantedEvaluation wanted{.labels = labels,
+                                  .targets = targets.value_or(std::vector<int>()),
+                                  .subclasses = subclasses,
+                                  .relevance = relevance,
+                                  .square = !targets,
+                                  .negated = negated,
+                                  .options = options_of(protocol, ties, measures, minimum_class_size, curve)};
+    const EvaluatedMatrix evaluated = evaluate_matrix(distances, wanted, threads);
+    return py::make_tuple(evaluated.evaluation, evaluated.warnings);
+  });
+  module.def("intervals", &intervals);
+  module.def("feature_distances",
+             [](const Eigen::Ref<const Signatures>& features, const std::string& distance, int threads) {
+               return array_of(compute(threads, [&] { return feature_distances(distance, features); }));
+             });
+}
+
+void bind_comparison(py::module_& module) {
+  py::class_<ComparedMethods>(module, "ComparedMethods")
+      .def("json",
+           [](const ComparedMethods& compared) {
+             return comparison_json(compared.methods, compared.comparisons, compared.options).dump();
+           })
+      .def_property_readonly("warnings", &ComparedMethods::warnings)
+      .def("summary",
+           [](const ComparedMethods& compared, const std::string& format) {
+             return formatted(comparison_summary(compared.methods, compared.comparisons, compared.options, {}), format);
+           })
+      .def("pairs", [](const ComparedMethods& compared, const std::string& format) {
+        return formatted(pairs_table(compared.methods, compared.comparisons, {}, format == "csv"), format);
+      });
+  module.def("compare", &compare_evaluations);
+}
+
+}  // namespace shapegauge

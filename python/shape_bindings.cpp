@@ -1,0 +1,155 @@
+// Shapes and what is computed from one: fields, parts, features.
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "python/native.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/configuration/chosen_offset.h"
+#include "shapegauge/experiments/configuration/descriptor_choice.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
+#include "shapegauge/experiments/segmentation/run_segmentation.h"
+
+namespace py = pybind11;
+
+namespace shapegauge {
+
+Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
+               const Eigen::Ref<const Points>& normals) {
+  Shape shape{.vertices = vertices, .triangles = faces, .normals = normals};
+  require_usable(shape);
+  return shape;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// Returns the offset of a field with these settings on the shape; nothing for a field without one.
+std::optional<ChosenOffset> offset_of(const Field& field, const FieldValues& values, const Shape& shape) {
+  const ParameterValues& settings = field.settings.values;
+  if (std::ranges::find(settings.parameters(), "offset", &Parameter::name) == settings.parameters().end()) {
+    return std::nullopt;
+  }
+  const auto* const given = std::get_if<double>(&settings.value("offset"));
+  ChosenOffset chosen = choose_offset(given != nullptr ? *given : values.offset.value(), shape);
+  // Already chosen by the field; leak_warning() only needs to know that it was automatic.
+  if (given == nullptr) chosen.automatic.emplace();
+  return chosen;
+}
+
+py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
+               const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
+  struct Computed {
+    Samples samples;
+    FieldValues values;
+    std::optional<double> offset;
+    std::optional<std::string> leak;
+    std::optional<std::string> two_sided;
+    std::optional<std::string> hollow;
+  };
+  Computed computed = compute(threads, [&] {
+    const Json json = Json::parse(settings);
+    check_against_schema(json, "field", "the field");
+    const Field wanted = read_field(json);
+    const Shape shape = shape_of(vertices, faces, normals);
+    Computed result;
+    result.samples = take_samples(shape, wanted.settings.samples);
+    FieldSource source(shape);
+    result.values = wanted.compute(source, result.samples, true);
+    if (const auto chosen = offset_of(wanted, result.values, shape)) {
+      result.offset = chosen->offset;
+      result.leak = leak_warning(*chosen, Audience::python);
+      result.two_sided = two_sided_warning(shape, result.values.values, chosen->offset);
+      result.hollow = hollow_remark(shape, true);
+    }
+    return result;
+  });
+  py::dict result;
+  result["values"] = array_of(std::move(computed.values.values));
+  result["weights"] = array_of(std::move(computed.samples.weights));
+  result["points"] = array_of(std::move(computed.samples.points));
+  result["normals"] = array_of(std::move(computed.values.normals));
+  result["offset"] = computed.offset;
+  const auto listed = [](const std::optional<std::string>& warning) {
+    return warning ? std::vector{*warning} : std::vector<std::string>();
+  };
+  result["leaks"] = listed(computed.leak);
+  result["two_sided"] = listed(computed.two_sided);
+  result["hollow"] = listed(computed.hollow);
+  result["without_value"] = outcome_warnings(computed.values.outcomes);
+  return result;
+}
+
+/// Returns the parts and warnings.
+py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
+                  const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
+  struct Computed {
+    Eigen::VectorX<std::int32_t> labels;
+    std::vector<std::string> warnings;
+  };
+  Computed computed = compute(threads, [&] {
+    const Json json = Json::parse(settings);
+    check_against_schema(json, "segmentation_method", "the segmentation");
+    if (json.contains("perturbations")) throw InputError("perturbations are of an experiment: use run()");
+    const SegmentationMethod method = segmentation_method(json);
+    const Shape shape = shape_of(vertices, faces, normals);
+    const std::vector<std::int32_t> labels = segmented(shape, method);
+    Computed result;
+    result.labels =
+        Eigen::Map<const Eigen::VectorX<std::int32_t>>(labels.data(), static_cast<Eigen::Index>(labels.size()));
+    if (method.paper && method.offset_field) {
+      const auto leak = leak_warning(choose_offset(method.offset, shape), Audience::python);
+      if (leak) result.warnings.push_back(*leak);
+    }
+    return result;
+  });
+  return py::make_tuple(array_of(std::move(computed.labels)), computed.warnings);
+}
+
+py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
+                   const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
+  return array_of(compute(threads, [&] {
+    const Json json = Json::parse(settings);
+    check_against_schema(json, "descriptor", "the descriptor");
+    const DescriptorChoice choice = make_descriptor(json);
+    if (learns(choice.descriptor, choice.values)) {
+      throw InputError("the descriptor " + std::string(choice.descriptor.name) +
+                       " learns from a whole data set: describe one by a configuration, with run()");
+    }
+    const Shape shape = prepare_shape(shape_of(vertices, faces, normals), {}).shape;
+    FieldSource source(shape);
+    const std::vector<ScalarField> fields = compute_fields(choice, source);
+    return compute_features(choice.descriptor, {.shape = shape, .fields = fields, .proxy = &source.proxy()}, {},
+                            choice.values);
+  }));
+}
+
+}  // namespace
+
+void bind_shapes(py::module_& module) {
+  module.def("read", [](const fs::path& path) {
+    Shape shape = compute(0, [&] { return read_shape(path); });
+    return py::make_tuple(array_of(std::move(shape.vertices)), array_of(std::move(shape.triangles)),
+                          array_of(std::move(shape.normals)));
+  });
+  module.def("write", [](const fs::path& path, const Eigen::Ref<const Points>& vertices,
+                         const Eigen::Ref<const Triangles>& faces, const Eigen::Ref<const Points>& normals) {
+    const py::gil_scoped_release released;
+    shape_writer(path)(path, shape_of(vertices, faces, normals));
+  });
+  module.def("field", &field);
+  module.def("segment", &segment);
+  module.def("describe", &describe);
+}
+
+}  // namespace shapegauge

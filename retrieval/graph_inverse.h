@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <span>
+
+/// Inverse of I - damping graph, for the symmetric graph of a random walk with eigenvalues in [-1, 1]: single columns,
+/// entries of the diagonal, or the whole.
+
+namespace shapegauge {
+
+using WalkGraph = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using FloatWalkGraph = Eigen::SparseMatrix<float, Eigen::RowMajor>;
+/// Columns of a few models, stored side by side for vectorisation.
+using FloatColumns = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Computes columns of (I - damping graph)^-1 by the Chebyshev semi-iteration (Golub and Varga 1961). The graph's
+/// eigenvalues are in [-1, 1], which determines the number of steps for a tolerance. Single precision is finer than the
+/// tolerance.
+class ColumnSolver {
+ public:
+  ColumnSolver(const WalkGraph& graph, double damping);
+
+  /// Returns `count` columns from `first` on.
+  [[nodiscard]] FloatColumns columns(Eigen::Index first, Eigen::Index count) const;
+
+ private:
+  /// before += weight (damping graph now + identity columns - before)
+  void advance(Eigen::Index first, float weight, const FloatColumns& now, FloatColumns& before) const;
+
+  FloatWalkGraph graph_;
+  double squared_damping_;
+  int steps_;
+};
+
+/// Computes entries of the diagonal of (I - damping graph)^-1 as a series of Chebyshev polynomials T_m of the graph.
+/// Columns of T_m give the diagonals of T_2m and T_2m+1, since T_2m = 2 T_m^2 - 1 and T_2m+1 = 2 T_m T_m+1 - T_1
+/// (Weisse, Wellein, Alvermann, Fehske 2006); half of the series suffices.
+class DiagonalSolver {
+ public:
+  DiagonalSolver(const WalkGraph& graph, double damping);
+
+  /// Returns the entries of these models.
+  [[nodiscard]] Eigen::VectorXd entries(std::span<const Eigen::Index> models) const;
+
+ private:
+  /// before = factor graph now - before; the columns' squares of now, and their products with the new before
+  void advance(float factor, const FloatColumns& now, FloatColumns& before, Eigen::ArrayXd& squares,
+               Eigen::ArrayXd& products) const;
+
+  FloatWalkGraph graph_;
+  double rate_;
+  double root_;
+  int steps_;
+};
+
+/// Inverts a symmetric positive definite matrix by its Cholesky factorisation, in parallel where possible. The result
+/// has the same bits as Eigen's matrix.llt().solve(identity), on any number of threads. Throws Interrupted.
+Eigen::MatrixXd positive_definite_inverse(Eigen::MatrixXd matrix);
+
+}  // namespace shapegauge
