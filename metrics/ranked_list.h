@@ -10,9 +10,10 @@
 
 namespace shapegauge {
 
-/// Returns the `count` models nearest to a query, in order of distance (ties: smaller index first); all of them if there
-/// are no more. `distances` are those from the query to all models, and `query` is its own index. Infinite distances
-/// rank last. The query is excluded by its index: a duplicate of it at distance 0 stays. No distance may be NaN.
+/// Returns the `count` models nearest to a query, in order of distance (ties: smaller index first); all of them if
+/// there are no more. `distances` are those from the query to all models, and `query` is its own index. Infinite
+/// distances rank last. The query is excluded by its index: a duplicate of it at distance 0 stays. No distance may be
+/// NaN.
 std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen::Index query, Eigen::Index count);
 
 /// Run of consecutive ranks: `size` of them, with `hits` relevant models. All orders within the run are equally likely.

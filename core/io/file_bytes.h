@@ -20,8 +20,8 @@ struct MappedBytes {
   std::string_view bytes;
 };
 
-/// Maps a file into memory, read-only: a large file is then not copied. Replacing the file leaves the bytes as they are,
-/// overwriting it in place changes them, and truncating it crashes a program that reads them. Throws InputError as
+/// Maps a file into memory, read-only: a large file is then not copied. Replacing the file leaves the bytes as they
+/// are, overwriting it in place changes them, and truncating it crashes a program that reads them. Throws InputError as
 /// read_file_bytes() does.
 MappedBytes map_file(const std::filesystem::path& path);
 

@@ -88,7 +88,8 @@ class ObjReader {
 
   void read_vertex() {
     const std::array<double, 3> position = read_vector("vertex", soup_.vertices() + 1, "a coordinate");
-    if (soup_.vertices() == std::numeric_limits<std::int32_t>::max()) scanner_.fail("more than 2147483647 vertices are not supported");
+    if (soup_.vertices() == std::numeric_limits<std::int32_t>::max())
+      scanner_.fail("more than 2147483647 vertices are not supported");
     soup_.add_vertex(position);
   }
 

@@ -344,7 +344,8 @@ SilhouetteFeatures::SilhouetteFeatures(int pixels) : pixels_(pixels) {
 std::array<double, silhouette_feature_count> SilhouetteFeatures::operator()(std::span<const std::uint8_t> image) const {
   const std::size_t expected = static_cast<std::size_t>(pixels_) * static_cast<std::size_t>(pixels_);
   if (image.size() != expected) {
-    throw ArgumentError("a silhouette has " + std::to_string(image.size()) + " pixels; expected " + std::to_string(expected));
+    throw ArgumentError("a silhouette has " + std::to_string(image.size()) + " pixels; expected " +
+                        std::to_string(expected));
   }
   const std::vector<Run> runs = runs_of(image, pixels_);
   Eigen::Matrix<float, 1, 2 * zernike_moments> moments = Eigen::Matrix<float, 1, 2 * zernike_moments>::Zero();
