@@ -18,8 +18,8 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array all_blocks = {Named<Blocks>{Blocks::classes, "classes"},
-                                   Named<Blocks>{Blocks::queries, "queries"}};
+constexpr std::array all_blocks = {Named<ResamplingUnit>{ResamplingUnit::classes, "classes"},
+                                   Named<ResamplingUnit>{ResamplingUnit::queries, "queries"}};
 constexpr std::array all_averages = {Named<Average>{Average::micro, "micro"}, Named<Average>{Average::macro, "macro"}};
 
 std::map<int, double> sizes_of(std::span<const int> classes) {
@@ -28,9 +28,9 @@ std::map<int, double> sizes_of(std::span<const int> classes) {
   return sizes;
 }
 
-Units query_units(const Eigen::MatrixXd& per_query, std::span<const int> classes, Average average) {
+UnitValues query_units(const Eigen::MatrixXd& per_query, std::span<const int> classes, Average average) {
   const std::map<int, double> sizes = sizes_of(classes);
-  Units units{per_query, Eigen::VectorXd(per_query.rows())};
+  UnitValues units{per_query, Eigen::VectorXd(per_query.rows())};
   for (Eigen::Index row = 0; row < per_query.rows(); ++row) {
     const double size = sizes.at(classes[static_cast<std::size_t>(row)]);
     units.weights[row] = average == Average::micro ? 1.0 : 1.0 / size;
@@ -38,12 +38,12 @@ Units query_units(const Eigen::MatrixXd& per_query, std::span<const int> classes
   return units;
 }
 
-Units class_units(const Eigen::MatrixXd& per_query, std::span<const int> classes, Average average) {
+UnitValues class_units(const Eigen::MatrixXd& per_query, std::span<const int> classes, Average average) {
   const std::map<int, double> sizes = sizes_of(classes);
   std::map<int, Eigen::Index> unit_of_class;
   for (const int label : classes) unit_of_class.emplace(label, static_cast<Eigen::Index>(unit_of_class.size()));
   const auto count = static_cast<Eigen::Index>(sizes.size());
-  Units units{Eigen::MatrixXd::Zero(count, per_query.cols()), Eigen::VectorXd(count)};
+  UnitValues units{Eigen::MatrixXd::Zero(count, per_query.cols()), Eigen::VectorXd(count)};
   for (Eigen::Index row = 0; row < per_query.rows(); ++row) {
     units.values.row(unit_of_class.at(classes[static_cast<std::size_t>(row)])) += per_query.row(row);
   }
@@ -57,26 +57,27 @@ Units class_units(const Eigen::MatrixXd& per_query, std::span<const int> classes
 
 }  // namespace
 
-std::string name_of(Blocks blocks) { return name_in<Blocks>(all_blocks, blocks); }
-std::optional<Blocks> blocks_of(std::string_view name) { return value_in<Blocks>(all_blocks, name); }
-std::vector<std::string> blocks_names() { return names_in<Blocks>(all_blocks); }
+std::string name_of(ResamplingUnit blocks) { return name_in<ResamplingUnit>(all_blocks, blocks); }
+std::optional<ResamplingUnit> blocks_of(std::string_view name) { return value_in<ResamplingUnit>(all_blocks, name); }
+std::vector<std::string> blocks_names() { return names_in<ResamplingUnit>(all_blocks); }
 std::string name_of(Average average) { return name_in<Average>(all_averages, average); }
 std::optional<Average> average_of(std::string_view name) { return value_in<Average>(all_averages, name); }
 std::vector<std::string> average_names() { return names_in<Average>(all_averages); }
 
-Units units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, Blocks blocks, Average average) {
+UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit blocks,
+                    Average average) {
   if (per_query.rows() == 0) throw ArgumentError("statistics need at least one query");
   if (static_cast<std::size_t>(per_query.rows()) != classes.size()) {
     throw ArgumentError("values of " + std::to_string(per_query.rows()) + " queries, but classes of " +
                         std::to_string(classes.size()));
   }
-  Units units =
-      blocks == Blocks::queries ? query_units(per_query, classes, average) : class_units(per_query, classes, average);
+  UnitValues units = blocks == ResamplingUnit::queries ? query_units(per_query, classes, average)
+                                                       : class_units(per_query, classes, average);
   units.weights /= units.weights.sum();
   return units;
 }
 
-Eigen::VectorXd averages_of(const Units& units) { return units.values.transpose() * units.weights; }
+Eigen::VectorXd averages_of(const UnitValues& units) { return units.values.transpose() * units.weights; }
 
 Eigen::VectorXd contributions(const Eigen::VectorXd& differences, const Eigen::VectorXd& weights) {
   return static_cast<double>(differences.size()) * differences.cwiseProduct(weights);
@@ -103,7 +104,7 @@ double quantile(const Eigen::VectorXd& sorted, double fraction) {
 
 }  // namespace
 
-Eigen::MatrixXd bootstrap_averages(const Units& units, const ResamplingOptions& options) {
+Eigen::MatrixXd bootstrap_averages(const UnitValues& units, const ResamplingOptions& options) {
   if (options.resamples < 1) {
     throw ArgumentError("a bootstrap needs at least one resample, not " + std::to_string(options.resamples));
   }
@@ -142,7 +143,7 @@ std::vector<ConfidenceInterval> percentile_intervals(const Eigen::MatrixXd& resa
   return intervals;
 }
 
-std::vector<ConfidenceInterval> bootstrap_intervals(const Units& units, double confidence,
+std::vector<ConfidenceInterval> bootstrap_intervals(const UnitValues& units, double confidence,
                                                     const ResamplingOptions& options) {
   return percentile_intervals(bootstrap_averages(units, options), units.values.rows(), confidence);
 }

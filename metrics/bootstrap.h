@@ -16,15 +16,15 @@ namespace shapegauge {
 /// affects the answers to all of the class's queries. Classes can be assumed to be independent samples of a population.
 /// queries: each query separately, as if they were independent. Intervals are then too narrow and tests too liberal;
 /// for comparison with published scores only.
-enum class Blocks { classes, queries };
+enum class ResamplingUnit { classes, queries };
 
 /// Averaging over queries (micro) or over the means of classes (macro).
 enum class Average { micro, macro };
 
 /// Conversion to and from names in files and options: "classes", "queries"; "micro", "macro".
 /// @{
-std::string name_of(Blocks blocks);
-std::optional<Blocks> blocks_of(std::string_view name);
+std::string name_of(ResamplingUnit blocks);
+std::optional<ResamplingUnit> blocks_of(std::string_view name);
 std::vector<std::string> blocks_names();
 std::string name_of(Average average);
 std::optional<Average> average_of(std::string_view name);
@@ -38,7 +38,7 @@ struct ResamplingOptions {
 };
 
 /// Values of methods by independent unit, a class or a query.
-struct Units {
+struct UnitValues {
   Eigen::MatrixXd values;   ///< units x methods: means over the unit's queries
   Eigen::VectorXd weights;  ///< weight of each unit in the average; sum 1
 };
@@ -46,10 +46,11 @@ struct Units {
 /// Aggregates a table queries x methods by unit. classes[i] is the class of query i. Classes are in order of first
 /// appearance, which makes random draws independent of their numbering. Throws ArgumentError without queries and for a
 /// wrong number of classes.
-Units units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, Blocks blocks, Average average);
+UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit blocks,
+                    Average average);
 
 /// Returns the average of each method: the weighted mean of its units.
-Eigen::VectorXd averages_of(const Units& units);
+Eigen::VectorXd averages_of(const UnitValues& units);
 
 /// Returns each unit's contribution to the average of `differences` (by unit), times the number of units. The plain
 /// mean of the contributions is the average.
@@ -64,14 +65,14 @@ struct ConfidenceInterval {
 /// Draws `options.resamples` bootstrap samples of the units with replacement and computes their weighted means
 /// (resamples x methods). All methods use the same draws. Efron and Tibshirani, "An introduction to the bootstrap",
 /// 1993.
-Eigen::MatrixXd bootstrap_averages(const Units& units, const ResamplingOptions& options = {});
+Eigen::MatrixXd bootstrap_averages(const UnitValues& units, const ResamplingOptions& options = {});
 
 /// Computes two-sided bootstrap confidence intervals of the averages, by method: percentiles of bootstrap_averages(),
 /// widened by sqrt(n / (n - 1)) and Student's t for the small number of units n (Hesterberg, "What teachers should know
 /// about the bootstrap", The American Statistician 69, 2015, section 3.2). If all units have the same value the
 /// interval has no width: the data then do not show any variation. Throws ArgumentError for fewer than two units, no
 /// resamples, and a confidence that is not between 0 and 1.
-std::vector<ConfidenceInterval> bootstrap_intervals(const Units& units, double confidence = 0.95,
+std::vector<ConfidenceInterval> bootstrap_intervals(const UnitValues& units, double confidence = 0.95,
                                                     const ResamplingOptions& options = {});
 
 /// Computes the intervals from existing bootstrap averages of `units` units.

@@ -21,7 +21,7 @@ constexpr std::array tests = {
     Named<PairTest>{PairTest::bootstrap, "bootstrap"},
 };
 
-void check(const Eigen::MatrixXd& per_query, const Units& units, const ComparisonOptions& options) {
+void check(const Eigen::MatrixXd& per_query, const UnitValues& units, const ComparisonOptions& options) {
   if (per_query.cols() < 2) throw ArgumentError("a comparison needs at least two methods");
   if (!per_query.allFinite()) throw ArgumentError("a value to compare is not a finite number");
   if (units.values.rows() < 2) {
@@ -50,7 +50,7 @@ double bootstrap_p_value(const Eigen::VectorXd& resampled, double observed) {
   return (1.0 + static_cast<double>(as_far)) / (1.0 + static_cast<double>(resampled.size()));
 }
 
-double p_value(const Eigen::VectorXd& differences, const Units& units, const Eigen::VectorXd& resampled,
+double p_value(const Eigen::VectorXd& differences, const UnitValues& units, const Eigen::VectorXd& resampled,
                double observed, const ComparisonOptions& options) {
   switch (options.test) {
     case PairTest::t:
@@ -84,7 +84,7 @@ double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
 
 MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<const int> classes,
                                  const ComparisonOptions& options) {
-  const Units units = units_of(per_query, classes, options.blocks, options.average);
+  const UnitValues units = units_of(per_query, classes, options.blocks, options.average);
   check(per_query, units, options);
   const Eigen::MatrixXd resampled = bootstrap_averages(units, options.resampling);
   const Eigen::MatrixXd tukey = tukey_hsd_p_values(units, options.resampling);

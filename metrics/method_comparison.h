@@ -28,7 +28,7 @@ std::vector<std::string> pair_test_names();
 /// Options of a comparison.
 struct ComparisonOptions {
   PairTest test = PairTest::randomisation;
-  Blocks blocks = Blocks::classes;
+  ResamplingUnit blocks = ResamplingUnit::classes;
   Average average = Average::micro;
   double confidence = 0.95;
   std::optional<std::size_t> reference{};  ///< method that is compared with each other one; all pairs if not set

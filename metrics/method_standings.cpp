@@ -21,7 +21,7 @@ std::vector<std::size_t> order_of(const Eigen::VectorXd& averages) {
   return order;
 }
 
-Eigen::MatrixXd p_values_of(const Units& units, const StandingOptions& options) {
+Eigen::MatrixXd p_values_of(const UnitValues& units, const StandingOptions& options) {
   if (units.values.rows() < 2) return Eigen::MatrixXd::Ones(units.values.cols(), units.values.cols());
   return tukey_hsd_p_values(units, options.resampling);
 }
@@ -32,7 +32,7 @@ std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::
                                          const StandingOptions& options) {
   if (per_query.cols() == 0) throw ArgumentError("no methods to rank");
   if (!per_query.allFinite()) throw ArgumentError("a value to rank by is not a finite number");
-  const Units units = units_of(per_query, classes, options.blocks, options.average);
+  const UnitValues units = units_of(per_query, classes, options.blocks, options.average);
   const Eigen::VectorXd averages = averages_of(units);
   const Eigen::MatrixXd p_values = p_values_of(units, options);
   const std::vector<std::size_t> order = order_of(averages);

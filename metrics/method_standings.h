@@ -13,7 +13,7 @@ namespace shapegauge {
 
 /// Options of standings.
 struct StandingOptions {
-  Blocks blocks = Blocks::classes;
+  ResamplingUnit blocks = ResamplingUnit::classes;
   Average average = Average::micro;
   double confidence = 0.95;
   ResamplingOptions resampling{};

@@ -76,7 +76,7 @@ PairedT paired_t_test(const Eigen::VectorXd& differences) {
 namespace {
 
 // Averages the methods after shuffling (Fisher and Yates) their values within every unit.
-Eigen::VectorXd shuffled_averages(const Units& units, RandomNumbers random) {
+Eigen::VectorXd shuffled_averages(const UnitValues& units, RandomNumbers random) {
   Eigen::VectorXd averages = Eigen::VectorXd::Zero(units.values.cols());
   for (Eigen::Index unit = 0; unit < units.values.rows(); ++unit) {
     Eigen::RowVectorXd values = units.values.row(unit);
@@ -90,7 +90,7 @@ Eigen::VectorXd shuffled_averages(const Units& units, RandomNumbers random) {
 
 }  // namespace
 
-Eigen::MatrixXd tukey_hsd_p_values(const Units& units, const ResamplingOptions& options) {
+Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOptions& options) {
   if (options.resamples < 1) {
     throw ArgumentError("a randomised test needs at least one resample, not " + std::to_string(options.resamples));
   }

@@ -34,7 +34,7 @@ PairedT paired_t_test(const Eigen::VectorXd& differences);
 /// are at least as large as the pair's own difference. No further correction is needed. Carterette, "Multiple testing
 /// in statistical analysis of systems-based information retrieval experiments", ACM TOIS 30, 2012. Throws ArgumentError
 /// without resamples or units.
-Eigen::MatrixXd tukey_hsd_p_values(const Units& units, const ResamplingOptions& options = {});
+Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOptions& options = {});
 
 /// Adjusts p-values for multiple testing by Holm's method, which controls the family-wise error rate under any
 /// dependence. With p-values in ascending order, the i-th of m becomes the maximum of (m - j + 1) p_j for j <= i, at

@@ -151,7 +151,7 @@ struct Diffusion {
 
   static OriginalShare original_of(const NearestModels& nearest, double tie) {
     const double factor = safe_factor(nearest.largest);
-    return {tie, mean_distance(multiplied(nearest, factor).distances), factor, nearest.largest};
+    return {tie, mean_distance(with_scaled_distances(nearest, factor).distances), factor, nearest.largest};
   }
 };
 
@@ -367,7 +367,7 @@ NearestModels with_query(NearestModels nearest, const Eigen::VectorXd& distances
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options) {
   check(options);
   const Diffusion diffusion(distances.rows(), rows_of(distances), options);
-  return symmetric(diffusion.distances_of(dense_similarities(diffusion), distances, 0));
+  return symmetrised(diffusion.distances_of(dense_similarities(diffusion), distances, 0));
 }
 
 DiffusionOptions diffusion_options(const ParameterValues& values) { return options_from(diffusion_table, values); }

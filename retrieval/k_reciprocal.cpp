@@ -159,9 +159,9 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
                      "; it must be at most neighbours, which is " + std::to_string(counts.back()));
   }
   const NearestModels found = nearest_models(models, counts.back(), rows_of(given));
-  if (models < 2) return symmetric(given);
+  if (models < 2) return symmetrised(given);
   const double factor = safe_factor(found.largest);
-  const NearestModels nearest = multiplied(found, factor);
+  const NearestModels nearest = with_scaled_distances(found, factor);
   const DistanceMatrix distances = factor * given;
   std::vector<NeighbourSets> sets;
   for (const int count : counts) {
@@ -177,7 +177,7 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
       result(model, j) = jaccard[j] < 1 ? (1 - options.original) * jaccard[j] + options.original : infinity;
     }
   });
-  return symmetric(result);
+  return symmetrised(result);
 }
 
 RerankMethod k_reciprocal_method() {

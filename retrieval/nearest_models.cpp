@@ -51,7 +51,7 @@ NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) 
   return nearest;
 }
 
-NearestModels multiplied(NearestModels nearest, double factor) {
+NearestModels with_scaled_distances(NearestModels nearest, double factor) {
   if (factor == 1) return nearest;
   nearest.distances *= factor;
   nearest.largest *= factor;
@@ -71,7 +71,7 @@ double overflow_safe_mean(std::span<const double> distances) {
   return std::min(mean, std::numeric_limits<double>::max());
 }
 
-DistanceMatrix symmetric(const DistanceMatrix& distances) {
+DistanceMatrix symmetrised(const DistanceMatrix& distances) {
   DistanceMatrix result = distances / 2 + distances.transpose() / 2;
   result.diagonal().setZero();
   return result;

@@ -51,7 +51,7 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows);
 
 /// Multiplies all distances by a factor.
-NearestModels multiplied(NearestModels nearest, double factor);
+NearestModels with_scaled_distances(NearestModels nearest, double factor);
 
 /// Returns a power of two that protects sums and quotients of distances up to `largest` from overflow and underflow; 1
 /// if not needed.
@@ -72,6 +72,6 @@ double mean_distance(const Distances& distances) {
 }
 
 /// Returns the mean of the matrix and its transpose, with a zero diagonal.
-DistanceMatrix symmetric(const DistanceMatrix& distances);
+DistanceMatrix symmetrised(const DistanceMatrix& distances);
 
 }  // namespace shapegauge

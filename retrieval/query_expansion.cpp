@@ -75,7 +75,7 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
       result(i, j) = far ? infinity : std::min(result(i, j), std::numeric_limits<double>::max());
     }
   });
-  return symmetric(result);
+  return symmetrised(result);
 }
 
 RerankMethod query_expansion_method() {

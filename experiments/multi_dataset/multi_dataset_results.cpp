@@ -27,7 +27,8 @@ std::vector<int> class_numbers(const std::vector<std::string>& classes) {
 }
 
 double average_of(const MethodScores& scores, Eigen::Index measure, Average average) {
-  return averages_of(units_of(scores.values.col(measure), class_numbers(scores.classes), Blocks::queries, average))[0];
+  return averages_of(
+      units_of(scores.values.col(measure), class_numbers(scores.classes), ResamplingUnit::queries, average))[0];
 }
 
 // The scores of one protocol, by method.

@@ -70,7 +70,8 @@ std::string score_text(double fraction, const ScoreStyle& style) {
 }
 
 EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOptions& options) {
-  const std::size_t units = options.blocks == Blocks::classes ? evaluation.classes.size() : evaluation.queries.size();
+  const std::size_t units =
+      options.blocks == ResamplingUnit::classes ? evaluation.classes.size() : evaluation.queries.size();
   if (units < 2) return {};
   const auto of = [&](Average average) {
     return bootstrap_intervals(units_of(evaluation.per_query, evaluation.query_classes, options.blocks, average),

@@ -31,7 +31,7 @@ inline constexpr ScoreStyle exact_style{.percent = true, .decimals = all_decimal
 /// Options of confidence intervals (bootstrap_intervals()).
 struct IntervalOptions {
   double confidence = 0.95;
-  Blocks blocks = Blocks::classes;
+  ResamplingUnit blocks = ResamplingUnit::classes;
   ResamplingOptions resampling{};
 };
 

@@ -140,7 +140,7 @@ std::optional<std::string> few_units_warning(const MethodComparison& comparison,
   if (pairs * smallest <= alpha) return std::nullopt;
   const bool few_resamples = smallest * (1.0 + options.resampling.resamples) <= 1;
   const std::string more_blocks =
-      options.blocks == Blocks::classes
+      options.blocks == ResamplingUnit::classes
           ? fmt::format(" or {} (which is too liberal)", setting_with_word(audience, "blocks", "queries"))
           : "";
   const std::string advice =

@@ -15,41 +15,41 @@ namespace {
 const Eigen::MatrixXd values = (Eigen::MatrixXd(4, 1) << 1, 10, 2, 3).finished();
 const std::vector<int> classes = {7, 4, 7, 7};
 
-TEST(Units, GiveTheSameAverageWhateverTheBlocksAre) {
-  for (const Blocks blocks : {Blocks::classes, Blocks::queries}) {
+TEST(UnitValues, GiveTheSameAverageWhateverTheBlocksAre) {
+  for (const ResamplingUnit blocks : {ResamplingUnit::classes, ResamplingUnit::queries}) {
     EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, blocks, Average::micro))[0], 4);
     EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, blocks, Average::macro))[0], 6);
   }
 }
 
-TEST(Units, AreClassesOrQueries) {
-  const Units of_classes = units_of(values, classes, Blocks::classes, Average::micro);
+TEST(UnitValues, AreClassesOrQueries) {
+  const UnitValues of_classes = units_of(values, classes, ResamplingUnit::classes, Average::micro);
   EXPECT_EQ(of_classes.values, (Eigen::MatrixXd(2, 1) << 2, 10).finished());
   EXPECT_EQ(of_classes.weights, (Eigen::VectorXd(2) << 0.75, 0.25).finished());
-  EXPECT_EQ(units_of(values, classes, Blocks::queries, Average::macro).weights,
+  EXPECT_EQ(units_of(values, classes, ResamplingUnit::queries, Average::macro).weights,
             (Eigen::VectorXd(4) << 1.0 / 6, 0.5, 1.0 / 6, 1.0 / 6).finished());
 }
 
-TEST(Units, ContributionsHaveTheAverageAsTheirMean) {
-  const Units units = units_of(values, classes, Blocks::classes, Average::micro);
+TEST(UnitValues, ContributionsHaveTheAverageAsTheirMean) {
+  const UnitValues units = units_of(values, classes, ResamplingUnit::classes, Average::micro);
   EXPECT_DOUBLE_EQ(contributions(units.values.col(0), units.weights).mean(), 4);
 }
 
-TEST(Units, HaveTheirNamesBothWays) {
+TEST(UnitValues, HaveTheirNamesBothWays) {
   for (const std::string& name : blocks_names()) EXPECT_EQ(name_of(blocks_of(name).value()), name);
   for (const std::string& name : average_names()) EXPECT_EQ(name_of(average_of(name).value()), name);
   EXPECT_FALSE(blocks_of("models"));
   EXPECT_FALSE(average_of("mean"));
 }
 
-TEST(Units, RefuseWhatDoesNotFit) {
-  EXPECT_THROW(units_of(values, std::vector<int>{1}, Blocks::classes, Average::micro), ArgumentError);
-  EXPECT_THROW(units_of(Eigen::MatrixXd(0, 1), {}, Blocks::classes, Average::micro), ArgumentError);
+TEST(UnitValues, RefuseWhatDoesNotFit) {
+  EXPECT_THROW(units_of(values, std::vector<int>{1}, ResamplingUnit::classes, Average::micro), ArgumentError);
+  EXPECT_THROW(units_of(Eigen::MatrixXd(0, 1), {}, ResamplingUnit::classes, Average::micro), ArgumentError);
 }
 
-Units example() {
+UnitValues example() {
   const SimulatedMethods methods = simulated_methods(30, 5, 3);
-  return units_of(methods.per_query, methods.classes, Blocks::classes, Average::micro);
+  return units_of(methods.per_query, methods.classes, ResamplingUnit::classes, Average::micro);
 }
 
 TEST(Bootstrap, DoesNotDependOnTheNumbersOfTheClasses) {
@@ -57,8 +57,8 @@ TEST(Bootstrap, DoesNotDependOnTheNumbersOfTheClasses) {
   std::vector<int> renumbered;
   for (const int label : methods.classes) renumbered.push_back((7 * label + 11) % 30);
   for (const Average average : {Average::micro, Average::macro}) {
-    const Units units = units_of(methods.per_query, methods.classes, Blocks::classes, average);
-    const Units others = units_of(methods.per_query, renumbered, Blocks::classes, average);
+    const UnitValues units = units_of(methods.per_query, methods.classes, ResamplingUnit::classes, average);
+    const UnitValues others = units_of(methods.per_query, renumbered, ResamplingUnit::classes, average);
     EXPECT_EQ(bootstrap_averages(units, {.resamples = 100}), bootstrap_averages(others, {.resamples = 100}));
   }
 }
@@ -98,7 +98,7 @@ TEST(Bootstrap, SameBytesForAnyNumberOfThreads) {
 }
 
 TEST(Bootstrap, ResamplesScatterAsTheStandardErrorSays) {
-  const Units units = example();
+  const UnitValues units = example();
   const Eigen::MatrixXd averages = bootstrap_averages(units, {.resamples = 20000});
   const auto spread = [](const Eigen::VectorXd& v) { return std::sqrt((v.array() - v.mean()).square().mean()); };
   const double standard_error = spread(units.values.col(0)) / std::sqrt(30.0);
@@ -107,7 +107,7 @@ TEST(Bootstrap, ResamplesScatterAsTheStandardErrorSays) {
 }
 
 TEST(Bootstrap, EqualUnitsGiveAnIntervalWithoutWidth) {
-  const Units units{Eigen::MatrixXd::Constant(7, 1, 0.5), Eigen::VectorXd::Constant(7, 1.0 / 7)};
+  const UnitValues units{Eigen::MatrixXd::Constant(7, 1, 0.5), Eigen::VectorXd::Constant(7, 1.0 / 7)};
   const ConfidenceInterval interval = bootstrap_intervals(units).front();
   EXPECT_DOUBLE_EQ(interval.low, 0.5);
   EXPECT_DOUBLE_EQ(interval.high, 0.5);
@@ -121,7 +121,7 @@ TEST(Bootstrap, MoreConfidenceIsAWiderInterval) {
 }
 
 TEST(Bootstrap, RefusesWhatHasNoInterval) {
-  const Units one{Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Ones(1)};
+  const UnitValues one{Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Ones(1)};
   EXPECT_THROW(bootstrap_intervals(one), ArgumentError);
   EXPECT_THROW(bootstrap_intervals(example(), 0), ArgumentError);
   EXPECT_THROW(bootstrap_intervals(example(), 1), ArgumentError);
@@ -129,11 +129,11 @@ TEST(Bootstrap, RefusesWhatHasNoInterval) {
 }
 
 // Fraction of data sets whose interval contains the true average, 0.6.
-double coverage(Blocks blocks, int data_sets) {
+double coverage(ResamplingUnit blocks, int data_sets) {
   int covered = 0;
   for (int i = 0; i < data_sets; ++i) {
     const SimulatedMethods methods = simulated_methods(30, 10, static_cast<unsigned>(i));
-    const Units units = units_of(methods.per_query, methods.classes, blocks, Average::micro);
+    const UnitValues units = units_of(methods.per_query, methods.classes, blocks, Average::micro);
     const ConfidenceInterval interval = bootstrap_intervals(units, 0.95, {.resamples = 500}).front();
     if (interval.low <= 0.6 && 0.6 <= interval.high) ++covered;
   }
@@ -142,13 +142,15 @@ double coverage(Blocks blocks, int data_sets) {
 
 // 600 data sets: the count of a true 95 % has a standard deviation of 0.9 %.
 TEST(Bootstrap, IntervalsOverClassesHoldTheTruthAsOftenAsTheySay) {
-  EXPECT_NEAR(coverage(Blocks::classes, 600), 0.95, 3 * 0.0089);
+  EXPECT_NEAR(coverage(ResamplingUnit::classes, 600), 0.95, 3 * 0.0089);
 }
 
 // Reason for resampling classes by default: queries of a class are correlated. A class of 10 queries that share
 // half of the variance counts for 10 / (1 + 9 / 2) = 1.8 independent ones: intervals are 2.35 times too narrow, which
 // leaves 60 %.
-TEST(Bootstrap, IntervalsOverQueriesAreTooNarrow) { EXPECT_NEAR(coverage(Blocks::queries, 300), 0.60, 3 * 0.028); }
+TEST(Bootstrap, IntervalsOverQueriesAreTooNarrow) {
+  EXPECT_NEAR(coverage(ResamplingUnit::queries, 300), 0.60, 3 * 0.028);
+}
 
 }  // namespace
 

@@ -120,8 +120,8 @@ TEST(MethodComparison, TheTTestWeighsUnitsAsTheAverageDoes) {
   Eigen::MatrixXd per_query(4, 2);
   per_query << 0.5, 0.4, 0.7, 0.4, 0.3, 0.1, 0.9, 0.2;
   const std::vector<int> classes = {0, 0, 0, 1};
-  const MethodComparison result =
-      compare_methods(per_query, classes, {.test = PairTest::t, .blocks = Blocks::queries, .average = Average::macro});
+  const MethodComparison result = compare_methods(
+      per_query, classes, {.test = PairTest::t, .blocks = ResamplingUnit::queries, .average = Average::macro});
   const Eigen::VectorXd terms = (Eigen::VectorXd(4) << 0.1 * 2 / 3, 0.3 * 2 / 3, 0.2 * 2 / 3, 0.7 * 2).finished();
   ASSERT_EQ(result.pairs.size(), 1U);
   EXPECT_NEAR(result.pairs[0].difference, terms.mean(), 1e-15);

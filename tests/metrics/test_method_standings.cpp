@@ -70,7 +70,7 @@ TEST(MethodStandings, ShareLettersExactlyWhereTheTestFindsNoDifference) {
   const SimulatedMethods methods = spread_methods();
   const StandingOptions options{};
   const auto standings = standings_of(methods.per_query, methods.classes, options);
-  const Units units = units_of(methods.per_query, methods.classes, options.blocks, options.average);
+  const UnitValues units = units_of(methods.per_query, methods.classes, options.blocks, options.average);
   const Eigen::MatrixXd p = tukey_hsd_p_values(units, options.resampling);
   const auto intervals = bootstrap_intervals(units, options.confidence, options.resampling);
   for (std::size_t a = 0; a < standings.size(); ++a) {

@@ -66,11 +66,11 @@ TEST(RandomisationTest, RefusesNoResamplesAndNoUnits) {
   EXPECT_THROW(p_of(Eigen::VectorXd(0)), ArgumentError);
 }
 
-double false_positive_rate(Blocks blocks, int data_sets) {
+double false_positive_rate(ResamplingUnit blocks, int data_sets) {
   int significant = 0;
   for (int i = 0; i < data_sets; ++i) {
     const SimulatedMethods methods = simulated_methods(30, 10, 1000 + static_cast<unsigned>(i));
-    const Units units = units_of(methods.per_query, methods.classes, blocks, Average::micro);
+    const UnitValues units = units_of(methods.per_query, methods.classes, blocks, Average::micro);
     const Eigen::VectorXd differences = units.values.col(0) - units.values.col(1);
     if (randomisation_p_value(differences, units.weights, {.resamples = 199}) <= 0.05) ++significant;
   }
@@ -79,12 +79,12 @@ double false_positive_rate(Blocks blocks, int data_sets) {
 
 // 600 data sets: the count of a true 5 % has a standard deviation of 0.9 %.
 TEST(RandomisationTest, OverClassesFindsADifferenceThatIsNotThereAsOftenAsItSays) {
-  EXPECT_NEAR(false_positive_rate(Blocks::classes, 600), 0.05, 3 * 0.0089);
+  EXPECT_NEAR(false_positive_rate(ResamplingUnit::classes, 600), 0.05, 3 * 0.0089);
 }
 
 // Over queries, see test_bootstrap.cpp, 40 % of equally good methods are called different.
 TEST(RandomisationTest, OverQueriesIsTooEager) {
-  EXPECT_NEAR(false_positive_rate(Blocks::queries, 300), 0.40, 3 * 0.028);
+  EXPECT_NEAR(false_positive_rate(ResamplingUnit::queries, 300), 0.40, 3 * 0.028);
 }
 
 // "Student"'s own data, Biometrika 1908: hours of sleep gained by one drug over another. t = 4.06 with 9 degrees of
@@ -106,7 +106,7 @@ TEST(PairedTTest, DifferencesThatDoNotVary) {
 
 TEST(PairedTTest, NeedsTwo) { EXPECT_THROW(paired_t_test(Eigen::VectorXd::Ones(1)), ArgumentError); }
 
-Units random_units(Eigen::Index units, Eigen::Index methods, unsigned seed) {
+UnitValues random_units(Eigen::Index units, Eigen::Index methods, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   return {Eigen::MatrixXd::NullaryExpr(units, methods, [&] { return normal(random); }),
@@ -115,7 +115,7 @@ Units random_units(Eigen::Index units, Eigen::Index methods, unsigned seed) {
 
 TEST(TukeyHsd, OfTwoMethodsIsTheRandomisationTest) {
   for (unsigned seed = 0; seed < 5; ++seed) {
-    const Units units = random_units(30, 2, seed);
+    const UnitValues units = random_units(30, 2, seed);
     const double p = randomisation_p_value(units.values.col(0) - units.values.col(1), units.weights);
     // Two estimates of one probability, of 10,000 draws each.
     EXPECT_NEAR(tukey_hsd_p_values(units)(0, 1), p, 4 * std::sqrt(2 * p * (1 - p) / 10000));
@@ -123,7 +123,7 @@ TEST(TukeyHsd, OfTwoMethodsIsTheRandomisationTest) {
 }
 
 TEST(TukeyHsd, FindsTheMethodThatIsDifferent) {
-  Units units = random_units(40, 4, 5);
+  UnitValues units = random_units(40, 4, 5);
   units.values.col(2).array() += 3;
   const Eigen::MatrixXd p = tukey_hsd_p_values(units, {.resamples = 999});
   for (const Eigen::Index other : {0, 1, 3}) {
@@ -135,7 +135,7 @@ TEST(TukeyHsd, FindsTheMethodThatIsDifferent) {
 }
 
 TEST(TukeyHsd, EqualMethodsAreNotDifferent) {
-  Units units = random_units(40, 3, 6);
+  UnitValues units = random_units(40, 3, 6);
   units.values.col(1) = units.values.col(0);
   EXPECT_EQ(tukey_hsd_p_values(units)(0, 1), 1);
 }

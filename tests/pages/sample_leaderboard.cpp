@@ -61,7 +61,8 @@ SampleLeaderboard made_leaderboard() {
       values.col(method) =
           sample.evaluations[static_cast<std::size_t>(method)].per_query.col(static_cast<Eigen::Index>(measure));
     }
-    page.micro.push_back(standings_of(values, labels, {.blocks = Blocks::queries, .resampling = {.resamples = 500}}));
+    page.micro.push_back(
+        standings_of(values, labels, {.blocks = ResamplingUnit::queries, .resampling = {.resamples = 500}}));
     page.macro.push_back(standings_of(values, labels, {.average = Average::macro, .resampling = {.resamples = 500}}));
   }
   page.rank_by = 5;

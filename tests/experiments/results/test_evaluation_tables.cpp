@@ -113,7 +113,7 @@ TEST_F(Evaluations, IntervalsBesideTheScoresOrInColumnsOfTheirOwn) {
 }
 
 TEST_F(Evaluations, IntervalsHoldTheirAverages) {
-  const EvaluationIntervals over_queries = intervals_of(evaluation, {.blocks = Blocks::queries});
+  const EvaluationIntervals over_queries = intervals_of(evaluation, {.blocks = ResamplingUnit::queries});
   const EvaluationIntervals over_classes = intervals_of(evaluation);
   for (Eigen::Index i = 0; i < 6; ++i) {
     const auto j = static_cast<std::size_t>(i);
@@ -133,7 +133,7 @@ TEST_F(Evaluations, IntervalsNeedTwoClasses) {
   EXPECT_THAT(intervals_of(evaluation).micro, SizeIs(6));
   const Evaluation one = evaluate(Eigen::MatrixXd::Ones(3, 3), std::vector<int>{0, 0, 0}, {});
   EXPECT_TRUE(intervals_of(one).micro.empty());
-  EXPECT_THAT(intervals_of(one, {.confidence = 0.9, .blocks = Blocks::queries}).macro, SizeIs(6));
+  EXPECT_THAT(intervals_of(one, {.confidence = 0.9, .blocks = ResamplingUnit::queries}).macro, SizeIs(6));
 }
 
 TEST_F(Evaluations, TheBestOfAnAverageIsBold) {

@@ -90,9 +90,9 @@ TEST_F(ComparisonTables, NoDifferenceIsNegativeZero) {
 }
 
 TEST_F(ComparisonTables, AsJsonInFractionsWithTheSettings) {
-  const auto json =
-      comparison_json(methods, comparisons,
-                      {.test = PairTest::t, .blocks = Blocks::queries, .average = Average::macro, .confidence = 0.9});
+  const auto json = comparison_json(
+      methods, comparisons,
+      {.test = PairTest::t, .blocks = ResamplingUnit::queries, .average = Average::macro, .confidence = 0.9});
   EXPECT_EQ(json["protocol"], "psb");
   EXPECT_EQ(json["test"], "t");
   EXPECT_EQ(json["blocks"], "queries");
