@@ -121,7 +121,10 @@ MappedBytes map_file(const fs::path& path) {
   const Descriptor file(path);
   const std::size_t size = checked_size(file, path);
   void* begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.get(), 0);
-  if (begin == MAP_FAILED) fail_reading(path, errno);
+  if (begin == MAP_FAILED) {
+    const auto read = std::make_shared<const std::string>(read_file_bytes(path));
+    return {.memory = read, .bytes = *read};
+  }
   return {.memory = {begin, [size](void* mapped) { ::munmap(mapped, size); }},
           .bytes = {static_cast<const char*>(begin), size}};
 }

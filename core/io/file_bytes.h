@@ -21,8 +21,8 @@ struct MappedBytes {
 };
 
 /// Maps a file into memory, read-only: a large file is then not copied. Replacing the file leaves the bytes as they
-/// are, overwriting it in place changes them, and truncating it crashes a program that reads them. Throws InputError as
-/// read_file_bytes() does.
+/// are, overwriting it in place changes them, and truncating it crashes a program that reads them. Reads the file where
+/// the file system cannot map it. Throws InputError as read_file_bytes() does.
 MappedBytes map_file(const std::filesystem::path& path);
 
 /// Flushing of a file to disk before it is renamed, which protects it from power failures.
