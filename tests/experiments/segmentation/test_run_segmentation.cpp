@@ -18,6 +18,7 @@
 #include "shapegauge/experiments/segmentation/part_consistency.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
+#include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
 #include "tests/experiments/segmentation/published_segmentation.h"
 #include "tests/support/test_files.h"
@@ -64,6 +65,15 @@ class SegmentationRun : public testing::Test {
 
   TemporaryFolder folder_;
 };
+
+TEST(SegmentationMethod, HasTheDefaultsOfPartSegmentation) {
+  const SegmentationMethod method;
+  const PartSegmentationOptions options;
+  EXPECT_EQ(method.parts, options.parts);
+  EXPECT_EQ(method.patches, options.patches);
+  EXPECT_EQ(method.least_probability, options.least_probability);
+  EXPECT_EQ(method.border_width, options.smoothing.width);
+}
 
 TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
   Cache cache;
