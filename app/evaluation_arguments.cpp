@@ -35,8 +35,9 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
       ->check(CLI::IsMember({"natural", "file", "classification"}));
   CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "Read the matrix as similarities");
   command
-      .add_option("--distance", files.distance,
-                  "Read the file as features, one row per model, and compute this distance, or that of this descriptor")
+      .add_option(
+          "--distance", files.distance,
+          "Distance of features: the file has features, one row per model; a descriptor stands for its distance")
       ->check(CLI::IsMember(feature_distance_names()))
       ->excludes(similarity);
 }

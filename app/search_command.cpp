@@ -246,7 +246,8 @@ void add_search_command(CLI::App& app, int& status) {
   command->add_option(
       "--method", arguments->method,
       "Configuration of a retrieval experiment with the signatures to compare (default: recommended method)");
-  command->add_option("--signature", arguments->signature, "Signature of --method (default: the last suitable one)");
+  command->add_option("--signature", arguments->signature,
+                      "Signature of the configuration given by --method (default: its last suitable one)");
   command->add_option("--set", arguments->settings,
                       "Override a value of the configuration of --method, key=value; repeatable");
   add_cache_option(*command, arguments->cache);

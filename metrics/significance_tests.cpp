@@ -94,7 +94,7 @@ Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOpti
   if (options.resamples < 1) {
     throw ArgumentError("a randomised test needs at least one resample, not " + std::to_string(options.resamples));
   }
-  if (units.values.size() == 0) throw ArgumentError("no units for a randomised Tukey test");
+  if (units.values.size() == 0) throw ArgumentError("a randomised Tukey test needs at least one query");
   std::vector<double> ranges(static_cast<std::size_t>(options.resamples));
   parallel_for(0, options.resamples, [&](int resample) {
     const Eigen::VectorXd averages =

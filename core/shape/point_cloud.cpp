@@ -136,7 +136,8 @@ void require_finite(const Points& points, double diagonal) {
       throw InputError(fmt::format("point {} has a coordinate that is not a finite number", i));
     }
   }
-  if (!std::isfinite(diagonal)) throw InputError("the extent of the points is too large for a number");
+  if (!std::isfinite(diagonal))
+    throw InputError("the coordinates are too large: the diagonal of the bounding box is not a finite number");
 }
 
 /// Returns the mean over k of pi d^2 / k, where d is the distance to the k-th neighbour.
