@@ -199,8 +199,9 @@ std::vector<Signatures> rows_of_rank(std::vector<Signatures> tables, std::span<c
                                      std::size_t all, Communicator& ranks) {
   const std::vector<Eigen::Index> lengths = lengths_of(tables, ranks);
   for (std::size_t k = 0; k < tables.size(); ++k) {
-    if (tables[k].cols() == lengths[k]) continue;  // or no model of this rank has the signature
-    tables[k].setConstant(tables[k].rows(), lengths[k], std::numeric_limits<float>::quiet_NaN());
+    // Otherwise it is derived from distances, or no model of this rank has it.
+    if (tables[k].rows() == std::ssize(places) && tables[k].cols() == lengths[k]) continue;
+    tables[k].setConstant(std::ssize(places), lengths[k], std::numeric_limits<float>::quiet_NaN());
   }
   std::vector<std::string> to_ranks;
   for (int rank = 0; rank < ranks.size(); ++rank) {
