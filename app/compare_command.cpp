@@ -166,7 +166,7 @@ void write_compared(const CompareArguments& arguments, ComparedInputs& compared,
 ComparisonOptions options_of(const CompareArguments& arguments, const std::vector<std::string>& methods) {
   ComparisonOptions options;
   options.test = pair_test_of(arguments.test).value();
-  options.blocks = blocks_of(arguments.resampling.blocks).value();
+  options.blocks = resampling_unit_of(arguments.resampling.blocks).value();
   options.average = average_of(arguments.average).value();
   options.confidence = arguments.resampling.confidence;
   options.resampling = arguments.resampling.resampling;

@@ -178,9 +178,10 @@ int run(const EvaluateArguments& arguments) {
                         .evaluation = &evaluated.evaluation};
   if (arguments.resampling.confidence > 0) {
     const BusyLine line("resampling");
-    named.intervals = intervals_of(evaluated.evaluation, {.confidence = arguments.resampling.confidence,
-                                                          .blocks = blocks_of(arguments.resampling.blocks).value(),
-                                                          .resampling = arguments.resampling.resampling});
+    named.intervals =
+        intervals_of(evaluated.evaluation, {.confidence = arguments.resampling.confidence,
+                                            .blocks = resampling_unit_of(arguments.resampling.blocks).value(),
+                                            .resampling = arguments.resampling.resampling});
     if (named.intervals.micro.empty()) {
       warnings.push_back(fmt::format("no intervals: fewer than two {}", arguments.resampling.blocks));
     }

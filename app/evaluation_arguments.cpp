@@ -95,7 +95,7 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   command.add_option("--confidence", arguments.confidence, "Confidence level of intervals, such as 0.95")
       ->check(CLI::Range(0.5, 0.9999));
   command.add_option("--blocks", arguments.blocks, "Unit of resampling: classes, or queries as if independent")
-      ->check(CLI::IsMember(blocks_names()))
+      ->check(CLI::IsMember(resampling_unit_names()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")
       ->check(CLI::Range(1, 10000000))

@@ -61,8 +61,8 @@ CollectionSum multiplied(CollectionSum sum, Eigen::Index models) {
   return sum;
 }
 
-/// Makes a folder with a link for each model, and writes the index beside it.
-void write_collection(OpenIndex index, const std::filesystem::path& folder) {
+/// Makes a folder with a link for each model, whose index is that of the folder then.
+void link_models(OpenIndex& index, const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   fs::create_directory(folder);
   std::vector<IndexedFile>& models = index.contents.models;
@@ -79,9 +79,6 @@ void write_collection(OpenIndex index, const std::filesystem::path& folder) {
     models[i].sha256 = sha256_of_file(index.collection.file(file.path));
   }
   index.file = usual_index_path(folder);
-  std::vector<std::string> notes;
-  write_index(index, notes);
-  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
 }
 
 int measure(const std::filesystem::path& collection, std::size_t models, const std::filesystem::path& folder) {
@@ -109,16 +106,16 @@ int measure(const std::filesystem::path& collection, std::size_t models, const s
   start();
   index.contents.sum = answers_only ? sum : sum_of(index.method, index.contents, control);
   if (!answers_only) report("scales and weights of all pairs");
-  if (answers_only) write_collection(index, folder);
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "measure_search.index";
-  write_file_atomically(file, encode_index(index.contents, index.method.key()));
+  index.file = std::filesystem::temp_directory_path() / "measure_search.index";
+  if (answers_only) link_models(index, folder);
+  write_file_atomically(index.file, encode_index(index.contents, index.method.key()));
   fmt::print("index: {:.1f} kB a model\n",
-             static_cast<double>(std::filesystem::file_size(file)) / 1000 / static_cast<double>(models));
+             static_cast<double>(std::filesystem::file_size(index.file)) / 1000 / static_cast<double>(models));
   start();
   IndexFault fault{};
-  index.contents = decode_index(map_file(file), index.method.key(), fault).value();
+  index.contents = decode_index(map_file(index.file), index.method.key(), fault).value();
   report("read the index");
-  std::filesystem::remove(file);
+  if (!answers_only) std::filesystem::remove(index.file);
   std::vector<std::string> notes;
   const std::vector<SearchQuery> query{
       {.name = "query", .file = index.collection.file(index.contents.models.front().path)}};

@@ -18,8 +18,8 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array all_blocks = {Named<ResamplingUnit>{ResamplingUnit::classes, "classes"},
-                                   Named<ResamplingUnit>{ResamplingUnit::queries, "queries"}};
+constexpr std::array resampling_units = {Named<ResamplingUnit>{ResamplingUnit::classes, "classes"},
+                                         Named<ResamplingUnit>{ResamplingUnit::queries, "queries"}};
 constexpr std::array all_averages = {Named<Average>{Average::micro, "micro"}, Named<Average>{Average::macro, "macro"}};
 
 std::map<int, double> sizes_of(std::span<const int> classes) {
@@ -57,22 +57,24 @@ UnitValues class_units(const Eigen::MatrixXd& per_query, std::span<const int> cl
 
 }  // namespace
 
-std::string name_of(ResamplingUnit blocks) { return name_in<ResamplingUnit>(all_blocks, blocks); }
-std::optional<ResamplingUnit> blocks_of(std::string_view name) { return value_in<ResamplingUnit>(all_blocks, name); }
-std::vector<std::string> blocks_names() { return names_in<ResamplingUnit>(all_blocks); }
+std::string name_of(ResamplingUnit unit) { return name_in<ResamplingUnit>(resampling_units, unit); }
+std::optional<ResamplingUnit> resampling_unit_of(std::string_view name) {
+  return value_in<ResamplingUnit>(resampling_units, name);
+}
+std::vector<std::string> resampling_unit_names() { return names_in<ResamplingUnit>(resampling_units); }
 std::string name_of(Average average) { return name_in<Average>(all_averages, average); }
 std::optional<Average> average_of(std::string_view name) { return value_in<Average>(all_averages, name); }
 std::vector<std::string> average_names() { return names_in<Average>(all_averages); }
 
-UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit blocks,
+UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit unit,
                     Average average) {
   if (per_query.rows() == 0) throw ArgumentError("statistics need at least one query");
   if (static_cast<std::size_t>(per_query.rows()) != classes.size()) {
     throw ArgumentError("values of " + std::to_string(per_query.rows()) + " queries, but classes of " +
                         std::to_string(classes.size()));
   }
-  UnitValues units = blocks == ResamplingUnit::queries ? query_units(per_query, classes, average)
-                                                       : class_units(per_query, classes, average);
+  UnitValues units = unit == ResamplingUnit::queries ? query_units(per_query, classes, average)
+                                                     : class_units(per_query, classes, average);
   units.weights /= units.weights.sum();
   return units;
 }

@@ -23,9 +23,9 @@ enum class Average { micro, macro };
 
 /// Conversion to and from names in files and options: "classes", "queries"; "micro", "macro".
 /// @{
-std::string name_of(ResamplingUnit blocks);
-std::optional<ResamplingUnit> blocks_of(std::string_view name);
-std::vector<std::string> blocks_names();
+std::string name_of(ResamplingUnit unit);
+std::optional<ResamplingUnit> resampling_unit_of(std::string_view name);
+std::vector<std::string> resampling_unit_names();
 std::string name_of(Average average);
 std::optional<Average> average_of(std::string_view name);
 std::vector<std::string> average_names();
@@ -46,7 +46,7 @@ struct UnitValues {
 /// Aggregates a table queries x methods by unit. classes[i] is the class of query i. Classes are in order of first
 /// appearance, which makes random draws independent of their numbering. Throws ArgumentError without queries and for a
 /// wrong number of classes.
-UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit blocks,
+UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit unit,
                     Average average);
 
 /// Returns the average of each method: the weighted mean of its units.

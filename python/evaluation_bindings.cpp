@@ -123,7 +123,7 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
 /// Returns low and high ends by measure, of the averages over queries and over classes; empty for too few units.
 py::tuple intervals(const Evaluation& evaluation, double confidence, const std::string& blocks, int resamples,
                     std::uint64_t seed, int threads) {
-  const auto known_blocks = blocks_of(blocks);
+  const auto known_blocks = resampling_unit_of(blocks);
   if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
   const EvaluationIntervals found = compute(threads, [&] {
     return intervals_of(
@@ -222,7 +222,7 @@ ComparedMethods compare_evaluations(const std::vector<std::string>& names,
                         .values = {}};
     const auto known = pair_test_of(test);
     if (!known) throw InputError("unknown test \"" + test + "\"; known are randomization, t and bootstrap");
-    const auto known_blocks = blocks_of(blocks);
+    const auto known_blocks = resampling_unit_of(blocks);
     if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
     compared.options.test = *known;
     compared.options.blocks = *known_blocks;

@@ -5,17 +5,18 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <tbb/enumerable_thread_specific.h>
 #include <utility>
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/offset/block_distances.h"
+#include "shapegauge/core/offset/grid_layout.h"
 #include "shapegauge/core/offset/mean_normals.h"
 #include "shapegauge/core/offset/nearest_offset_point.h"
 #include "shapegauge/core/offset/offset_exit.h"
 #include "shapegauge/core/offset/offset_sites.h"
+#include "shapegauge/core/offset/on_surface.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -29,44 +30,6 @@ using Clock = std::chrono::steady_clock;
 constexpr double site_band = 0.9;
 /// Sides of a sample: along its normal and against it.
 constexpr std::array<double, 2> sides{1, -1};
-/// Spacing of the points that determine the closest triangle, in units of r. Distances are too large by at most .25^2 /
-/// 16 of r.
-constexpr double point_spacing = 0.25;
-constexpr double max_spacing = 0.7;
-constexpr double max_points = 6e6;
-constexpr std::size_t max_blocks = std::size_t{1} << 24U;
-
-/// Parameters of a grid.
-struct Layout {
-  double offset;
-  double cell;
-  double spacing;  ///< in cells
-};
-
-/// Returns the parameters for an offset, or for a larger one that keeps within the bounds of memory.
-Layout choose_layout(const Shape& shape, const Eigen::AlignedBox3d& bounds, const OffsetSolverOptions& options) {
-  Layout layout{options.offset, options.offset / options.cells_per_offset, point_spacing * options.cells_per_offset};
-  const SurfaceExtent extent(shape);
-  while (true) {
-    const BlockGrid grid(bounds, layout.offset, layout.cell);
-    if ((grid.blocks.cast<double>().array() > 1e6).any() ||
-        grid.blocks.cast<double>().prod() > static_cast<double>(max_blocks)) {
-      // Enlarges cells first, then the offset.
-      layout.cell *= 1.1;
-      layout.offset = std::max(layout.offset, 2.5 * layout.cell);
-      layout.spacing = point_spacing * layout.offset / layout.cell;
-      continue;
-    }
-    if (extent.max_points(layout.spacing * layout.cell) <= max_points + 2 * extent.pieces) return layout;
-    if (layout.spacing * 1.2 <= max_spacing * grid.r) {
-      layout.spacing *= 1.2;
-    } else {
-      layout.cell *= 1.1;
-      layout.offset *= 1.1;
-    }
-  }
-}
-
 /// Samples of a block: a range of order_.
 struct Group {
   std::size_t begin, end;
@@ -162,10 +125,6 @@ class Solver {
   void sort();
   void solve_batch(const Batch& batch, Scratch& scratch) const;
   void solve_direct(const Group& group, Scratch& scratch) const;
-  [[nodiscard]] bool is_on_surface(const Sample& sample, NearbyPoints& nearby) const;
-  [[nodiscard]] bool is_on_own_triangle(const Sample& sample, double near_enough) const;
-  bool is_on_any_triangle(const GridPoints& points, const Eigen::Vector3d& p, double near_enough,
-                          NearbyPoints& nearby) const;
   void finish(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::Vector3d& q) const;
   [[nodiscard]] std::optional<Eigen::Vector3d> direct(const Sample& sample,
                                                       std::array<Eigen::Vector3d, 2>& places) const;
@@ -204,25 +163,10 @@ class Solver {
   std::vector<Batch> batches_;
 };
 
-/// Returns for each sample a triangle that probably contains it: its own if all faces are sampled, one of its vertex's
-/// if all vertices are.
-std::vector<std::int32_t> likely_triangles(const Shape& shape, Eigen::Index samples) {
-  std::vector<std::int32_t> likely(static_cast<std::size_t>(samples), 0);
-  if (samples == (is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows())) {
-    std::iota(likely.begin(), likely.end(), 0);
-  } else if (samples == shape.vertices.rows()) {
-    for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-      for (int k = 0; k < 3; ++k)
-        likely[static_cast<std::size_t>(shape.triangles(f, k))] = static_cast<std::int32_t>(f);
-    }
-  }
-  return likely;
-}
-
 /// Sorts the samples by block. Those outside the grid are missing.
 void Solver::sort() {
   constexpr unsigned index_bits = 40;
-  static_assert(max_blocks <= std::size_t{1} << (64 - index_bits));
+  static_assert(max_grid_blocks <= std::size_t{1} << (64 - index_bits));
   std::vector<std::uint64_t> places;  // block index in the high bits, sample index in the low ones
   places.reserve(static_cast<std::size_t>(points_.rows()));
   for (Eigen::Index i = 0; i < points_.rows(); ++i) {
@@ -244,56 +188,6 @@ void Solver::sort() {
     if (batches_.empty() || is_full) batches_.push_back({g, g});
     batches_.back().end = g + 1;
   }
-}
-
-/// Tests the triangle that probably contains the sample, then those of the surface's points near it.
-bool Solver::is_on_surface(const Sample& sample, NearbyPoints& nearby) const {
-  const GridSurface& surface = exterior_.surface();
-  const Eigen::Vector3d& p = sample.p;
-  const double near_enough = std::max(1e-3 * grid_.r, 1e-6 / grid_.cell);  // displacement of a sample by rounding
-  return surface.triangles.is_over_face(p, sample.triangle, near_enough) ||
-         surface.triangles.squared_distance(p, sample.triangle) <= near_enough * near_enough ||
-         is_on_own_triangle(sample, near_enough) || is_on_any_triangle(surface.points, p, near_enough, nearby) ||
-         is_on_any_triangle(surface.omitted, p, near_enough, nearby);
-}
-
-/// Tests in double precision: single precision loses the interior of triangles a thousand times as long as wide. The
-/// edges are tested as well, for triangles too thin for double precision.
-bool Solver::is_on_own_triangle(const Sample& sample, double near_enough) const {
-  if (is_cloud(shape_)) return false;
-  const auto is_near = [&](const Eigen::Vector3d& x) { return (x - sample.p).norm() <= near_enough; };
-  const Triangle own = triangle_in_cells(grid_, shape_, sample.triangle);
-  return is_near(closest_point(own, sample.p)) || is_near(closest_point_on_segment(own.a, own.b, sample.p)) ||
-         is_near(closest_point_on_segment(own.b, own.c, sample.p)) ||
-         is_near(closest_point_on_segment(own.c, own.a, sample.p));
-}
-
-bool Solver::is_on_any_triangle(const GridPoints& points, const Eigen::Vector3d& p, double near_enough,
-                                NearbyPoints& nearby) const {
-  if (points.empty()) return false;
-  // Maximum distance of a point of a triangle from its samples: the apex of an equilateral one.
-  const double reach = 1.5 * exterior_.surface().spacing + near_enough;
-  std::array<std::int32_t, TriangleTable::batch_size> triangles{};
-  TriangleTable::Vectors vectors;
-  points.find_runs(grid_, p, reach, nearby.runs);
-  for (const auto& [begin, end] : nearby.runs) {
-    const std::size_t count = end - begin;
-    if (nearby.squared.size() < count + grid_padding) nearby.squared.resize(count + grid_padding);
-    if (nearby.index.size() < count) nearby.index.resize(count);
-    squared_distances(&points.x[begin], &points.y[begin], &points.z[begin], count, p.cast<float>(),
-                      nearby.squared.data());
-    const std::size_t found =
-        indices_within(nearby.squared.data(), count, static_cast<float>(reach * reach), nearby.index.data());
-    for (std::size_t i = 0; i < found; i += triangles.size()) {
-      for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
-        triangles[lane] = points.triangle[begin + nearby.index[std::min(i + lane, found - 1)]];
-      }
-      exterior_.surface().triangles.vectors_to(p, triangles.data(), vectors);
-      const float least = *std::min_element(vectors.squared.begin(), vectors.squared.end());
-      if (static_cast<double>(least) <= near_enough * near_enough) return true;
-    }
-  }
-  return false;
 }
 
 /// Returns the depth of a place inside O(r), in units of r; 1 if no surrounding cell has a triangle. Returns nothing
@@ -524,7 +418,7 @@ void Solver::solve_direct(const Group& group, Scratch& scratch) const {
     const auto i = static_cast<std::size_t>(search.index);
     search.sample = {grid_.to_cells(points_.row(search.index).transpose()), normals_.row(search.index).transpose(),
                      likely_[i]};
-    if (!is_on_surface(search.sample, scratch.surface)) continue;
+    if (!is_on_surface(exterior_, shape_, search.sample.p, search.sample.triangle, scratch.surface)) continue;
     if (const auto q = direct(search.sample, search.places)) {
       results_.outcomes[i] = OffsetOutcome::direct;
       finish(search.index, search.sample.p, *q);
@@ -557,7 +451,7 @@ OffsetResults solve_on_grid(const Shape& shape, const Points& points, const Poin
                             const OffsetSolverOptions& options, const std::vector<std::int32_t>& triangles) {
   const Clock::time_point start = Clock::now();
   const Eigen::AlignedBox3d bounds = bounding_box(shape);
-  const Layout layout = choose_layout(shape, bounds, options);
+  const GridLayout layout = choose_grid_layout(shape, bounds, options.offset, options.cells_per_offset);
   const BlockGrid grid(bounds, layout.offset, layout.cell);
   const GridSurface surface(grid, shape, layout.spacing, options.parallel);
   const ExteriorGrid exterior(grid, surface, site_band, options.parallel);

@@ -16,9 +16,9 @@ const Eigen::MatrixXd values = (Eigen::MatrixXd(4, 1) << 1, 10, 2, 3).finished()
 const std::vector<int> classes = {7, 4, 7, 7};
 
 TEST(UnitValues, GiveTheSameAverageWhateverTheBlocksAre) {
-  for (const ResamplingUnit blocks : {ResamplingUnit::classes, ResamplingUnit::queries}) {
-    EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, blocks, Average::micro))[0], 4);
-    EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, blocks, Average::macro))[0], 6);
+  for (const ResamplingUnit unit : {ResamplingUnit::classes, ResamplingUnit::queries}) {
+    EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, unit, Average::micro))[0], 4);
+    EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, unit, Average::macro))[0], 6);
   }
 }
 
@@ -36,9 +36,9 @@ TEST(UnitValues, ContributionsHaveTheAverageAsTheirMean) {
 }
 
 TEST(UnitValues, HaveTheirNamesBothWays) {
-  for (const std::string& name : blocks_names()) EXPECT_EQ(name_of(blocks_of(name).value()), name);
+  for (const std::string& name : resampling_unit_names()) EXPECT_EQ(name_of(resampling_unit_of(name).value()), name);
   for (const std::string& name : average_names()) EXPECT_EQ(name_of(average_of(name).value()), name);
-  EXPECT_FALSE(blocks_of("models"));
+  EXPECT_FALSE(resampling_unit_of("models"));
   EXPECT_FALSE(average_of("mean"));
 }
 
@@ -129,11 +129,11 @@ TEST(Bootstrap, RefusesWhatHasNoInterval) {
 }
 
 // Fraction of data sets whose interval contains the true average, 0.6.
-double coverage(ResamplingUnit blocks, int data_sets) {
+double coverage(ResamplingUnit unit, int data_sets) {
   int covered = 0;
   for (int i = 0; i < data_sets; ++i) {
     const SimulatedMethods methods = simulated_methods(30, 10, static_cast<unsigned>(i));
-    const UnitValues units = units_of(methods.per_query, methods.classes, blocks, Average::micro);
+    const UnitValues units = units_of(methods.per_query, methods.classes, unit, Average::micro);
     const ConfidenceInterval interval = bootstrap_intervals(units, 0.95, {.resamples = 500}).front();
     if (interval.low <= 0.6 && 0.6 <= interval.high) ++covered;
   }

@@ -66,11 +66,11 @@ TEST(RandomisationTest, RefusesNoResamplesAndNoUnits) {
   EXPECT_THROW(p_of(Eigen::VectorXd(0)), ArgumentError);
 }
 
-double false_positive_rate(ResamplingUnit blocks, int data_sets) {
+double false_positive_rate(ResamplingUnit unit, int data_sets) {
   int significant = 0;
   for (int i = 0; i < data_sets; ++i) {
     const SimulatedMethods methods = simulated_methods(30, 10, 1000 + static_cast<unsigned>(i));
-    const UnitValues units = units_of(methods.per_query, methods.classes, blocks, Average::micro);
+    const UnitValues units = units_of(methods.per_query, methods.classes, unit, Average::micro);
     const Eigen::VectorXd differences = units.values.col(0) - units.values.col(1);
     if (randomisation_p_value(differences, units.weights, {.resamples = 199}) <= 0.05) ++significant;
   }

@@ -84,8 +84,8 @@ class OffsetExterior {
 
  private:
   void classify(const ExteriorCell& cell, const SurfaceTree::Nearest& nearest);
-  /// Divides the mixed leaves, and puts those of their children that are mixed in their place. False, and nothing is
-  /// divided, where there are none, or would be too many.
+  /// Divides the mixed leaves and replaces them by those of their children that are mixed. Returns false without
+  /// dividing if there are none, or there would be too many.
   bool divide(std::vector<ExteriorCell>& mixed);
   /// The mixed leaves larger than the smallest of which it is not known what free space is in them.
   void find_unsettled(const ExteriorCell& cell, double smallest, std::vector<ExteriorCell>& found) const;

@@ -32,14 +32,14 @@ class GraphInverse : public testing::TestWithParam<double> {
 
 TEST_P(GraphInverse, HasTheseColumns) {
   const FloatColumns columns = ColumnSolver(graph_, GetParam()).columns(17, 20);
-  EXPECT_LT((columns.cast<double>() - inverse_.middleCols(17, 20)).cwiseAbs().maxCoeff(), 3e-6 * inverse_.maxCoeff());
+  EXPECT_LT((columns.cast<double>() - inverse_.middleCols(17, 20)).cwiseAbs().maxCoeff(), 2e-6 * inverse_.maxCoeff());
 }
 
 TEST_P(GraphInverse, HasThisDiagonal) {
   const std::array<Eigen::Index, 3> models{40, 0, 13};
   const Eigen::VectorXd entries = DiagonalSolver(graph_, GetParam()).entries(models);
   for (std::size_t k = 0; k < models.size(); ++k) {
-    EXPECT_NEAR(entries[static_cast<Eigen::Index>(k)], inverse_(models[k], models[k]), 3e-6 * inverse_.maxCoeff());
+    EXPECT_NEAR(entries[static_cast<Eigen::Index>(k)], inverse_(models[k], models[k]), 2e-6 * inverse_.maxCoeff());
   }
 }
 
