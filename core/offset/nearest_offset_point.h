@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "shapegauge/core/offset/exterior_grid.h"
+#include "shapegauge/core/offset/cells_around.h"
 
 namespace shapegauge {
 

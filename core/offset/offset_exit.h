@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "shapegauge/core/offset/exterior_grid.h"
+#include "shapegauge/core/offset/cells_around.h"
 
 namespace shapegauge {
 

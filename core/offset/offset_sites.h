@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/offset/exterior_grid.h"
+#include "shapegauge/core/offset/cells_around.h"
 
 namespace shapegauge {
 

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace shapegauge {
+
+/// Set of cells of a block: bit x + 4 y + 16 z of a word.
+using BlockCells = std::uint64_t;
+inline constexpr BlockCells all_cells = ~BlockCells{0};
+
+/// Cells at a side of the block.
+inline constexpr BlockCells low_x_cells = 0x1111111111111111;
+inline constexpr BlockCells high_x_cells = low_x_cells << 3U;
+inline constexpr BlockCells low_y_cells = 0x000F000F000F000F;
+inline constexpr BlockCells high_y_cells = low_y_cells << 12U;
+inline constexpr BlockCells low_z_cells = 0x000000000000FFFF;
+inline constexpr BlockCells high_z_cells = low_z_cells << 48U;
+
+/// Flood-fills the free cells of a block from some cells, across faces.
+inline BlockCells flood_filled(BlockCells cells, BlockCells free) {
+  cells &= free;
+  while (true) {
+    BlockCells wider = cells | ((cells & ~high_x_cells) << 1U) | ((cells & ~low_x_cells) >> 1U) |
+                       ((cells & ~high_y_cells) << 4U) | ((cells & ~low_y_cells) >> 4U) | (cells << 16U) |
+                       (cells >> 16U);
+    wider &= free;
+    if (wider == cells) return cells;
+    cells = wider;
+  }
+}
+
+/// Returns the cells of the neighbour on a side (0 to 5: -x, +x, -y, +y, -z, +z) that touch cells of a block.
+inline BlockCells cells_across(BlockCells cells, int side) {
+  switch (side) {
+    case 0:
+      return (cells & low_x_cells) << 3U;
+    case 1:
+      return (cells & high_x_cells) >> 3U;
+    case 2:
+      return (cells & low_y_cells) << 12U;
+    case 3:
+      return (cells & high_y_cells) >> 12U;
+    case 4:
+      return (cells & low_z_cells) << 48U;
+    default:
+      return (cells & high_z_cells) >> 48U;
+  }
+}
+
+/// Returns the cells of a block that touch its neighbour in a direction, whose coordinates are -1, 0 or 1.
+inline BlockCells cells_touching(const Eigen::Vector3i& direction) {
+  constexpr std::array<BlockCells, 3> lowest{low_x_cells, low_y_cells, low_z_cells};
+  constexpr std::array<BlockCells, 3> highest{high_x_cells, high_y_cells, high_z_cells};
+  BlockCells cells = all_cells;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int part = direction[static_cast<Eigen::Index>(k)];
+    if (part != 0) cells &= part < 0 ? lowest[k] : highest[k];
+  }
+  return cells;
+}
+
+}  // namespace shapegauge
