@@ -114,7 +114,7 @@ ShapeDiagnostics diagnose(const Shape& shape) {
   found.unreferenced_vertices = count_unreferenced(shape);
   found.diagonal = bounding_box_diagonal(shape);
   found.triangles = static_cast<std::size_t>(shape.triangles.rows());
-  found.area = surface_area(shape);
+  found.area = surface_area(shape, welding);
   found.degenerate_triangles = count_degenerate(shape);
   found.components = count_components(merged_corners(shape.triangles, merged), merged.size());
   found.duplicate_triangles = count_duplicates(welding);

@@ -13,7 +13,7 @@
 namespace shapegauge {
 
 /// Cache version; increment when a proxy, its Laplacian or its geodesics change.
-inline constexpr int surface_proxy_version = 4;
+inline constexpr int surface_proxy_version = 5;
 
 /// Combines the version of a descriptor that may be computed on the proxy with the version of the proxy.
 constexpr int version_on_proxy(int version) { return 1000 * version + surface_proxy_version; }

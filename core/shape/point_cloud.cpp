@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
+#include <limits>
 #include <nanoflann.hpp>
 #include <numbers>
 #include <numeric>
@@ -164,6 +165,57 @@ Eigen::VectorXd capped(const Eigen::VectorXd& weights, const PointNeighbours& ne
   return result;
 }
 
+constexpr Eigen::Index normal_neighbours = 12;
+/// A neighbour farther from the plane than this part of the distance to the farthest neighbour is not on it.
+constexpr double normal_tolerance = 0.2;
+
+/// Neighbours of a point relative to it, the farthest at a distance of 1.
+using NormalNeighbourhood = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, normal_neighbours + 1, 3>;
+
+/// Returns the normal of the plane through the point and two of its neighbours to which all neighbours are closest: the
+/// sum of their distances, each at most the tolerance, is minimal. Zero if no two span a plane.
+Eigen::Vector3d closest_plane(const NormalNeighbourhood& around) {
+  constexpr float least_sine = 0.3F;
+  using Lanes = Eigen::Array<float, 16, 1>;  // in single precision, to compute the distances of all at once
+  std::array<Lanes, 3> coordinates{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    coordinates[static_cast<std::size_t>(axis)].head(around.rows()) = around.col(axis).cast<float>().array();
+  }
+  const auto& [x, y, z] = coordinates;
+  float least_cost = std::numeric_limits<float>::infinity();
+  Eigen::Vector3f closest = Eigen::Vector3f::Zero();
+  for (Eigen::Index a = 0; a + 1 < around.rows(); ++a) {
+    const Eigen::Vector3f u(x[a], y[a], z[a]);
+    for (Eigen::Index b = a + 1; b + 1 < around.rows(); ++b) {
+      const Eigen::Vector3f v(x[b], y[b], z[b]);
+      const Eigen::Vector3f cross = u.cross(v);
+      const float squared = cross.squaredNorm();
+      if (!(squared > least_sine * least_sine * u.squaredNorm() * v.squaredNorm())) continue;
+      const Eigen::Vector3f normal = cross / std::sqrt(squared);
+      const Lanes distances = (normal.x() * x + normal.y() * y + normal.z() * z).abs();
+      const float cost = distances.min(static_cast<float>(normal_tolerance)).sum();
+      if (!(cost < least_cost)) continue;
+      least_cost = cost;
+      closest = normal;
+    }
+  }
+  return closest.cast<double>();
+}
+
+/// Returns the direction of least variance of the points near a plane through the origin, weighted by their distance
+/// from it (Tukey's biweight); of all points if the plane's normal is zero.
+Eigen::Vector3d fitted_normal(const NormalNeighbourhood& around, const Eigen::Vector3d& plane) {
+  const Eigen::Array<double, Eigen::Dynamic, 1, 0, normal_neighbours + 1, 1> relative =
+      (around * plane).array() / normal_tolerance;
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, normal_neighbours + 1, 1> weights =
+      (1 - relative.square()).max(0.0).square().matrix();
+  const Eigen::RowVector3d mean = weights.transpose() * around / weights.sum();
+  const NormalNeighbourhood centred = around.rowwise() - mean;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(centred.transpose() * weights.asDiagonal() * centred);
+  return solver.eigenvectors().col(0);
+}
+
 }  // namespace
 
 PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
@@ -218,23 +270,18 @@ std::vector<std::int32_t> nearest_points(const Points& points, const Points& amo
 }
 
 Points unsigned_point_normals(const Points& points) {
-  constexpr Eigen::Index neighbours = 12;
-  const PointNeighbours nearest = nearest_neighbours(points, neighbours);
+  const PointNeighbours nearest = nearest_neighbours(points, normal_neighbours);
   Points normals = Points::Zero(points.rows(), 3);
   parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
     // Relative to the farthest neighbour, to avoid overflow and underflow of products.
     const Eigen::Index count = nearest.indices.cols();
     const double reach = count > 0 ? nearest.distances(i, count - 1) : 0;
     if (!(reach > 0)) return;
-    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, neighbours + 1, 3> around(count + 1, 3);
-    around.row(count).setZero();
+    NormalNeighbourhood around = NormalNeighbourhood::Zero(count + 1, 3);  // the last row is the point itself
     for (Eigen::Index k = 0; k < count; ++k) {
       around.row(k) = (points.row(nearest.indices(i, k)) - points.row(i)) / reach;
     }
-    around.rowwise() -= around.colwise().mean().eval();
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(around.transpose() * around);
-    normals.row(i) = solver.eigenvectors().col(0).transpose();
+    normals.row(i) = fitted_normal(around, closest_plane(around)).transpose();
   });
   return normals;
 }

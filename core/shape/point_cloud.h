@@ -27,9 +27,11 @@ PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::
 /// Finds the point of `among` nearest to each point, as nearest_neighbours() does. `among` must not be empty.
 std::vector<std::int32_t> nearest_points(const Points& points, const Points& among);
 
-/// Estimates unoriented normals of a cloud: the direction of least variance of each point and its 12 nearest neighbours
-/// (Hoppe et al. 1992). Unit vectors of either sign; zero if the neighbours all coincide. Runs in the calling TBB
-/// arena.
+/// Estimates unoriented normals of a cloud. Of the planes through a point and two of its 12 nearest neighbours, takes
+/// the one to which the neighbours are closest, each with a distance of at most 0.2 times that of the farthest (a
+/// truncated cost as in MSAC, Torr and Zisserman 2000), and fits a plane to the neighbours near it (Tukey's biweight).
+/// Points of another sheet, or beyond an edge, do not tilt the normal. Unit vectors of either sign; zero if the
+/// neighbours all coincide. Runs in the calling TBB arena.
 Points unsigned_point_normals(const Points& points);
 
 /// Estimates the area represented by each point of a cloud from its nearest neighbours: the mean over k = 5 to 12 of pi

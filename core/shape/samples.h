@@ -21,7 +21,7 @@ struct SurfacePoints {
 SurfacePoints stratified_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random);
 
 /// Cache version of the samples of a shape (positions, normals, weights); see docs/manual/cache.md.
-inline constexpr int samples_version = 3;
+inline constexpr int samples_version = 4;
 
 /// Sampling sites of a field (docs/reference/definitions.md#samples-and-weights). The points of a cloud are its
 /// vertices.

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/shape/distinct_triangles.h"
+#include "shapegauge/core/shape/connectivity.h"
 
 namespace shapegauge {
 
@@ -24,18 +24,33 @@ double bounding_box_diagonal(const Shape& shape) {
   return box.isEmpty() ? 0 : box.sizes().stableNorm();
 }
 
+namespace {
+
+double triangle_area(const Shape& shape, Eigen::Index triangle) {
+  const Eigen::Vector3d a = shape.vertices.row(shape.triangles(triangle, 0));
+  const Eigen::Vector3d b = shape.vertices.row(shape.triangles(triangle, 1));
+  const Eigen::Vector3d c = shape.vertices.row(shape.triangles(triangle, 2));
+  return 0.5 * (b - a).cross(c - a).norm();
+}
+
+}  // namespace
+
 Eigen::VectorXd triangle_areas(const Shape& shape) {
   Eigen::VectorXd areas(shape.triangles.rows());
-  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    const Eigen::Vector3d a = shape.vertices.row(shape.triangles(f, 0));
-    const Eigen::Vector3d b = shape.vertices.row(shape.triangles(f, 1));
-    const Eigen::Vector3d c = shape.vertices.row(shape.triangles(f, 2));
-    areas[f] = 0.5 * (b - a).cross(c - a).norm();
-  }
+  for (Eigen::Index f = 0; f < areas.size(); ++f) areas[f] = triangle_area(shape, f);
   return areas;
 }
 
-double surface_area(const Shape& shape) { return triangle_areas(without_duplicates(shape)).sum(); }
+double surface_area(const Shape& shape) { return is_cloud(shape) ? 0 : surface_area(shape, welding_of(shape)); }
+
+double surface_area(const Shape& shape, const Welding& welding) {
+  Eigen::VectorXd areas(shape.triangles.rows());
+  Eigen::Index count = 0;
+  for (Eigen::Index f = 0; f < areas.size(); ++f) {
+    if (welding.is_distinct(f)) areas[count++] = triangle_area(shape, f);
+  }
+  return areas.head(count).sum();
+}
 
 std::vector<bool> used_vertices(const Shape& shape) {
   std::vector<bool> used(static_cast<std::size_t>(shape.vertices.rows()));

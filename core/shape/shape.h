@@ -51,6 +51,11 @@ std::vector<bool> used_vertices(const Shape& shape);
 /// Computes the total area of the triangles, with duplicates counted once (distinct_triangles()); 0 for a point cloud.
 double surface_area(const Shape& shape);
 
+struct Welding;
+
+/// The same for the shape's welding_of().
+double surface_area(const Shape& shape, const Welding& welding);
+
 /// Describes why a shape is unusable: a coordinate that is not finite, or a vertex index out of range. Nothing for a
 /// usable shape. Shapes from readers are always usable.
 std::optional<std::string> defect_of(const Shape& shape);

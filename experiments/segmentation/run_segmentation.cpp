@@ -312,12 +312,13 @@ void run_stages(const RunControl& control, Cache& cache, const std::filesystem::
 }  // namespace
 
 nlohmann::json versions_of(const SegmentationMethod& method) {
-  // The shape determines which diameter is used as thickness.
+  // The shape determines which diameter is used as thickness. Normals of clouds are those of the samples.
   return {{method.paper ? "paper_segmentation" : "part_segmentation",
            method.paper ? paper_segmentation_version : part_segmentation_version},
           {"cone_sdf", cone_sdf_version},
           {"offset_sdf", offset_sdf_version},
-          {"automatic_offset", automatic_offset_version}};
+          {"automatic_offset", automatic_offset_version},
+          {"samples", samples_version}};
 }
 
 Labels segmented(const Shape& shape, const SegmentationMethod& method) {

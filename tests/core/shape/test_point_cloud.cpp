@@ -1,3 +1,5 @@
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -98,6 +100,70 @@ TEST(PointNormals, OfASphereAreRadial) {
     sum += cosine;
   }
   EXPECT_GT(sum / static_cast<double>(points.rows()), std::cos(0.05));  // 3 degrees; the neighbours are within 0.1
+}
+
+/// Directions of least variance of each point and its 12 nearest neighbours.
+Points normals_of_least_variance(const Points& points) {
+  const PointNeighbours nearest = nearest_neighbours(points, 12);
+  Points normals(points.rows(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    Eigen::MatrixX3d around(13, 3);
+    around << points.row(i), points(nearest.indices.row(i), Eigen::all);
+    around.rowwise() -= around.colwise().mean().eval();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(around.transpose() * around);
+    normals.row(i) = solver.eigenvectors().col(0).transpose();
+  }
+  return normals;
+}
+
+/// Number of normals more than 20 degrees off.
+Eigen::Index count_wrong(const Points& normals, const Points& expected) {
+  const Eigen::ArrayXd cosines = (normals.array() * expected.array()).rowwise().sum().abs();
+  return (cosines < std::cos(20 * std::numbers::pi / 180)).count();
+}
+
+TEST(PointNormals, OfTouchingBallsAreRadial) {
+  // Two unit balls touch at the origin. Near it, most neighbours of a point belong to both.
+  const Points ball = test::random_points(test::sphere(1, 5), 20'000, 1).vertices;
+  std::vector<Eigen::Index> near_contact;
+  for (Eigen::Index i = 0; i < ball.rows(); ++i) {
+    if (ball(i, 0) < -0.98) near_contact.push_back(i);
+  }
+  const auto count = static_cast<Eigen::Index>(near_contact.size());
+  Points points(2 * count, 3);
+  Points radial(2 * count, 3);
+  radial.topRows(count) = ball(near_contact, Eigen::all).rowwise().normalized();
+  points.topRows(count) = ball(near_contact, Eigen::all).rowwise() + Eigen::RowVector3d(1, 0, 0);
+  const Eigen::DiagonalMatrix<double, 3> mirrored(-1, 1, 1);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  points.bottomRows(count) = points.topRows(count) * turn * mirrored;
+  radial.bottomRows(count) = radial.topRows(count) * turn * mirrored;
+  const Eigen::Index by_variance = count_wrong(normals_of_least_variance(points), radial);
+  EXPECT_LT(3 * count_wrong(unsigned_point_normals(points), radial), by_variance);
+}
+
+TEST(PointNormals, OfABoxAreThoseOfItsSidesUpToItsEdges) {
+  const Shape box = test::box({1, 1, 1}, 1);
+  const Points points = test::random_points(box, 3000, 1).vertices;
+  Points sides = Points::Zero(points.rows(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    Eigen::Index axis = 0;
+    points.row(i).cwiseAbs().maxCoeff(&axis);
+    sides(i, axis) = 1;
+  }
+  const Eigen::Index by_variance = count_wrong(normals_of_least_variance(points), sides);
+  EXPECT_LT(3 * count_wrong(unsigned_point_normals(points), sides), by_variance);
+}
+
+TEST(PointNormals, OfPointsOnALineAreAcrossIt) {
+  const Eigen::RowVector3d along = Eigen::RowVector3d(1, 2, 3).normalized();
+  Points points(50, 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) points.row(i) = static_cast<double>(i) * along;
+  const Points normals = unsigned_point_normals(points);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    EXPECT_NEAR(normals.row(i).norm(), 1, 1e-12);
+    EXPECT_NEAR(normals.row(i).dot(along), 0, 1e-6);
+  }
 }
 
 TEST(PointNormals, OfPointsAtOnePlaceAreZero) {

@@ -107,12 +107,13 @@ TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
   EXPECT_EQ(use_of(same).computed, 1U);
 }
 
-TEST(SegmentationVersions, AreThoseOfTheDiametersToo) {
+TEST(SegmentationVersions, AreThoseOfDiametersAndSamplesToo) {
   for (const bool paper : {false, true}) {
     const nlohmann::json versions = versions_of({.name = "parts", .paper = paper, .perturbations = {}});
     EXPECT_EQ(versions.at("cone_sdf"), cone_sdf_version);
     EXPECT_EQ(versions.at("offset_sdf"), offset_sdf_version);
     EXPECT_EQ(versions.at("automatic_offset"), automatic_offset_version);
+    EXPECT_EQ(versions.at("samples"), samples_version);
     EXPECT_EQ(versions.contains("paper_segmentation"), paper);
   }
 }
