@@ -69,6 +69,18 @@ TEST(SchemaCheck, AMisspeltKeyCountsBeforeTheOneThatIsMissingForIt) {
               Eq("x.json: signatures.0: unknown key \"fields\"; did you mean \"field\"?"));
 }
 
+TEST(SchemaCheck, OfSeveralFaultsAnUnknownKeyOrElseTheDeepestIsReported) {
+  Json document = valid();
+  document.erase("name");
+  document["signatures"][0]["histogram"]["bins"] = "80";
+  const auto error = [&] { return test::input_error_of([&] { check_against_schema(document, "x.json"); }); };
+  EXPECT_THAT(error(), StartsWith("x.json: signatures.0.histogram.bins: "));
+  document["nmae"] = "x";
+  EXPECT_THAT(error(), StartsWith("x.json: unknown key \"nmae\""));
+  document["signatures"][1]["field"]["ray"] = 9;
+  EXPECT_THAT(error(), StartsWith("x.json: signatures.1.field: unknown key \"ray\"")) << "the deepest of these";
+}
+
 TEST(SchemaCheck, UnknownWordsWithTheNearestKnownOne) {
   EXPECT_THAT(schema_error_with("/signatures/1/field/type", "conesdf"),
               Eq("x.json: signatures.1.field.type: unknown word \"conesdf\"; did you mean \"cone_sdf\"?"));

@@ -107,6 +107,21 @@ TEST(IndexRows, TheSumIsTheSameWithAnEarlierIndex) {
   }
 }
 
+TEST(IndexRows, TheSumIsTheSameAfterSignaturesOfUnchangedModelsChange) {
+  // What a descriptor learns depends on the whole collection.
+  const SearchedFolder folder;
+  const OpenIndex now = folder.open("local");
+  for (std::size_t term = 0; term < now.contents.tables.size(); ++term) {
+    ShapeIndex before;
+    before.models = now.contents.models;
+    before.tables = now.contents.tables;
+    const Signatures reversed = now.contents.tables[term].signatures().colwise().reverse();
+    before.tables[term] = IndexTable(reversed);
+    before.sum = sum_of(now.method, before, {});
+    expect_sum_of(sum_of(now.method, now.contents, {}, &before), now, whole_sum(now));
+  }
+}
+
 TEST(IndexRows, NearestModelsAreThoseBySum) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "d2"}) {
