@@ -33,8 +33,8 @@ class ProxySource {
   /// are fewer points. One computation serves all requests for up to shared_eigenvalues.
   Spectrum spectrum(int eigenvalues);
 
-  /// Interpolates values at the proxy's points to samples of the shape: means over the nearest points of the same
-  /// sheet, weighted by distance.
+  /// Interpolates values at the proxy's points to samples of the shape: means over the nearest points, weighted by
+  /// distance and by the agreement of their normals with the sample's, of either sign.
   Eigen::VectorXd at_samples(const Samples& samples, const Eigen::VectorXd& at_points);
 
  private:

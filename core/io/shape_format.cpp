@@ -37,6 +37,7 @@ void SoupBuilder::add_normal(const std::array<double, 3>& normal) {
 }
 
 void SoupBuilder::number_polygons() {
+  is_numbered_ = true;
   polygons_.resize(triangles_.size());
   std::iota(polygons_.begin(), polygons_.end(), 0);
 }
@@ -77,7 +78,7 @@ void SoupBuilder::replace_fans() {
 }
 
 Shape SoupBuilder::shape() {
-  if (polygons_.empty() && !triangles_.empty() && triangles_.size() != static_cast<std::size_t>(faces_)) {
+  if (!is_numbered_ && !triangles_.empty() && triangles_.size() != static_cast<std::size_t>(faces_)) {
     number_polygons();
   }
   if (!polygons_.empty()) replace_fans();

@@ -54,8 +54,8 @@ class SoupBuilder {
 
  private:
   void add_triangle(const std::array<std::int32_t, 3>& triangle) {
-    if (polygons_.empty() && static_cast<std::size_t>(faces_) != triangles_.size() + 1) number_polygons();
-    if (!polygons_.empty()) polygons_.push_back(faces_ - 1);
+    if (!is_numbered_ && static_cast<std::size_t>(faces_) != triangles_.size() + 1) number_polygons();
+    if (is_numbered_) polygons_.push_back(faces_ - 1);
     triangles_.push_back(triangle);
   }
 
@@ -64,13 +64,14 @@ class SoupBuilder {
   /// Replaces the fans that do not cover their polygons.
   void replace_fans();
 
-  /// Returns the triangles that replace the fan [begin, end), at most as many; none if the fan covers its polygon.
+  /// Returns the triangles that replace the fan [begin, end); none if the fan covers its polygon.
   [[nodiscard]] std::vector<std::array<std::int32_t, 3>> fan_replacement(std::size_t begin, std::size_t end) const;
 
   std::vector<std::array<double, 3>> vertices_;
   std::vector<std::array<double, 3>> normals_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
-  std::vector<std::int32_t> polygons_;  ///< of the triangles; empty if triangle i is face i
+  std::vector<std::int32_t> polygons_;  ///< of the triangles, if they are numbered
+  bool is_numbered_ = false;            ///< false as long as triangle i is face i
   std::int32_t faces_ = 0;
   std::size_t corners_ = 0;
   std::int32_t first_ = 0;

@@ -6,7 +6,8 @@
 
 namespace shapegauge {
 
-/// Returns the distance (in cells) along a ray with a unit direction, from a point within r of the surface to E(r).
+/// Returns the distance (in cells) along a ray with a unit direction, from a point of the surface to E(r), which is at
+/// least r away.
 double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction);
 
 }  // namespace shapegauge

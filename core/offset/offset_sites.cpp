@@ -68,9 +68,10 @@ std::size_t cube_index(const OffsetSites& sites, const Eigen::Vector3i& cube) {
          static_cast<std::size_t>(cube.x());
 }
 
-/// Returns the box of a range of blocks, in cells.
-Eigen::AlignedBox3d box_of(const Eigen::Vector3i& low, const Eigen::Vector3i& high) {
-  return {(block_edge * low).cast<double>(), (block_edge * high).cast<double>()};
+/// Returns a box that contains the sites of a range of blocks, in cells.
+Eigen::AlignedBox3d box_of(const OffsetSites& sites, const Eigen::Vector3i& low, const Eigen::Vector3i& high) {
+  return {(block_edge * low).cast<double>().array() - sites.overhang,
+          (block_edge * high).cast<double>().array() + sites.overhang};
 }
 
 /// Returns a copy with padding and no spare capacity.
@@ -84,7 +85,8 @@ std::vector<float> padded(const std::vector<float>& values) {
 
 }  // namespace
 
-OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool parallel) {
+OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool parallel)
+    : overhang(std::max(band - 0.5, 0.0)) {
   const std::vector<BoundaryBlock>& blocks = exterior.boundary();
   chunks.resize((blocks.size() + Chunk::blocks - 1) / Chunk::blocks);
   const auto fill = [&](std::size_t c) {
@@ -119,8 +121,10 @@ double NearbySites::distance_to_nearest(const Eigen::Vector3d& x) {
   queue_.clear();
   double upper_bound2 = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < sites_.occupied_cubes.size(); ++i) {
-    const Eigen::Vector3d low = (edge * block_edge * sites_.occupied_cubes[i]).cast<double>();
-    const Eigen::Vector3d high = low.array() + edge * block_edge;
+    const Eigen::Vector3i begin = edge * sites_.occupied_cubes[i];
+    const Eigen::AlignedBox3d box = box_of(sites_, begin, begin.array() + edge);
+    const Eigen::Vector3d& low = box.min();
+    const Eigen::Vector3d& high = box.max();
     const double nearest2 = (low - x).cwiseMax(x - high).cwiseMax(0).squaredNorm();
     if (nearest2 > upper_bound2) continue;
     upper_bound2 = std::min(upper_bound2, (x - low).cwiseAbs().cwiseMax((high - x).cwiseAbs()).squaredNorm());
@@ -144,7 +148,7 @@ double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Ve
   const Eigen::Vector3f from = x.cast<float>();
   for (int k = begin.z(); k < end.z(); ++k) {
     for (int j = begin.y(); j < end.y(); ++j) {
-      if (box_of({begin.x(), j, k}, {end.x(), j + 1, k + 1}).squaredExteriorDistance(x) >= limit) continue;
+      if (box_of(sites_, {begin.x(), j, k}, {end.x(), j + 1, k + 1}).squaredExteriorDistance(x) >= limit) continue;
       const std::size_t row = grid.block_index({0, j, k});
       for (int i = begin.x(); i < end.x(); ++i) {
         const std::int32_t state = exterior_.block(row + static_cast<std::size_t>(i));
@@ -168,8 +172,9 @@ void NearbySites::collect(const Eigen::AlignedBox3d& box, double reach) {
   site_.clear();
   const BlockGrid& grid = exterior_.grid();
   const Eigen::Vector3i one = Eigen::Vector3i::Ones();
-  const Eigen::Vector3i low = grid.block_of(box.min().array() - reach).cwiseMax(0);
-  const Eigen::Vector3i high = grid.block_of(box.max().array() + reach).cwiseMin(grid.blocks - one);
+  const double farthest = reach + sites_.overhang;
+  const Eigen::Vector3i low = grid.block_of(box.min().array() - farthest).cwiseMax(0);
+  const Eigen::Vector3i high = grid.block_of(box.max().array() + farthest).cwiseMin(grid.blocks - one);
   const double reach2 = reach * reach;
   Eigen::Vector3i cube;
   for (cube.z() = low.z() / edge; cube.z() <= high.z() / edge; ++cube.z()) {
@@ -178,11 +183,11 @@ void NearbySites::collect(const Eigen::AlignedBox3d& box, double reach) {
         if (sites_.occupied[cube_index(sites_, cube)] == 0) continue;
         const Eigen::Vector3i begin = (edge * cube).cwiseMax(low);
         const Eigen::Vector3i end = (edge * (cube + one)).cwiseMin(high + one);
-        if (box_of(begin, end).squaredExteriorDistance(box) > reach2) continue;
+        if (box_of(sites_, begin, end).squaredExteriorDistance(box) > reach2) continue;
         for (int k = begin.z(); k < end.z(); ++k) {
           for (int j = begin.y(); j < end.y(); ++j) {
             const Eigen::Vector3i first(begin.x(), j, k);
-            if (box_of(first, {end.x(), j + 1, k + 1}).squaredExteriorDistance(box) > reach2) continue;
+            if (box_of(sites_, first, {end.x(), j + 1, k + 1}).squaredExteriorDistance(box) > reach2) continue;
             collect_row(first, end.x());
           }
         }

@@ -29,6 +29,8 @@ struct OffsetSites {
   std::vector<Eigen::Vector3i> occupied_cubes;
   Eigen::Vector3i cubes = Eigen::Vector3i::Zero();  ///< number along each axis
   static constexpr int cube_edge = 8;
+  /// Maximum distance of a site from its block along an axis, in cells: it is moved away from the centre of a cell.
+  double overhang = 0;
 
   OffsetSites(const ExteriorGrid& exterior, double band, bool parallel);
 

@@ -108,6 +108,7 @@ bool has_header(const std::vector<CsvRow>& table) {
   if (table.empty()) return false;
   const std::vector<std::string>& cells = table.front().cells;
   if (is_number(cells.front())) return false;
+  if (cells.size() == 1) return true;  // a name alone is not an id with numbers
   return names_ids(cells.front()) || !std::all_of(cells.begin() + 1, cells.end(), is_number);
 }
 

@@ -37,9 +37,9 @@ LabelledDistances read_csv_matrix(const std::filesystem::path& path);
 LabelledDistances parse_csv_matrix(std::string_view text, const std::string& source);
 
 /// Parses a table of numbers of any shape with the same separators, with or without ids. The first row is a header if
-/// its first cell is not a number, unless all other cells are numbers and that cell is neither empty nor "id". The
-/// first column has the ids of rows if the header begins with an empty cell or "id", or if the first cell of the first
-/// row of numbers is not a number. Throws InputError as read_csv_matrix() does.
+/// its first cell is not a number, unless there are other cells, all of them numbers, and the first is neither empty
+/// nor "id". The first column has the ids of rows if the header begins with an empty cell or "id", or if the first cell
+/// of the first row of numbers is not a number. Throws InputError as read_csv_matrix() does.
 LabelledTable parse_csv_table(std::string_view text, const std::string& source);
 
 /// Reads a square matrix of numbers separated by blanks, one row a line, as numpy.savetxt writes it. If the first row

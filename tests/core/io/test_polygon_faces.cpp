@@ -197,6 +197,10 @@ TEST(PolygonFaces, AreRememberedUnlessTheyAreTheTriangles) {
   EXPECT_THAT(mixed.polygons.of_triangle, ElementsAre(0, 1, 1, 3));
   EXPECT_EQ(polygon_count(mixed), 5);
 
+  const Shape flawed_first = read_obj(vertices + "f 2\nf 1 2 3\nf 1 3 4\n", "shape");
+  EXPECT_THAT(flawed_first.polygons.of_triangle, ElementsAre(1, 2));
+  EXPECT_EQ(polygon_count(flawed_first), 3);
+
   const Shape flawed = read_obj(vertices + "f 1 2 3\nf 2\n", "shape");
   EXPECT_THAT(flawed.polygons.of_triangle, ElementsAre(0));
   EXPECT_EQ(polygon_count(flawed), 2);

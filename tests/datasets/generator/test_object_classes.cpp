@@ -1,7 +1,5 @@
 #include <Eigen/Geometry>
-#include <cmath>
 #include <gtest/gtest.h>
-#include <numbers>
 #include <optional>
 #include <set>
 
@@ -13,46 +11,6 @@
 namespace shapegauge {
 
 namespace {
-
-double volume(const Shape& mesh) {
-  double six_volumes = 0;
-  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    const Eigen::Matrix3d corners = mesh.vertices(mesh.triangles.row(f), Eigen::all);
-    six_volumes += corners.determinant();
-  }
-  return six_volumes / 6;
-}
-
-TEST(MeshSolid, ClosesAroundACylinderOfTwoParts) {
-  const Solid cylinder = rounded_cylinder({0, 0, -0.5}, {0, 0, 0.5}, 0.5, 0.05);
-  SolidObject object;
-  object.parts = {{0, intersection(cylinder, slab(-1, 0.05))}, {4, intersection(cylinder, slab(0, 1))}};
-  object.thinnest = 0.5;
-  object.blend = 0.01;
-  const std::optional<SolidMesh> made = mesh_solid(object, 2000);
-  ASSERT_TRUE(made);
-  EXPECT_NEAR(static_cast<double>(made->mesh.triangles.rows()), 2000, 400);
-  EXPECT_EQ(topology_fault(made->mesh), "");
-  EXPECT_FALSE(self_intersects(made->mesh));
-  // Chords and rounding reduce it by a few percent.
-  EXPECT_NEAR(volume(made->mesh) / (std::numbers::pi * 0.25), 0.975, 0.02);
-  for (Eigen::Index f = 0; f < made->labels.size(); ++f) {
-    const Eigen::Matrix3d corners = made->mesh.vertices(made->mesh.triangles.row(f), Eigen::all);
-    const double height = corners.col(2).mean();
-    // Chords lie below the surface, where the border is a little lower.
-    if (std::abs(height - 0.05) > 0.01) {
-      EXPECT_EQ(made->labels[f], height < 0.05 ? 0 : 4) << height;
-    }
-  }
-}
-
-TEST(MeshSolid, FindsNothingForWhatIsInPieces) {
-  SolidObject object;
-  object.parts = {{0, rounded_box({-0.6, 0, 0}, {0.4, 0.4, 0.4}, 0.1)},
-                  {1, rounded_box({0.6, 0, 0}, {0.4, 0.4, 0.4}, 0.1)}};
-  object.thinnest = 0.5;
-  EXPECT_FALSE(mesh_solid(object, 2000));
-}
 
 class EveryObjectClass : public testing::TestWithParam<std::size_t> {};
 

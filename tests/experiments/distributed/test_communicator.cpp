@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/distributed/packing.h"
 #include "tests/support/test_files.h"
@@ -78,23 +76,6 @@ TEST(SingleProcess, AFileIsWrittenInAnyOrder) {
   EXPECT_EQ(test::text_of(folder.path() / "file"), "abcdef");
   EXPECT_THAT(test::input_error_of([&] { single_process()->create_file(folder.path() / "none" / "file", 6); }),
               HasSubstr("cannot write"));
-}
-
-TEST(OnAllRanks, TheErrorOfOneIsThatOfAll) {
-  std::atomic<int> errors = 0;
-  test::on_thread_ranks(3, [&](Communicator& ranks) {
-    try {
-      on_all_ranks(ranks, [&] {
-        if (ranks.rank() > 0) throw ArgumentError("of rank " + std::to_string(ranks.rank()));
-      });
-    } catch (const SharedError& error) {
-      EXPECT_STREQ(error.what(), "of rank 1") << "the lowest";
-      ++errors;
-    }
-    EXPECT_EQ(on_first_rank(ranks, [&] { return std::to_string(ranks.rank()); }), "0");
-  });
-  EXPECT_EQ(errors, 3);
-  EXPECT_THROW(on_all_ranks(*single_process(), [] { throw ArgumentError("as it is"); }), ArgumentError);
 }
 
 }  // namespace

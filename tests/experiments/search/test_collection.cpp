@@ -80,46 +80,5 @@ TEST(UsualIndexPath, LiesBesideTheCollection) {
   EXPECT_EQ(usual_index_path("/a/list.txt", "b/own.json"), "/a/list.txt.own.search-index");
 }
 
-TEST(SearchMethodOf, TheRecommendedConfigurationIsItsSum) {
-  const SearchMethod method = recommended_search_method();
-  const SearchMethod of_file =
-      search_method(read_json(SHAPEGAUGE_CONFIGS_FOLDER "/recommended.json"), "recommended.json");
-  EXPECT_EQ(method.key(), of_file.key());
-  EXPECT_GE(method.terms.size(), 2U);
-  EXPECT_EQ(method.scale, DistanceScale::local_spread);
-  EXPECT_EQ(method.weight_kind, SumWeights::agreement);
-  EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing unneeded
-}
-
-TEST(SearchMethodOf, ASignatureThatIsNotComputedFromEachShapeIsAnError) {
-  const SearchedFolder folder;
-  EXPECT_EQ(folder.method("").name, "local");
-  EXPECT_THAT(input_error_of([&] { folder.method("ranks"); }), HasSubstr("it is a fusion of ranks"));
-  EXPECT_THAT(input_error_of([&] { folder.method("diffused"); }), HasSubstr("it is re-ranked"));
-  EXPECT_THAT(input_error_of([&] { folder.method("locla"); }), HasSubstr("did you mean \"local\"?"));
-  EXPECT_EQ(folder.method("local").diffusion.neighbours, (IntegerList{2, 3}));
-  EXPECT_EQ(folder.method("median").diffusion.neighbours, IntegerList{});
-}
-
-TEST(SearchMethodOf, TheKeyIsOfAllThatAnswersDependOn) {
-  const SearchedFolder folder;
-  const std::string key = folder.method().key();
-  nlohmann::json document = folder.configuration();
-  document["name"] = "other";
-  document["seed"] = 7;
-  document["evaluation"] = {{"ties", "expected"}};
-  EXPECT_EQ(search_method(document, "small.json", "local").key(), key);
-  document = folder.configuration();
-  document["preparation"] = {{"denoise", true}};
-  EXPECT_NE(search_method(document, "small.json", "local").key(), key);
-  document = folder.configuration();
-  document["distance"] = "chi2";
-  EXPECT_NE(search_method(document, "small.json", "local").key(), key);
-  document = folder.configuration();
-  document["signatures"][6]["scale"] = "median";
-  EXPECT_NE(search_method(document, "small.json", "local").key(), key);
-  EXPECT_NE(folder.method("d2").key(), key);
-}
-
 }  // namespace
 }  // namespace shapegauge

@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <rapidcheck/gtest.h>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "shapegauge/datasets/files/text_matrices.h"
+#include "tests/datasets/files/random_matrices.h"
+#include "tests/datasets/files/write_matrix.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+LabelledDistances read_csv(const std::string& text) {
+  const TemporaryFolder folder;
+  return read_csv_matrix(folder.file("m.csv", text));
+}
+
+std::string csv_error(const std::string& text) {
+  return test::input_error_of([&] { read_csv(text); });
+}
+
+DistanceMatrix text_example() {
+  DistanceMatrix matrix(2, 2);
+  matrix << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
+  return matrix;
+}
+
+TEST(CsvMatrix, TakesIdsFromTheHeaderRowAndTheFirstColumn) {
+  for (const char* const text :
+       {"id,T1,T2\nT1,0,1.5\nT2,-2.25,inf\n", ",T1,T2\r\n\"T1\", 0 ,1.50\r\n\r\nT2,-2.25,inf"}) {
+    const LabelledDistances result = read_csv(text);
+    EXPECT_EQ(result.distances, text_example());
+    EXPECT_THAT(result.ids, ElementsAre("T1", "T2"));
+  }
+}
+
+TEST(CsvMatrix, IdsMayBeNumbers) { EXPECT_THAT(read_csv("id,7,5\n7,0,1\n5,1,0\n").ids, ElementsAre("7", "5")); }
+
+TEST(CsvMatrix, TheCornerOfNumericIdsMayBeEmpty) {
+  const LabelledDistances matrix = read_csv(",7,5\n7,0,1\n5,2,0\n");
+  EXPECT_THAT(matrix.ids, ElementsAre("7", "5"));
+  EXPECT_EQ(matrix.distances, (Eigen::Matrix2d{{0, 1}, {2, 0}}));
+}
+
+TEST(CsvMatrix, MayHaveSemicolonsOrTabsForCommas) {
+  for (const char* const text : {"0;1.5\n-2.25;inf\n", "0\t1.5\n-2.25\tinf\n", "0; 1.5\r\n-2.25; inf\r\n"}) {
+    EXPECT_EQ(read_csv(text).distances, text_example()) << text;
+  }
+  EXPECT_THAT(read_csv("\tT1\tT2\nT1\t0\t1.5\nT2\t-2.25\tinf\n").ids, ElementsAre("T1", "T2"));
+  EXPECT_THAT(read_csv("id;\"T,1\";T2\n\"T,1\";0;1.5\nT2;-2.25;inf\n").ids, ElementsAre("T,1", "T2"));
+  EXPECT_THAT(read_csv("id,T;1,T2\nT;1,0,1.5\nT2,-2.25,inf\n").ids, ElementsAre("T;1", "T2")) << "commas as before";
+}
+
+TEST(CsvMatrix, DecimalCommasAreAnError) {
+  EXPECT_THAT(csv_error("0;1,5\n2,5;0\n"), AllOf(HasSubstr("m.csv:1: \"1,5\""), HasSubstr("decimal points")));
+}
+
+TEST(CsvMatrix, WithoutHeaderThereAreNoIds) {
+  const LabelledDistances result = read_csv("0,1.5\n-2.25,inf\n");
+  EXPECT_EQ(result.distances, text_example());
+  EXPECT_THAT(result.ids, IsEmpty());
+}
+
+TEST(CsvMatrix, AFaultIsOneErrorWithItsLine) {
+  EXPECT_THAT(csv_error("id,a,b\na,0,x\nb,1,0\n"), HasSubstr("m.csv:2: \"x\" is not a number (number 2 of the row)"));
+  EXPECT_THAT(csv_error("id,a,b\na,0,\nb,1,0\n"), HasSubstr("m.csv:2: \"\" is not a number"));
+  EXPECT_THAT(csv_error("id,a,b\nb,0,1\na,1,0\n"),
+              AllOf(HasSubstr("m.csv:2: "), HasSubstr("\"b\""), HasSubstr("\"a\"")));
+  EXPECT_THAT(csv_error("id,a,a\na,0,1\na,1,0\n"), HasSubstr("m.csv:1: repeated id \"a\""));
+  EXPECT_THAT(csv_error("id,a,\na,0,1\n,1,0\n"), HasSubstr("m.csv:1: an id is empty"));
+  EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1\n"), HasSubstr("m.csv:3: expected 2 numbers as in line 2, found 1"));
+  EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1,0\nc,1,1\n"), HasSubstr("m.csv:4: there are more rows than the 2 ids"));
+  EXPECT_THAT(csv_error("id,a,b\na,0,1\n"), HasSubstr("m.csv: expected a square distance matrix, found 1 rows of 2"));
+  EXPECT_THAT(csv_error("id,a,b\na,0\n"), HasSubstr("m.csv: the header row has 2 ids, but there are 1 rows of 1"));
+  EXPECT_THAT(csv_error("id,a\na\n"), HasSubstr("m.csv:2: the row has no numbers"));
+  EXPECT_THAT(csv_error("id\n"), HasSubstr("m.csv: the file has no numbers"));
+  EXPECT_THAT(csv_error("\n"), HasSubstr("m.csv: the file has no numbers"));
+  EXPECT_THAT(csv_error("0,1\n1,\"0\n"), HasSubstr("m.csv:2: "));
+  EXPECT_THAT(csv_error(""), HasSubstr("empty"));
+}
+
+TEST(CsvMatrix, EveryPrefixReadsOrIsAnInputError) {
+  const std::string valid = "id,a,\"b,c\"\na,0,1.5\n\"b,c\",1.5,0\n";
+  for (std::size_t length = 0; length + 1 < valid.size(); ++length) {
+    EXPECT_THAT(csv_error(valid.substr(0, length)), HasSubstr("m.csv")) << length;
+  }
+  EXPECT_EQ(csv_error(valid.substr(0, valid.size() - 1)), "no error");
+}
+
+RC_GTEST_PROP(CsvMatrix, ReadsBackWhatIsWritten, ()) {
+  const TemporaryFolder folder;
+  LabelledDistances written;
+  written.distances = *square_matrices() / 3;
+  const auto id = rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::element('1', 'T', ',', '"', ' ', '\t')));
+  std::set<std::string> ids;
+  while (static_cast<Eigen::Index>(ids.size()) < written.distances.rows()) ids.insert(*id + std::to_string(ids.size()));
+  written.ids.assign(ids.begin(), ids.end());
+  write_csv_matrix(folder.path() / "m.csv", written);
+  const LabelledDistances result = read_csv_matrix(folder.path() / "m.csv");
+  RC_ASSERT(result.distances == written.distances);
+  RC_ASSERT(result.ids == written.ids);
+}
+
+DistanceMatrix read_text(const std::string& text) {
+  const TemporaryFolder folder;
+  return read_text_matrix(folder.file("m.txt", text));
+}
+
+std::string text_error(const std::string& text) {
+  return test::input_error_of([&] { read_text(text); });
+}
+
+TEST(TextMatrix, MayHaveSemicolonsOrCommasBetweenTheNumbers) {
+  for (const char* const text : {"0;1.5\n-2.25;inf\n", "# distances\n0, 1.5\n-2.25, inf\n", "0\t1.5\n-2.25\tinf\n"}) {
+    EXPECT_EQ(parse_text_matrix(text, "m.txt"), text_example()) << text;
+  }
+  const auto error = [](const char* text) { return test::input_error_of([&] { parse_text_matrix(text, "m.txt"); }); };
+  EXPECT_THAT(error("0,,1\n1,0,1\n1,1,0\n"), HasSubstr("m.txt:1: \"\" is not a number")) << "none is passed over";
+  EXPECT_THAT(error("0;1,5\n1,5;0\n"), AllOf(HasSubstr("m.txt:1: \"1,5\""), HasSubstr("decimal points")));
+}
+
+TEST(TextMatrix, OneRowALineBetweenAnyBlanks) {
+  DistanceMatrix expected(2, 2);
+  expected << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
+  EXPECT_EQ(read_text("0 1.5\n-2.25 inf\n"), expected);
+  EXPECT_EQ(read_text("\xEF\xBB\xBF# distances\r\n\r\n\t0.0  1.50 \r\n  # more\r\n-225e-2\tInf"), expected);
+}
+
+TEST(TextMatrix, OneNumberIsAMatrix) { EXPECT_EQ(read_text("0"), DistanceMatrix::Zero(1, 1)); }
+
+TEST(TextMatrix, AFaultIsOneErrorWithItsLine) {
+  EXPECT_THAT(text_error("0 1\n1 x\n"), HasSubstr("m.txt:2: \"x\" is not a number (number 2 of the row)"));
+  EXPECT_THAT(text_error("0 1\n\n1\n"), HasSubstr("m.txt:3: expected 2 numbers as in line 1, found 1"));
+  EXPECT_THAT(text_error("0 1\n1 0 2\n"), HasSubstr("m.txt:2: expected 2 numbers as in line 1, found 3"));
+  EXPECT_THAT(text_error("0 1\n1 0\n2 3\n"), HasSubstr("m.txt:3: expected a square distance matrix, found row 3"));
+  EXPECT_THAT(text_error("0 1 2\n1 0 2\n"), HasSubstr("m.txt: expected a square distance matrix, found 2 rows of 3"));
+  EXPECT_THAT(text_error("# nothing\n"), HasSubstr("m.txt: the file has no numbers"));
+  EXPECT_THAT(text_error(""), HasSubstr("empty"));
+}
+
+TEST(TextMatrix, EveryPrefixReadsOrIsAnInputError) {
+  const std::string valid = "# three models\n0 1.25 2e-1\n1.25 0 3\n2e-1 3 0\n";
+  const std::size_t first_number = valid.find('0');
+  for (std::size_t length = 0; length < valid.size(); ++length) {
+    // A single number is a matrix; the final newline is optional.
+    const bool alone = length == first_number + 1 || length == first_number + 2;
+    const bool whole = length + 1 == valid.size();
+    EXPECT_THAT(text_error(valid.substr(0, length)), HasSubstr(alone || whole ? "no error" : "m.txt")) << length;
+  }
+}
+
+LabelledTable table_of(const std::string& text) { return parse_csv_table(text, "t.csv"); }
+
+const DistanceMatrix wide_numbers = Eigen::Matrix<double, 2, 3>{{0, 1, 4}, {2, 0, 6}};
+
+TEST(CsvTable, IdsOfRowsAndColumnsAreIndependent) {
+  // Without ids, with those of columns, of rows, and of both: by the first cells of the first two rows.
+  const auto expect_table = [](const std::string& text, const std::vector<std::string>& rows,
+                               const std::vector<std::string>& columns) {
+    const LabelledTable table = table_of(text);
+    EXPECT_EQ(table.numbers, wide_numbers) << text;
+    EXPECT_EQ(table.row_ids, rows) << text;
+    EXPECT_EQ(table.column_ids, columns) << text;
+  };
+  expect_table("0,1,4\n2,0,6\n", {}, {});
+  expect_table("x,y,z\n0,1,4\n2,0,6\n", {}, {"x", "y", "z"});
+  expect_table("a,0,1,4\nb,2,0,6\n", {"a", "b"}, {});
+  expect_table("id,x,y,z\na,0,1,4\nb,2,0,6\n", {"a", "b"}, {"x", "y", "z"});
+  expect_table(";x;y;z\r\na;0;1;4\r\nb;2;0;6", {"a", "b"}, {"x", "y", "z"});
+  expect_table("shape\tx\ty\tz\na\t0\t1\t4\nb\t2\t0\t6\n", {"a", "b"}, {"x", "y", "z"});
+}
+
+TEST(CsvTable, AFaultIsOneErrorWithItsLine) {
+  const auto error = [](const char* text) { return test::input_error_of([&] { table_of(text); }); };
+  EXPECT_THAT(error("0,1\n2\n"), HasSubstr("t.csv:2:"));
+  EXPECT_THAT(error("0,1\n2,x\n"), HasSubstr("t.csv:2:"));
+  EXPECT_THAT(error("id,x,y\na,0\nb,1\n"), HasSubstr("t.csv:1:")) << "two names for one number";
+  EXPECT_THAT(error("a,0\na,1\n"), HasSubstr("t.csv")) << "a repeated id";
+  EXPECT_THAT(error("id,x\n,0\n"), HasSubstr("t.csv")) << "an empty id";
+  EXPECT_THAT(error("x,y\n"), HasSubstr("t.csv")) << "no numbers";
+}
+
+RC_GTEST_PROP(CsvTable, ReadsBackAnyShape, ()) {
+  const DistanceMatrix square = *square_matrices();
+  const Eigen::Index rows = *rc::gen::inRange<Eigen::Index>(1, square.rows() + 1);
+  const DistanceMatrix written = square.topRows(rows);
+  const bool has_row_ids = *rc::gen::arbitrary<bool>();
+  const bool has_column_ids = *rc::gen::arbitrary<bool>();
+  std::vector<std::string> row_ids;
+  std::vector<std::string> column_ids;
+  std::string text = has_column_ids && has_row_ids ? "id" : "";
+  for (Eigen::Index j = 0; has_column_ids && j < written.cols(); ++j) {
+    column_ids.push_back(fmt::format("c{}", j));
+    text += (j > 0 || has_row_ids ? "," : "") + column_ids.back();
+  }
+  if (has_column_ids) text += "\n";
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    if (has_row_ids) {
+      row_ids.push_back(fmt::format("r {}", i));
+      text += row_ids.back() + ",";
+    }
+    text += fmt::format("{}\n", fmt::join(written.row(i).begin(), written.row(i).end(), ","));
+  }
+  const LabelledTable table = table_of(text);
+  RC_ASSERT(table.numbers == written);
+  RC_ASSERT(table.row_ids == row_ids);
+  RC_ASSERT(table.column_ids == column_ids);
+}
+
+TEST(TextMatrix, OfAnyShapeHasRowsOfEqualLengths) {
+  EXPECT_EQ(parse_text_matrix("0 1 4\n2 0 6\n", "t.txt", TableShape::any), wide_numbers);
+  EXPECT_THAT(test::input_error_of([] { parse_text_matrix("0 1 4\n2 0\n", "t.txt", TableShape::any); }),
+              HasSubstr("t.txt:2:"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

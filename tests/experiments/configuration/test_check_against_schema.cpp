@@ -1,0 +1,228 @@
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/experiments/configuration/schema.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::Eq;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+using Json = nlohmann::json;
+
+Json valid() {
+  return Json::parse(R"({
+    "name": "x",
+    "dataset": {"layout": "shrec11", "root": "data"},
+    "signatures": [
+      {"name": "a", "field": {"type": "offset_sdf", "offset": 0.05}, "histogram": {"range": "per-shape"}},
+      {"name": "b", "field": {"type": "cone_sdf", "rays": 9}, "histogram": {"range": {"fixed": [0, 0.6]}}},
+      {"name": "c", "concatenate": ["a", "b"]}
+    ]})");
+}
+
+/// Error message of the valid configuration after replacing the value at a JSON pointer.
+std::string schema_error_with(const std::string& pointer, const Json& value) {
+  Json document = valid();
+  document[Json::json_pointer(pointer)] = value;
+  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
+}
+
+std::string message_without(const std::string& parent, const std::string& key) {
+  Json document = valid();
+  document[Json::json_pointer(parent)].erase(key);
+  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
+}
+
+TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check_against_schema(valid(), "x.json")); }
+
+TEST(SchemaCheck, UnknownKeysWithTheNearestKnownOne) {
+  EXPECT_THAT(schema_error_with("/signature", 1),
+              Eq("x.json: unknown key \"signature\"; did you mean \"signatures\"?"));
+  EXPECT_THAT(schema_error_with("/signatures/0/field/ofset", 1),
+              Eq("x.json: signatures.0.field: unknown key \"ofset\"; did you mean \"offset\"?"));
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/bin", 1),
+              Eq("x.json: signatures.0.histogram: unknown key \"bin\"; did you mean \"bins\"?"));
+  EXPECT_THAT(schema_error_with("/dataset/roots", "x"),
+              HasSubstr("dataset: unknown key \"roots\"; did you mean \"root\"?"));
+}
+
+TEST(SchemaCheck, AKeyOfAnotherFieldTypeIsUnknown) {
+  const std::string message = schema_error_with("/signatures/0/field/rays", 25);
+  EXPECT_THAT(message, StartsWith("x.json: signatures.0.field: unknown key \"rays\"; known here: "));
+  EXPECT_THAT(message, HasSubstr("\"offset\""));
+}
+
+TEST(SchemaCheck, AMisspeltKeyCountsBeforeTheOneThatIsMissingForIt) {
+  Json document = valid();
+  document["signatures"][0]["fields"] = document["signatures"][0]["field"];
+  document["signatures"][0].erase("field");
+  EXPECT_THAT(test::input_error_of([&] { check_against_schema(document, "x.json"); }),
+              Eq("x.json: signatures.0: unknown key \"fields\"; did you mean \"field\"?"));
+}
+
+TEST(SchemaCheck, OfSeveralFaultsAnUnknownKeyOrElseTheDeepestIsReported) {
+  Json document = valid();
+  document.erase("name");
+  document["signatures"][0]["histogram"]["bins"] = "80";
+  const auto error = [&] { return test::input_error_of([&] { check_against_schema(document, "x.json"); }); };
+  EXPECT_THAT(error(), StartsWith("x.json: signatures.0.histogram.bins: "));
+  document["nmae"] = "x";
+  EXPECT_THAT(error(), StartsWith("x.json: unknown key \"nmae\""));
+  document["signatures"][1]["field"]["ray"] = 9;
+  EXPECT_THAT(error(), StartsWith("x.json: signatures.1.field: unknown key \"ray\"")) << "the deepest of these";
+}
+
+TEST(SchemaCheck, UnknownWordsWithTheNearestKnownOne) {
+  EXPECT_THAT(schema_error_with("/signatures/1/field/type", "conesdf"),
+              Eq("x.json: signatures.1.field.type: unknown word \"conesdf\"; did you mean \"cone_sdf\"?"));
+  EXPECT_THAT(schema_error_with("/protocol", "pbs"),
+              Eq("x.json: protocol: unknown word \"pbs\"; did you mean \"psb\"?"));
+  EXPECT_THAT(schema_error_with("/protocol", Json::array({"psb", "papers"})),
+              Eq("x.json: protocol.1: unknown word \"papers\"; did you mean \"paper\"?"));
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/range", "pershape"),
+              Eq("x.json: signatures.0.histogram.range: unknown word \"pershape\"; did you mean \"per-shape\"?"));
+  EXPECT_THAT(schema_error_with("/dataset/layout", "modelnet"),
+              HasSubstr("known here: \"shrec11\", \"folders\", \"csv\""));
+  EXPECT_THAT(schema_error_with("/on_error", 3), HasSubstr("on_error: must be one of \"stop\", \"skip\", not 3"));
+}
+
+TEST(SchemaCheck, WrongTypes) {
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/bins", "80"),
+              Eq("x.json: signatures.0.histogram.bins: must be of type integer, not string (\"80\")"));
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/bins", 8.5),
+              HasSubstr("must be of type integer, not number (8.5)"));
+  EXPECT_THAT(schema_error_with("/signatures/0/field/offset", true), HasSubstr("must be of type number, not boolean"));
+  EXPECT_THAT(schema_error_with("/signatures", Json::object()),
+              HasSubstr("signatures: must be of type array, not object"));
+  EXPECT_THAT(schema_error_with("/dataset", 3), HasSubstr("dataset: must be of type object, not number"));
+  EXPECT_THAT(test::input_error_of([] { check_against_schema(Json::array(), "x.json"); }),
+              HasSubstr("x.json: must be of type object, not array"));
+}
+
+TEST(SchemaCheck, NumbersOutOfRange) {
+  EXPECT_THAT(schema_error_with("/signatures/0/field/offset", 0),
+              Eq("x.json: signatures.0.field.offset: must be from 1e-06 to 1, not 0"));
+  EXPECT_THAT(schema_error_with("/signatures/0/field/offset", 5), HasSubstr("must be from 1e-06 to 1, not 5"));
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/bins", 0), HasSubstr("must be from 1 to 100000, not 0"));
+}
+
+TEST(SchemaCheck, MissingKeys) {
+  EXPECT_THAT(message_without("", "name"), Eq("x.json: the key \"name\" is missing"));
+  EXPECT_THAT(message_without("/signatures/0/field", "offset"),
+              Eq("x.json: signatures.0.field: the key \"offset\" is missing"));
+  EXPECT_THAT(message_without("/signatures/0", "histogram"),
+              HasSubstr("signatures.0: the key \"histogram\" is missing"));
+  EXPECT_THAT(message_without("/dataset", "root"), HasSubstr("dataset: the key \"root\" is missing"));
+}
+
+TEST(SchemaCheck, EmptyListsAndLineBreaksInNames) {
+  EXPECT_THAT(schema_error_with("/signatures", Json::array()), StartsWith("x.json: signatures: "));
+  EXPECT_THAT(schema_error_with("/protocol", Json::array({"psb", "psb"})), StartsWith("x.json: protocol: "));
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/range", Json::parse(R"({"fixed": [0]})")),
+              StartsWith("x.json: signatures.0.histogram.range.fixed: "));
+  EXPECT_THAT(schema_error_with("/signatures/0/name", "a\nb"), StartsWith("x.json: signatures.0.name: "));
+  EXPECT_THAT(schema_error_with("/signatures/0/name", ""), Eq("x.json: signatures.0.name: must not be empty"));
+}
+
+TEST(SchemaCheck, ANameThatIsNoText) {
+  EXPECT_THAT(schema_error_with("/signatures/0/name", 1),
+              Eq("x.json: signatures.0.name: must be of type string, not number (1)"));
+}
+
+TEST(SchemaCheck, SeedsAreWholeNumbersThatADoubleHolds) {
+  EXPECT_EQ(schema_error_with("/seed", -1), "x.json: seed: must be from 0 to 9007199254740991, not -1");
+  EXPECT_THAT(schema_error_with("/seed", 1.5), HasSubstr("seed: must be of type integer"));
+  EXPECT_EQ(schema_error_with("/seed", 9007199254740991), "no error");
+  EXPECT_THAT(schema_error_with("/seed", 9007199254740992), StartsWith("x.json: seed: must be"));
+}
+
+/// Values of a document by JSON pointer.
+std::vector<std::string> places_in(const Json& document) {
+  std::vector<std::string> places;
+  const Json flat = document.flatten();
+  for (const auto& item : flat.items()) {
+    for (std::size_t end = item.key().size(); end != std::string::npos && end > 0;
+         end = item.key().rfind('/', end - 1)) {
+      const std::string place = item.key().substr(0, end);
+      if (std::ranges::find(places, place) == places.end()) places.push_back(place);
+    }
+  }
+  return places;
+}
+
+TEST(SchemaCheck, WhateverIsWrongTheMessageSaysWhereAndWhat) {
+  Json document = valid();
+  document["perturbations"] = Json::parse(R"([{"type": "holes", "radius": 0.1},
+                                              {"type": "one_of", "choices": [[], [{"type": "motion"}]]}])");
+  document["evaluation"] = {{"measures", {"NN"}}, {"ties", "index"}};
+  document["report"]["pictures"]["range"] = {0, 1};
+  const std::vector<Json> others{nullptr, true,           -1,        0.5, 1e300, "", "x\ny", Json::array(),
+                                 {1, 2},  Json::object(), {{"x", 1}}};
+  for (const std::string& place : places_in(document)) {
+    int refused = 0;
+    for (const Json& other : others) {
+      Json changed = document;
+      changed[Json::json_pointer(place)] = other;
+      const std::string message = test::input_error_of([&] { check_against_schema(changed, "x.json"); });
+      refused += message == "no error" ? 0 : 1;
+      EXPECT_THAT(message, Not(HasSubstr("does not match the schema"))) << place << " = " << other;
+    }
+    EXPECT_GE(refused, 7) << place;
+  }
+}
+
+TEST(SchemaCheck, EndlessTexts) {
+  const std::string endless(1'000'000, 'x');
+  EXPECT_THAT(schema_error_with("/signatures/0/name", endless), Eq("no error"));
+  EXPECT_THAT(schema_error_with("/signatures/0/name", endless + "\n"), StartsWith("x.json: signatures.0.name: "));
+  EXPECT_LT(schema_error_with("/protocol", endless).size(), 1000U);
+  EXPECT_LT(schema_error_with("/signatures/0/histogram/bins", endless).size(), 1000U);
+  EXPECT_LT(schema_error_with("/signatures/0/" + endless, 1).size(), 1000U);
+}
+
+/// Error message of a part of a configuration.
+std::string part_error(const Json& part, const std::string& definition) {
+  return test::input_error_of([&] { check_against_schema(part, definition, "part"); });
+}
+
+TEST(SchemaCheck, OfAPartIsThatOfItsDefinition) {
+  EXPECT_EQ(part_error({{"type", "cone_sdf"}, {"rays", 9}}, "field"), "no error");
+  EXPECT_EQ(part_error({{"bins", 9}, {"range", "per-shape"}}, "histogram"), "no error");
+  EXPECT_THAT(part_error({{"type", "cone_sdf"}, {"ray", 9}}, "field"),
+              Eq("part: unknown key \"ray\"; did you mean \"rays\"?"));
+  EXPECT_THAT(part_error({{"bins", 0}, {"range", "per-shape"}}, "histogram"), StartsWith("part: bins: must be from 1"));
+  EXPECT_THAT(part_error({{"type", "cone_sdf"}}, "histogram"), StartsWith("part: "));
+  EXPECT_THAT(part_error(valid(), "field"), StartsWith("part: ")) << "a whole configuration is no field";
+  // The same fault has the same message in a part as in the whole, but for its place.
+  const Json wrong{{"type", "offset_sdf"}, {"offset", -3}};
+  EXPECT_EQ(schema_error_with("/signatures/0/field", wrong),
+            "x.json: signatures.0.field." + part_error(wrong, "field").substr(std::string("part: ").size()));
+}
+
+TEST(ExperimentSchema, KnowsATypeThatWasRegistered) {
+  const Json field{{"type", "test_flat"}, {"height", 2}};
+  EXPECT_THAT(schema_error_with("/signatures/0/field", field), HasSubstr("unknown word \"test_flat\""));
+  field_types().add({.name = "test_flat",
+                     .description = "The same everywhere.",
+                     .parameters = {{.name = "height", .bounds = {.low = 1, .high = 3}, .description = "Everywhere."}},
+                     .make = field_types().at("offset_sdf").make});
+  EXPECT_EQ(schema_error_with("/signatures/0/field", field), "no error");
+  EXPECT_EQ(
+      schema_error_with("/signatures/0/field/type", "test_flat"),
+      "x.json: signatures.0.field: unknown key \"offset\"; known here: \"at\", \"bilateral\", \"height\", \"type\"");
+  EXPECT_EQ(schema_error_with("/signatures/0/field", {{"type", "test_flat"}, {"height", 4}}),
+            "x.json: signatures.0.field.height: must be from 1 to 3, not 4");
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/base/interruption.h"
+#include "shapegauge/experiments/search/index_rows.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
+#include "tests/experiments/search/searched_folder.h"
+
+namespace shapegauge {
+namespace {
+
+using test::SearchedFolder;
+
+/// The distances between all models by each term, one pair at a time.
+std::vector<DistanceMatrix> pairwise_distances(const OpenIndex& index) {
+  std::vector<DistanceMatrix> matrices;
+  const std::vector<NamedDistance> named = distances_of(index.method);
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    const auto table = index.contents.tables[k].signatures();
+    DistanceMatrix& matrix = matrices.emplace_back(table.rows(), table.rows());
+    const auto signature = [&](Eigen::Index i) {
+      return std::span(table.data() + i * table.cols(), static_cast<std::size_t>(table.cols()));
+    };
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+      for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+        matrix(i, j) = i == j ? 0 : named[k].function(signature(i), signature(j));
+      }
+    }
+  }
+  return matrices;
+}
+
+/// The sum over the models, computed from whole matrices.
+DistanceMatrix whole_sum(const OpenIndex& index) {
+  const std::vector<DistanceMatrix> matrices = pairwise_distances(index);
+  const SearchMethod& method = index.method;
+  return sum_of_distances(matrices, sum_weights(matrices, method.weights, method.weight_kind), method.scale);
+}
+
+std::vector<Eigen::RowVectorXf> rows_of_tables(const ShapeIndex& index, Eigen::Index row) {
+  std::vector<Eigen::RowVectorXf> rows;
+  for (const IndexTable& table : index.tables) rows.emplace_back(table.signatures().row(row));
+  return rows;
+}
+
+void expect_sum_of(const CollectionSum& sum, const OpenIndex& index, const DistanceMatrix& expected) {
+  const std::vector<NamedDistance> named = distances_of(index.method);
+  for (Eigen::Index i = 0; i < expected.rows(); ++i) {
+    const std::vector<Eigen::VectorXd> terms =
+        term_distances(named, index.contents, rows_of_tables(index.contents, i), i);
+    EXPECT_EQ(sum_row(sum, terms, i), expected.row(i).transpose()) << i;
+  }
+}
+
+TEST(IndexRows, DistancesByTermAreThoseOfEachPair) {
+  const SearchedFolder folder;
+  for (const char* signature : {"local", "median", "bag"}) {
+    const OpenIndex index = folder.open(signature);
+    const std::vector<DistanceMatrix> expected = pairwise_distances(index);
+    const std::vector<NamedDistance> named = distances_of(index.method);
+    ASSERT_EQ(named.size(), index.method.terms.size());
+    for (Eigen::Index i = 0; i < 9; ++i) {
+      const std::vector<Eigen::RowVectorXf> rows = rows_of_tables(index.contents, i);
+      const std::vector<Eigen::VectorXd> of_member = term_distances(named, index.contents, rows, i);
+      const std::vector<Eigen::VectorXd> of_copy = term_distances(named, index.contents, rows, -1);
+      for (std::size_t k = 0; k < named.size(); ++k) {
+        EXPECT_EQ(of_member[k], expected[k].row(i).transpose()) << signature << ' ' << i;
+        EXPECT_EQ(of_copy[k], expected[k].row(i).transpose()) << signature << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(IndexRows, TheSumIsThatOfWholeMatrices) {
+  const SearchedFolder folder;
+  for (const char* signature : {"local", "median", "d2"}) {
+    SCOPED_TRACE(signature);
+    const OpenIndex index = folder.open(signature);
+    expect_sum_of(sum_of(index.method, index.contents, {}), index, whole_sum(index));
+  }
+}
+
+TEST(IndexRows, TheSumIsTheSameWithAnEarlierIndex) {
+  const SearchedFolder folder;
+  for (const char* signature : {"local", "median"}) {
+    SCOPED_TRACE(signature);
+    const OpenIndex now = folder.open(signature);
+    // Earlier indexes: without two of the models, with one that has changed since, and with most of them new.
+    for (const std::vector<Eigen::Index>& kept :
+         {std::vector<Eigen::Index>{0, 1, 2, 4, 5, 7, 8}, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {3, 7}}) {
+      ShapeIndex before;
+      for (const Eigen::Index i : kept) before.models.push_back(now.contents.models[static_cast<std::size_t>(i)]);
+      if (kept.size() == 9) before.models[4].sha256 = "another";
+      for (const IndexTable& table : now.contents.tables) {
+        Signatures rows = table.signatures()(kept, Eigen::all);
+        if (kept.size() == 9) rows.row(4) = rows.row(5);
+        before.tables.emplace_back(rows);
+      }
+      before.sum = sum_of(now.method, before, {});
+      const CollectionSum updated = sum_of(now.method, now.contents, {}, &before);
+      const CollectionSum fresh = sum_of(now.method, now.contents, {});
+      EXPECT_EQ(updated.weights, fresh.weights);
+      EXPECT_EQ(updated.units, fresh.units);
+      expect_sum_of(updated, now, whole_sum(now));
+    }
+  }
+}
+
+TEST(IndexRows, TheSumIsTheSameAfterSignaturesOfUnchangedModelsChange) {
+  // What a descriptor learns depends on the whole collection.
+  const SearchedFolder folder;
+  const OpenIndex now = folder.open("local");
+  for (std::size_t term = 0; term < now.contents.tables.size(); ++term) {
+    ShapeIndex before;
+    before.models = now.contents.models;
+    before.tables = now.contents.tables;
+    const Signatures reversed = now.contents.tables[term].signatures().colwise().reverse();
+    before.tables[term] = IndexTable(reversed);
+    before.sum = sum_of(now.method, before, {});
+    expect_sum_of(sum_of(now.method, now.contents, {}, &before), now, whole_sum(now));
+  }
+}
+
+TEST(IndexRows, NearestModelsAreThoseBySum) {
+  const SearchedFolder folder;
+  for (const char* signature : {"local", "d2"}) {
+    const OpenIndex index = folder.open(signature);
+    const DistanceMatrix sums = whole_sum(index);
+    for (const int count : {1, 3, 8}) {
+      const NearestModels found = nearest_in(index.method, index.contents, count, {});
+      const NearestModels expected = nearest_models(9, count, rows_of(sums));
+      EXPECT_EQ(found.indices, expected.indices) << signature << ' ' << count;
+      EXPECT_EQ(found.distances, expected.distances);
+      EXPECT_EQ(found.largest, expected.largest);
+    }
+  }
+}
+
+TEST(IndexRows, StopWhenInterrupted) {
+  const SearchedFolder folder;
+  const OpenIndex index = folder.open();
+  const RunControl interrupted{.interrupted = [] { return true; }};
+  EXPECT_THROW(sum_of(index.method, index.contents, interrupted), Interrupted);
+  EXPECT_THROW(nearest_in(index.method, index.contents, 2, interrupted), Interrupted);
+}
+
+}  // namespace
+}  // namespace shapegauge

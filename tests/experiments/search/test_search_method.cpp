@@ -1,0 +1,129 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/experiments/search/searched_folder.h"
+
+namespace shapegauge {
+namespace {
+
+using test::input_error_of;
+using test::SearchedFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(SearchMethodOf, TheRecommendedConfigurationIsItsSum) {
+  const SearchMethod method = recommended_search_method();
+  const SearchMethod of_file =
+      search_method(read_json(SHAPEGAUGE_CONFIGS_FOLDER "/recommended.json"), "recommended.json");
+  EXPECT_EQ(method.key(), of_file.key());
+  EXPECT_GE(method.terms.size(), 2U);
+  EXPECT_EQ(method.scale, DistanceScale::local_spread);
+  EXPECT_EQ(method.weight_kind, SumWeights::agreement);
+  EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing unneeded
+}
+
+TEST(SearchMethodOf, ASignatureThatIsNotComputedFromEachShapeIsAnError) {
+  const SearchedFolder folder;
+  EXPECT_EQ(folder.method("").name, "local");
+  EXPECT_THAT(input_error_of([&] { folder.method("ranks"); }), HasSubstr("it is a fusion of ranks"));
+  EXPECT_THAT(input_error_of([&] { folder.method("diffused"); }), HasSubstr("it is re-ranked"));
+  EXPECT_THAT(input_error_of([&] { folder.method("locla"); }), HasSubstr("did you mean \"local\"?"));
+  EXPECT_EQ(folder.method("local").diffusion.neighbours, (IntegerList{2, 3}));
+  EXPECT_EQ(folder.method("median").diffusion.neighbours, IntegerList{});
+}
+
+TEST(SearchMethodOf, TheKeyIsOfAllThatAnswersDependOn) {
+  const SearchedFolder folder;
+  const std::string key = folder.method().key();
+  nlohmann::json document = folder.configuration();
+  document["name"] = "other";
+  document["seed"] = 7;
+  document["evaluation"] = {{"ties", "expected"}};
+  EXPECT_EQ(search_method(document, "small.json", "local").key(), key);
+  document = folder.configuration();
+  document["preparation"] = {{"denoise", true}};
+  EXPECT_NE(search_method(document, "small.json", "local").key(), key);
+  document = folder.configuration();
+  document["distance"] = "chi2";
+  EXPECT_NE(search_method(document, "small.json", "local").key(), key);
+  document = folder.configuration();
+  document["signatures"][6]["scale"] = "median";
+  EXPECT_NE(search_method(document, "small.json", "local").key(), key);
+  EXPECT_NE(folder.method("d2").key(), key);
+}
+
+std::vector<std::string> kept_signatures(const SearchMethod& method) {
+  std::vector<std::string> names;
+  for (const SignatureConfiguration& one : method.configuration.signatures) names.push_back(one.name);
+  return names;
+}
+
+std::vector<std::string> term_names(const SearchMethod& method) {
+  std::vector<std::string> names;
+  for (const std::size_t term : method.terms) names.push_back(method.configuration.signatures.at(term).name);
+  return names;
+}
+
+TEST(SearchMethodOf, ASignatureIsKeptWithWhatItIsMadeOf) {
+  const SearchedFolder folder;
+  const SearchMethod alone = folder.method("d2");
+  EXPECT_THAT(kept_signatures(alone), ElementsAre("d2"));
+  EXPECT_THAT(term_names(alone), ElementsAre("d2"));
+  EXPECT_THAT(alone.weights, ElementsAre(1));
+  const SearchMethod concatenated = folder.method("both");
+  EXPECT_THAT(kept_signatures(concatenated), ElementsAre("own range", "range of all", "both"));
+  EXPECT_THAT(term_names(concatenated), ElementsAre("both"));
+  const SearchMethod sum = folder.method("median");
+  EXPECT_THAT(kept_signatures(sum), ElementsAre("own range", "range of all", "both", "d2", "median"));
+  EXPECT_THAT(term_names(sum), ElementsAre("both", "d2"));
+  EXPECT_THAT(sum.weights, ElementsAre(1, 0.5));
+  EXPECT_EQ(sum.scale, DistanceScale::median);
+  EXPECT_EQ(sum.weight_kind, SumWeights::given);
+  const SearchMethod local = folder.method("local");
+  EXPECT_THAT(term_names(local), ElementsAre("range of all", "bag", "d2"));
+  EXPECT_THAT(local.weights, ElementsAre(1, 1, 1));
+  EXPECT_EQ(local.scale, DistanceScale::local);
+  EXPECT_EQ(local.weight_kind, SumWeights::agreement);
+}
+
+TEST(SearchMethodOf, ASumOfDerivedDistancesIsAnError) {
+  const SearchedFolder folder;
+  nlohmann::json document = folder.configuration();
+  document["signatures"].push_back({{"name", "sum of ranks"}, {"sum", {{{"of", "ranks"}}, {{"of", "d2"}}}}});
+  EXPECT_THAT(input_error_of([&] { search_method(document, "small.json", "sum of ranks"); }), HasSubstr("\"ranks\""));
+  EXPECT_EQ(search_method(document, "small.json").name, "local") << "the last suitable one";
+  document["signatures"].erase(document["signatures"].begin(), document["signatures"].begin() + 7);
+  EXPECT_NE(input_error_of([&] { search_method(document, "small.json"); }), "no error") << "only derived ones";
+}
+
+TEST(SearchMethodOf, DiffusionIsTheFirstOfTheSignature) {
+  const SearchedFolder folder;
+  nlohmann::json document = folder.configuration();
+  const auto add = [&](const char* name, const char* of, int neighbours) {
+    document["signatures"].push_back(
+        {{"name", name}, {"rerank", {{"of", of}, {"method", "diffusion"}, {"neighbours", {neighbours}}}}});
+  };
+  add("of median", "median", 4);
+  add("again", "local", 5);
+  EXPECT_EQ(search_method(document, "small.json", "local").diffusion.neighbours, (IntegerList{2, 3}));
+  EXPECT_EQ(search_method(document, "small.json", "median").diffusion.neighbours, IntegerList{4});
+  EXPECT_EQ(search_method(document, "small.json", "d2").diffusion.neighbours, IntegerList{});
+}
+
+TEST(SearchMethodOf, AFileIsReadWithOverrides) {
+  const SearchedFolder folder;
+  test::write_text(folder.at("small.json"), folder.configuration().dump());
+  const std::vector<std::string> overrides{"signatures.0.histogram.bins=8"};
+  const SearchMethod plain = read_search_method(folder.at("small.json"), {}, "own range");
+  const SearchMethod changed = read_search_method(folder.at("small.json"), overrides, "own range");
+  EXPECT_EQ(plain.key(), folder.method("own range").key());
+  EXPECT_EQ(plain.configuration.signatures.front().histogram.options.bins, 16);
+  EXPECT_EQ(changed.configuration.signatures.front().histogram.options.bins, 8);
+  EXPECT_NE(changed.key(), plain.key());
+}
+
+}  // namespace
+}  // namespace shapegauge
