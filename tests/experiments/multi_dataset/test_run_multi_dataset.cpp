@@ -75,7 +75,8 @@ TEST_F(RunMultiDataset, TabulatesTheAveragesOfTheDataSets) {
   EXPECT_EQ(summary["tables"].size(), 2U * 2 * 6) << "protocols, averages, measures";
   for (const std::string set : {"First set", "second"}) {
     const std::string folder = file_safe_name(set);
-    for (const Json& row : json_in("together/" + folder + "/summary.json")["rows"]) {
+    const Json own = json_in("together/" + folder + "/summary.json");
+    for (const Json& row : own["rows"]) {
       for (const Json& table : summary["tables"]) {
         if (table["protocol"] != row["protocol"] || table["average"] != row["average"]) continue;
         const auto method =

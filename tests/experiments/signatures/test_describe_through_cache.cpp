@@ -135,7 +135,7 @@ TEST_F(DescribeThroughCache, APictureIsDrawnByTheValuesInTheCache) {
     const ExperimentResults drawn = run(pictured);
     EXPECT_EQ(uses_of(drawn), all_taken);
     EXPECT_EQ(files_of(drawn), fresh);
-    const CacheUse& pictures = run(pictured).cache.uses.at(static_cast<std::size_t>(EntryKind::picture));
+    const CacheUse pictures = run(pictured).cache.uses.at(static_cast<std::size_t>(EntryKind::picture));
     EXPECT_EQ(pictures.hits, 9U);
     EXPECT_EQ(pictures.computed, 0U);
   }
@@ -161,7 +161,7 @@ TEST_F(DescribeThroughCache, ViewsAreMadeOfTheValuesInTheCacheOnce) {
   const ExperimentResults again = run(document());
   EXPECT_EQ(uses_of(again), all_taken);
   EXPECT_EQ(again.views, first.views);
-  const CacheUse& views = run(document()).cache.uses.at(static_cast<std::size_t>(EntryKind::view));
+  const CacheUse views = run(document()).cache.uses.at(static_cast<std::size_t>(EntryKind::view));
   EXPECT_EQ(views.hits, 9U);
   EXPECT_EQ(views.computed, 0U);
 }
