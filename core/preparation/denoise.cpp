@@ -14,7 +14,6 @@
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
-#include "shapegauge/core/spatial/morton_order.h"
 
 namespace shapegauge {
 
@@ -133,31 +132,6 @@ double agreement_of(const Heights& heights, const VertexNeighbours& neighbours) 
                                        : static_cast<double>(same) / static_cast<double>(neighbours.neighbours.size());
 }
 
-/// Vertex adjacency by rank along a Morton curve: neighbours are close in memory. Lists of neighbours keep their order,
-/// and so do sums over them.
-struct RankedNeighbours {
-  std::vector<std::int32_t> vertex_at;  ///< by rank
-  VertexNeighbours neighbours;          ///< ranks
-};
-
-RankedNeighbours ranked(const Points& vertices, const VertexNeighbours& neighbours) {
-  RankedNeighbours result{.vertex_at = morton_order(vertices), .neighbours = {}};
-  std::vector<std::int32_t> rank_of(result.vertex_at.size());
-  for (std::size_t rank = 0; rank < rank_of.size(); ++rank) {
-    rank_of[static_cast<std::size_t>(result.vertex_at[rank])] = static_cast<std::int32_t>(rank);
-  }
-  result.neighbours.first.reserve(neighbours.first.size());
-  result.neighbours.neighbours.reserve(neighbours.neighbours.size());
-  result.neighbours.first.push_back(0);
-  for (const std::int32_t vertex : result.vertex_at) {
-    for (const std::int32_t u : neighbours.of(vertex)) {
-      result.neighbours.neighbours.push_back(rank_of[static_cast<std::size_t>(u)]);
-    }
-    result.neighbours.first.push_back(result.neighbours.neighbours.size());
-  }
-  return result;
-}
-
 /// Points with a fourth coordinate of 0, to fill vector registers.
 using PaddedPoints = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
@@ -230,18 +204,15 @@ Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbour
   constexpr double inward = 0.5;
   const double outward = 1 / (pass_band - 1 / inward);  // 1 / inward + 1 / outward = pass_band
   const int rounds = static_cast<int>(std::ceil(2 / pass_band)) + 3;
-  const RankedNeighbours order = ranked(vertices, neighbours);
   PaddedPoints smoothed = PaddedPoints::Zero(vertices.rows(), 4);
-  smoothed.leftCols<3>() = vertices(order.vertex_at, Eigen::all);
+  smoothed.leftCols<3>() = vertices;
   PaddedPoints shrunk(vertices.rows(), 4);
   for (int round = 0; round < rounds; ++round) {
     check_interruption();
-    step(smoothed, order.neighbours, inward, shrunk);
-    step(shrunk, order.neighbours, outward, smoothed);
+    step(smoothed, neighbours, inward, shrunk);
+    step(shrunk, neighbours, outward, smoothed);
   }
-  Points result(vertices.rows(), 3);
-  result(order.vertex_at, Eigen::all) = smoothed.leftCols<3>();
-  return result;
+  return smoothed.leftCols<3>();
 }
 
 DenoisedShape denoised(Shape shape) {
