@@ -26,7 +26,7 @@ TEST(BlockGrid, OuterBlocksAreFartherThanTheOffsetFromTheBox) {
   RandomNumbers random(1);
   for (int round = 0; round < 300; ++round) {
     const auto point = [&] {
-      return Eigen::Vector3d(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(0, 1));
+      return Eigen::Vector3d{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(0, 1)};
     };
     Eigen::AlignedBox3d bounds(point());
     if (round % 3 != 0) bounds.extend(point());  // otherwise a single place

@@ -163,7 +163,7 @@ double rounding_of(const ProjectionProblem& problem) {
 
 Eigen::Vector3d unit_vector(RandomNumbers& random) {
   for (;;) {
-    const Eigen::Vector3d v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const Eigen::Vector3d v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     if (v.norm() > 0.1 && v.norm() < 1) return v.normalized();
   }
 }

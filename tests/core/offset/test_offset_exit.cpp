@@ -33,7 +33,7 @@ class ExitOf {
 
 Eigen::Vector3d random_direction(RandomNumbers& random) {
   for (;;) {
-    const Eigen::Vector3d v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const Eigen::Vector3d v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     if (v.norm() > 0.1 && v.norm() < 1) return v.normalized();
   }
 }

@@ -194,7 +194,7 @@ TEST(NearbySites, CollectTheSitesWithinReachOfTheBox) {
   RandomNumbers random(2);
   for (int round = 0; round < 60; ++round) {
     Eigen::AlignedBox3d box(random_place(random, all.grid, 0));
-    box.extend(box.min() + Eigen::Vector3d(random.uniform(0, 5), random.uniform(0, 5), random.uniform(0, 5)));
+    box.extend(box.min() + Eigen::Vector3d{random.uniform(0, 5), random.uniform(0, 5), random.uniform(0, 5)});
     const double reach = random.uniform(1, 20);
     nearby.collect(box, reach);
     const Eigen::Vector3d within = (box.min() + 2 * box.max()) / 3;

@@ -84,7 +84,7 @@ TEST(Splats, OfRandomPointsInAPlaneCoverIt) {
   int uncovered = 0;
   constexpr int places = 1000;
   for (int place = 0; place < places; ++place) {
-    const Eigen::RowVector2d x(random.uniform(0.1, 0.9), random.uniform(0.1, 0.9));
+    const Eigen::RowVector2d x{random.uniform(0.1, 0.9), random.uniform(0.1, 0.9)};
     bool is_covered = false;
     for (Eigen::Index i = 0; i < count && !is_covered; ++i) {
       int left = 0;
