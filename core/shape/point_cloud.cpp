@@ -202,18 +202,24 @@ Eigen::Vector3d closest_plane(const NormalNeighbourhood& around) {
   return closest.cast<double>();
 }
 
-/// Returns the direction of least variance of the points near a plane through the origin, weighted by their distance
-/// from it (Tukey's biweight); of all points if the plane's normal is zero.
-Eigen::Vector3d fitted_normal(const NormalNeighbourhood& around, const Eigen::Vector3d& plane) {
-  const Eigen::Array<double, Eigen::Dynamic, 1, 0, normal_neighbours + 1, 1> relative =
-      (around * plane).array() / normal_tolerance;
-  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, normal_neighbours + 1, 1> weights =
-      (1 - relative.square()).max(0.0).square().matrix();
-  const Eigen::RowVector3d mean = weights.transpose() * around / weights.sum();
-  const NormalNeighbourhood centred = around.rowwise() - mean;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(centred.transpose() * weights.asDiagonal() * centred);
-  return solver.eigenvectors().col(0);
+/// Fits a plane to the points near a plane through the origin, and again to those near the fitted one: least squares
+/// weighted by the distances from the plane before (Tukey's biweight). Weights are equal if the given normal is zero.
+Eigen::Vector3d fitted_normal(const NormalNeighbourhood& around, Eigen::Vector3d normal) {
+  constexpr int rounds = 3;
+  Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::Array<double, Eigen::Dynamic, 1, 0, normal_neighbours + 1, 1> relative =
+        ((around.rowwise() - mean) * normal).array() / normal_tolerance;
+    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, normal_neighbours + 1, 1> weights =
+        (1 - relative.square()).max(0.0).square().matrix();
+    if (!(weights.sum() > 0)) break;
+    mean = weights.transpose() * around / weights.sum();
+    const NormalNeighbourhood centred = around.rowwise() - mean;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(centred.transpose() * weights.asDiagonal() * centred);
+    normal = solver.eigenvectors().col(0);
+  }
+  return normal;
 }
 
 }  // namespace
