@@ -30,7 +30,7 @@ std::vector<std::int32_t> nearest_points(const Points& points, const Points& amo
 /// Estimates unoriented normals of a cloud. Of the planes through a point and two of its 12 nearest neighbours, takes
 /// the one to which the neighbours are closest, each with a distance of at most 0.2 times that of the farthest (a
 /// truncated cost as in MSAC, Torr and Zisserman 2000), and fits a plane to the neighbours near it (Tukey's biweight).
-/// Points of another sheet, or beyond an edge, do not tilt the normal. Unit vectors of either sign; zero if the
+/// Points of another sheet, or beyond an edge, hardly tilt the normal. Unit vectors of either sign; zero if the
 /// neighbours all coincide. Runs in the calling TBB arena.
 Points unsigned_point_normals(const Points& points);
 
