@@ -14,6 +14,8 @@ struct CellsAround {
   int count = 0;                            ///< number of cells with a triangle
   bool touches_exterior = false;            ///< true if one of the eight is exterior
 };
+
+/// Reads the cells around a point (in cells). Near the border of the grid, takes its outermost cells.
 CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x);
 
 /// Computes the vectors from the closest points of the surrounding triangles to x. Returns false if none is known.

@@ -9,7 +9,7 @@
 
 namespace shapegauge {
 
-/// Rows of blocks along x as bits,.
+/// Set of blocks: a bit for each, in rows along x.
 class BlockRows {
  public:
   using Word = std::uint64_t;

@@ -331,6 +331,7 @@ SilhouetteFeatures::SilhouetteFeatures(int pixels) : pixels_(pixels) {
       for (std::size_t k = 0; k < powers.size(); ++k) powers[k] = std::pow(radius, static_cast<int>(k));
       for (std::size_t k = 0; radius <= 1 && k < zernike_moments; ++k) {
         const double factor = (indices[k].order + 1) / std::numbers::pi * pixel_area;
+        // The radial polynomial may be negative, which std::polar() does not permit.
         const std::complex<double> value = factor * radial[k](powers) * std::polar(1.0, -indices[k].repetition * angle);
         const auto column = static_cast<Eigen::Index>(k);
         sum[column] += value.real();

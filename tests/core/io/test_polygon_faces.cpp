@@ -23,7 +23,6 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 using Corners = std::vector<Eigen::Vector3d>;
 
