@@ -3,7 +3,7 @@
 #include <span>
 
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "shapegauge/experiments/retrieval/run_experiment.h"
+#include "shapegauge/experiments/retrieval/experiment_results.h"
 #include "shapegauge/pages/report.h"
 
 namespace shapegauge {

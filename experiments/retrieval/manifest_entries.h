@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "shapegauge/experiments/retrieval/run_experiment.h"
+#include "shapegauge/experiments/retrieval/experiment_results.h"
 
 namespace shapegauge {
 

@@ -14,6 +14,7 @@
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/retrieval/experiment_report.h"
 #include "shapegauge/experiments/retrieval/manifest_entries.h"
+#include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 #include "shapegauge/pages/report.h"
 
@@ -154,15 +155,12 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
 namespace {
 
 RunOutcome run_retrieval(const Configuration& configuration, const RunContext& context) {
-  RunPlaces places{.generated_folder = context.generated, .distance_files = {}};
-  for (const std::string& file : method_files("distances", configuration)) {
-    places.distance_files.push_back(context.results / file);
-  }
+  std::vector<fs::path> files;
+  for (const std::string& file : method_files("distances", configuration)) files.push_back(context.results / file);
   on_all_ranks(context.ranks, [&] {
     if (context.ranks.rank() == 0 && configuration.keep_distances) make_folder(context.results / "distances");
   });
-  const ExperimentResults results =
-      run_experiment(configuration, places, context.control, context.cache, context.ranks);
+  const ExperimentResults results = run_experiment(configuration, context, files);
   return on_all_ranks(context.ranks, [&] {
     RunOutcome outcome;
     if (context.ranks.rank() == 0) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "shapegauge/experiments/engine/experiment.h"
-#include "shapegauge/experiments/retrieval/run_experiment.h"
+#include "shapegauge/experiments/retrieval/experiment_results.h"
 
 namespace shapegauge {
 

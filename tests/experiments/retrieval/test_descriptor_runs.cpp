@@ -49,9 +49,12 @@ class DescriptorRuns : public testing::Test {
 
   ExperimentResults run(const Json& document, bool cached, int threads = 2) const {
     Cache cache(cached ? folder_.path() / "cache" : fs::path());
-    ExperimentResults results = run_experiment(configuration_from_json(document, "test.json", "."),
-                                               {.generated_folder = folder_.path() / "generated", .distance_files = {}},
-                                               {.threads = threads}, cache, *single_process());
+    const RunControl control{.threads = threads};
+    const auto ranks = single_process();
+    ExperimentResults results = run_experiment(
+        configuration_from_json(document, "test.json", "."),
+        {.control = control, .cache = cache, .ranks = *ranks, .generated = folder_.path() / "generated", .results = {}},
+        {});
     EXPECT_THAT(cache.warnings(), testing::IsEmpty());
     return results;
   }

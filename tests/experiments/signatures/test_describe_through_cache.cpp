@@ -55,9 +55,11 @@ class DescribeThroughCache : public testing::Test {
     return document;
   }
   ExperimentResults run(const Json& document, Cache& cache, int threads = 2) const {
-    return run_experiment(configuration_from_json(document, "test.json", "."),
-                          {.generated_folder = folder("generated"), .distance_files = {}}, {.threads = threads}, cache,
-                          *single_process());
+    const RunControl control{.threads = threads};
+    const auto ranks = single_process();
+    return run_experiment(
+        configuration_from_json(document, "test.json", "."),
+        {.control = control, .cache = cache, .ranks = *ranks, .generated = folder("generated"), .results = {}}, {});
   }
   ExperimentResults run(const Json& document, int threads = 2) const {
     Cache used(cache());

@@ -1,0 +1,66 @@
+#include <gmock/gmock.h>
+#include <limits>
+
+#include "shapegauge/experiments/retrieval/models_with_signature.h"
+#include "tests/support/thread_ranks.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::vector<ModelFailure> second_of_three() { return {{.model = 1, .message = "no triangles"}}; }
+
+DistanceMatrix with_infinite_second() {
+  DistanceMatrix expected(3, 3);
+  expected << 0, infinite, 5, infinite, 0, infinite, 7, infinite, 0;
+  return expected;
+}
+
+TEST(ModelsWithSignature, OthersAreInfinitelyFar) {
+  const ModelsWithSignature models(second_of_three(), 3);
+  EXPECT_FALSE(models.are_all());
+  EXPECT_THAT(models.places(), testing::ElementsAre(0, 2));
+  DistanceMatrix between(2, 2);
+  between << 0, 5, 7, 0;
+  EXPECT_EQ(models.spread(between), with_infinite_second());
+}
+
+TEST(ModelsWithSignature, RowsOfAMatrixBecomeThoseOfTheWholeOne) {
+  const ModelsWithSignature models(second_of_three(), 3);
+  DistanceMatrix whole(3, 3);
+  whole << 0, 1, 5, 2, 0, 3, 7, 4, 0;
+  DistanceMatrix first = whole.topRows(1);
+  DistanceMatrix others = whole.bottomRows(2);
+  models.set_infinite(first, 0);
+  models.set_infinite(others, 1);
+  EXPECT_EQ(first, with_infinite_second().topRows(1));
+  EXPECT_EQ(others, with_infinite_second().bottomRows(2));
+}
+
+TEST(ModelsWithSignature, WithAllModelsDistancesAreUnchanged) {
+  const ModelsWithSignature models({}, 2);
+  EXPECT_TRUE(models.are_all());
+  const DistanceMatrix between = DistanceMatrix::Random(2, 2);
+  EXPECT_EQ(models.spread(between), between);
+}
+
+TEST(ModelsWithSignature, TheFirstOneStandsInForThoseWithoutSignatureOnAllRanks) {
+  Signatures all(4, 2);
+  all << 1, 2, 3, 4, 5, 6, 7, 8;
+  const std::vector<ModelFailure> without{{.model = 0, .message = ""}, {.model = 3, .message = ""}};
+  Signatures expected(4, 2);
+  expected << 3, 4, 3, 4, 5, 6, 3, 4;
+  test::on_thread_ranks(3, [&](Communicator& ranks) {
+    const RankRange own = part_of_rank(4, ranks.rank(), ranks.size());
+    const auto first = static_cast<Eigen::Index>(own.first);
+    const auto count = static_cast<Eigen::Index>(own.last - own.first);
+    const Signatures filled = ModelsWithSignature(without, 4).with_stand_ins(all.middleRows(first, count), own, ranks);
+    EXPECT_EQ(filled, expected.middleRows(first, count)) << "rank " << ranks.rank();
+  });
+}
+
+}  // namespace
+
+}  // namespace shapegauge
