@@ -11,7 +11,7 @@
 namespace shapegauge {
 
 /// Cache version of part_segmentation(); see docs/manual/cache.md.
-inline constexpr int part_segmentation_version = 4;
+inline constexpr int part_segmentation_version = 5;
 
 /// Options of part_segmentation().
 struct PartSegmentationOptions {

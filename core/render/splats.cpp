@@ -1,6 +1,5 @@
 #include "shapegauge/core/render/splats.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
@@ -15,22 +14,6 @@ namespace {
 /// Radius of a splat, in radii of the disc with the point's area. For random points in a plane, exp(-2.25^2), or 0.6 %,
 /// stays uncovered.
 constexpr double overlap = 2.25;
-constexpr Eigen::Index neighbours = 12;
-
-/// Returns the direction of least variance of the point and its neighbours.
-Eigen::Vector3d fitted_normal(const Points& points, const PointNeighbours& nearest, Eigen::Index i) {
-  const auto around = nearest.indices.row(i);
-  Eigen::Vector3d mean = points.row(i);
-  for (const std::int32_t j : around) mean += points.row(j).transpose();
-  mean /= static_cast<double>(around.size() + 1);
-  const auto spread_of = [&](Eigen::Index j) -> Eigen::Matrix3d {
-    const Eigen::Vector3d d = points.row(j).transpose() - mean;
-    return d * d.transpose();
-  };
-  Eigen::Matrix3d spread = spread_of(i);
-  for (const std::int32_t j : around) spread += spread_of(j);
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-}
 
 void add_splat(Shape& mesh, Eigen::Index i, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal,
                double radius) {
@@ -56,14 +39,15 @@ Shape splats(const Shape& cloud) {
   for (Eigen::Index i = 0; i < n; ++i) points.row(i) = frame.to_unit(cloud.vertices.row(i).transpose()).transpose();
   const Eigen::VectorXd weights = point_weights(points);
   const bool has_all_normals = cloud.normals.rows() > 0 && (cloud.normals.array() != 0).rowwise().any().all();
-  const PointNeighbours nearest = has_all_normals ? PointNeighbours() : nearest_neighbours(points, neighbours);
+  const Points estimated = has_all_normals ? Points() : unsigned_point_normals(points);
   Shape mesh;
   mesh.vertices.resize((triangles_per_splat + 2) * n, 3);
   mesh.triangles.resize(triangles_per_splat * n, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     if (cloud.normals.rows() > 0) normal = cloud.normals.row(i);
-    if (normal.isZero(0)) normal = fitted_normal(points, nearest, i);
+    if (normal.isZero(0)) normal = estimated.row(i);
+    if (normal.isZero(0)) normal = Eigen::Vector3d::UnitZ();  // its neighbours coincide with the point
     add_splat(mesh, i, points.row(i), normal, overlap * std::sqrt(weights[i] / std::numbers::pi));
   }
   mesh.vertices = (mesh.vertices * frame.diagonal).rowwise() + frame.centre.transpose();

@@ -10,7 +10,7 @@
 namespace shapegauge {
 
 /// Cache version of pictures, including render_shape(), principal_view() and colours; see docs/manual/cache.md.
-inline constexpr int picture_version = 3;
+inline constexpr int picture_version = 4;
 
 /// Renders a small picture of a shape in its principal_view(), coloured by the values of a field at its samples, as PNG
 /// bytes with a transparent background. Depends on nothing else. Samples other than all faces or all vertices are drawn

@@ -11,7 +11,7 @@
 namespace shapegauge {
 
 /// Cache version of views; see docs/manual/cache.md.
-inline constexpr int model_view_version = 1;
+inline constexpr int model_view_version = 2;
 
 /// Maximum number of models with views in a report.
 inline constexpr std::size_t most_models_with_views = 2000;
