@@ -21,8 +21,8 @@ struct RunContext {
   const RunControl& control;
   Cache& cache;
   Communicator& ranks;
-  std::filesystem::path generated;  ///< folder for a generated data set; it outlives the run
-  std::filesystem::path results;    ///< folder for result files; the same for all ranks
+  std::filesystem::path generated = {};  ///< folder for a generated data set; it outlives the run
+  std::filesystem::path results = {};    ///< folder for result files; the same for all ranks
 };
 
 /// Outcome of a run. With several processes, known to rank 0.

@@ -32,8 +32,7 @@ void run_stages(const Configuration& configuration, const RunContext& context,
   const Dataset dataset = prepare_dataset(configuration, context.generated, context.control, context.ranks);
   results.timings.emplace_back("dataset", stopwatch.lap());
 
-  ComputedSignatures computed =
-      compute_signatures(dataset, configuration, context.control, context.cache, context.ranks);
+  ComputedSignatures computed = compute_signatures(dataset, configuration, context);
   results.classes = dataset.classes;
   results.skipped = dataset.skipped;
   for (const std::size_t model : computed.models) results.models.push_back(dataset.models[model]);
@@ -67,9 +66,8 @@ ExperimentResults run_experiment(const Configuration& configuration, const fs::p
                                  const RunControl& control) {
   Cache none;
   const auto ranks = single_process();
-  return run_experiment(
-      configuration, {.control = control, .cache = none, .ranks = *ranks, .generated = generated_folder, .results = {}},
-      {});
+  return run_experiment(configuration,
+                        {.control = control, .cache = none, .ranks = *ranks, .generated = generated_folder}, {});
 }
 
 }  // namespace shapegauge

@@ -126,8 +126,9 @@ std::vector<Eigen::Index> complete_models(ComputedSignatures& computed) {
 /// Describes the collection. Shapes without one of the method's signatures are failures.
 ShapeIndex described(const SearchMethod& method, const Collection& collection, std::vector<IndexedFile> files,
                      const ShapeIndex* before, const RunControl& control, Cache& cache) {
-  ComputedSignatures computed =
-      compute_signatures(dataset_of(collection), method.configuration, control, cache, *single_process());
+  const auto ranks = single_process();
+  ComputedSignatures computed = compute_signatures(dataset_of(collection), method.configuration,
+                                                   {.control = control, .cache = cache, .ranks = *ranks});
   const std::vector<Eigen::Index> complete = complete_models(computed);
   if (complete.empty()) {
     throw InputError(fmt::format("none of {} shapes has all signatures of the method; the first is {}: {}",

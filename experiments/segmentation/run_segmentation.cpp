@@ -163,14 +163,13 @@ SegmentationBenchmark without_people(const Dataset& dataset) {
   return shapes;
 }
 
-SegmentationBenchmark benchmark_of(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
-                                   const RunControl& control, Communicator& ranks) {
+SegmentationBenchmark benchmark_of(const SegmentationExperiment& experiment, const RunContext& context) {
   if (!experiment.generator && experiment.location.layout == segmentation_layout) {
     return find_segmentation_benchmark(experiment.location.root);
   }
   if (!experiment.generator) return without_people(find_dataset(experiment.location));
-  prepare_generated(generated, *experiment.generator, control, ranks);
-  return find_generated_parts(generated);
+  prepare_generated(context.generated, *experiment.generator, context.control, context.ranks);
+  return find_generated_parts(context.generated);
 }
 
 std::vector<std::string> method_names(const SegmentationExperiment& experiment,
@@ -278,10 +277,10 @@ std::map<std::size_t, CutShape> cut_by_all(std::map<std::size_t, CutShape> own, 
   return all;
 }
 
-void run_stages(const RunControl& control, Cache& cache, const std::filesystem::path& generated, Communicator& ranks,
-                SegmentationResults& results) {
+void run_stages(const RunContext& context, SegmentationResults& results) {
+  Communicator& ranks = context.ranks;
   const Stopwatch stopwatch;
-  results.benchmark = benchmark_of(results.experiment, generated, control, ranks);
+  results.benchmark = benchmark_of(results.experiment, context);
   results.has_people =
       std::ranges::any_of(results.benchmark.models, [](const SegmentedModel& model) { return !model.people.empty(); });
   std::vector<std::size_t> all(results.benchmark.models.size());
@@ -290,8 +289,8 @@ void run_stages(const RunControl& control, Cache& cache, const std::filesystem::
   std::mutex mutex;
   const bool stop = results.experiment.on_error == OnError::stop;
   const std::vector<ModelFailure> own_failures =
-      for_each_model(all, "shapes", stop, control, ranks, [&](std::size_t i) {
-        SegmentationJob job(results.experiment, results.benchmark.models[i], i, cache);
+      for_each_model(all, "shapes", stop, context.control, ranks, [&](std::size_t i) {
+        SegmentationJob job(results.experiment, results.benchmark.models[i], i, context.cache);
         const std::scoped_lock lock(mutex);
         own.emplace(i, CutShape{.shape = std::move(job.result), .errors = std::move(job.errors)});
       });
@@ -333,13 +332,12 @@ Labels segmented(const Shape& shape, const SegmentationMethod& method) {
   return paper_segmentation(shape, method.offset_field ? std::optional(method.offset) : std::nullopt, options);
 }
 
-SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
-                                     const RunControl& control, Cache& cache, Communicator& ranks) {
+SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const RunContext& context) {
   SegmentationResults results;
   results.experiment = experiment;
-  results.threads = control.threads > 0 ? control.threads : available_threads();
-  with_threads(control, [&] { run_stages(control, cache, generated, ranks, results); });
-  results.cache = report_of(cache, ranks);
+  results.threads = context.control.threads > 0 ? context.control.threads : available_threads();
+  with_threads(context.control, [&] { run_stages(context, results); });
+  results.cache = report_of(context.cache, context.ranks);
   return results;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
@@ -10,8 +9,7 @@
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
-#include "shapegauge/experiments/distributed/communicator.h"
-#include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/engine/experiment.h"
 #include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
 
@@ -51,10 +49,9 @@ std::vector<std::int32_t> segmented(const Shape& shape, const SegmentationMethod
 nlohmann::json versions_of(const SegmentationMethod& method);
 
 /// Runs a whole segmentation experiment: parts of each shape by each method, through the cache, and their errors.
-/// Generated shapes are in `generated` and are reused (prepare_generated()). Everything but the timings is the same for
-/// any number of threads and processes; rank 0 has the results. Collective. Throws InputError for a shape that fails
-/// with OnError::stop and if no shape is left; throws Interrupted.
-SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
-                                     const RunControl& control, Cache& cache, Communicator& ranks);
+/// Generated shapes are in RunContext::generated and are reused (prepare_generated()). Everything but the timings is
+/// the same for any number of threads and processes; rank 0 has the results. Collective. Throws InputError for a shape
+/// that fails with OnError::stop and if no shape is left; throws Interrupted.
+SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const RunContext& context);
 
 }  // namespace shapegauge

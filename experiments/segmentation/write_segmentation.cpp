@@ -138,8 +138,7 @@ RunOutcome write_segmentation(const std::filesystem::path& folder, const Segment
 namespace {
 
 RunOutcome run_and_write(const SegmentationExperiment& experiment, const RunContext& context) {
-  const SegmentationResults results =
-      run_segmentation(experiment, context.generated, context.control, context.cache, context.ranks);
+  const SegmentationResults results = run_segmentation(experiment, context);
   return on_all_ranks(context.ranks, [&] {
     return context.ranks.rank() == 0 ? write_segmentation(context.results, results) : RunOutcome();
   });

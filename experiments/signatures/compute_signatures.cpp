@@ -98,8 +98,9 @@ void check_signatures_exist(const Dataset& dataset, const std::vector<SignatureC
   }
 }
 
-Described describe_models(const Dataset& dataset, const Configuration& configuration, const RunControl& control,
-                          std::span<const PlannedField> plan, Cache& cache, Communicator& ranks) {
+Described describe_models(const Dataset& dataset, const Configuration& configuration,
+                          std::span<const PlannedField> plan, const RunContext& context) {
+  Communicator& ranks = context.ranks;
   Described described;
   described.failures = failures_of_all(ranks.rank() == 0 ? check_models(dataset) : std::vector<ModelFailure>(), ranks);
   stop_on_failures(dataset, described.failures, configuration.on_error);
@@ -110,9 +111,9 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   const bool stops = configuration.on_error == OnError::stop;
   std::mutex mutex;
   const std::vector<ModelFailure> failures =
-      for_each_model(remaining, "signatures", stops, control, ranks, [&](std::size_t model) {
+      for_each_model(remaining, "signatures", stops, context.control, ranks, [&](std::size_t model) {
         ModelDescription description =
-            describe_through_cache(dataset, model, configuration, plan, parallel_within, cache);
+            describe_through_cache(dataset, model, configuration, plan, parallel_within, context.cache);
         const std::scoped_lock lock(mutex);
         described.models.emplace(model, std::move(description));
       });
@@ -124,7 +125,7 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   };
   add(failures_of_all(failures, ranks));
   check_signatures_exist(dataset, configuration.signatures, described, plan, ranks);
-  add(describe_learnt(described.models, configuration, plan, control, cache, ranks, described.learnt));
+  add(describe_learnt(described.models, configuration, plan, context, described.learnt));
   const std::vector<ModelFailure> useless = without_signatures(described.models, configuration.signatures, plan);
   for (const ModelFailure& failure : useless) described.models.erase(failure.model);
   add(failures_of_all(useless, ranks));
@@ -273,9 +274,10 @@ void report(std::vector<ModelDescription> models, const Configuration& configura
 }  // namespace
 
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
-                                      const RunControl& control, Cache& cache, Communicator& ranks) {
+                                      const RunContext& context) {
+  Communicator& ranks = context.ranks;
   const std::vector<PlannedField> plan = plan_fields(configuration.signatures);
-  Described described = describe_models(dataset, configuration, control, plan, cache, ranks);
+  Described described = describe_models(dataset, configuration, plan, context);
   ComputedSignatures computed;
   computed.models = models_without(described.failures, dataset.models.size());
   computed.failures = std::move(described.failures);

@@ -5,10 +5,8 @@
 #include <vector>
 
 #include "shapegauge/datasets/layouts/dataset.h"
-#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/distributed/communicator.h"
-#include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/engine/experiment.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 #include "shapegauge/pages/report.h"
@@ -44,6 +42,6 @@ struct ComputedSignatures {
 /// signatures, and Interrupted. Collective. Runs in the calling TBB arena. Reads results from the cache and stores new
 /// ones there.
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
-                                      const RunControl& control, Cache& cache, Communicator& ranks);
+                                      const RunContext& context);
 
 }  // namespace shapegauge

@@ -139,8 +139,8 @@ FeatureDescription describe(const Lesson& lesson, const std::string& shape_key, 
 }  // namespace
 
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
-                                          std::span<const PlannedField> plan, const RunControl& control, Cache& cache,
-                                          Communicator& ranks, std::vector<LearntFeatures>& learnt_features) {
+                                          std::span<const PlannedField> plan, const RunContext& context,
+                                          std::vector<LearntFeatures>& learnt_features) {
   const std::vector<PlannedDescriptor> descriptors = plan_descriptors(configuration.signatures, plan);
   learnt_features.assign(descriptors.size(), {});
   const bool stops = configuration.on_error == OnError::stop;
@@ -150,16 +150,16 @@ std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configu
     const DescriptorChoice& choice = *signature.descriptor;
     Lessons lessons = lessons_of(models, descriptors[d], choice);
     for (;;) {
-      if (control.interrupted()) throw Interrupted();
-      const Learnt learnt = learn_together(lessons, signature.name, choice, cache, ranks);
+      if (context.control.interrupted()) throw Interrupted();
+      const Learnt learnt = learn_together(lessons, signature.name, choice, context.cache, context.ranks);
       std::vector<std::size_t> own;
       for (const auto& [index, lesson] : lessons) own.push_back(index);
       const auto job = [&](std::size_t i) {
         ModelDescription& model = models.at(i);
-        model.features[d] = describe(lessons.at(i), model.shape_key, choice, learnt, cache);
+        model.features[d] = describe(lessons.at(i), model.shape_key, choice, learnt, context.cache);
       };
       const std::vector<ModelFailure> failures =
-          failures_of_all(for_each_model(own, signature.name, stops, control, job), ranks);
+          failures_of_all(for_each_model(own, signature.name, stops, context.control, job), context.ranks);
       learnt_features[d] = learnt.features;
       if (stops && !failures.empty()) return failures;
       if (failures.empty()) break;

@@ -6,10 +6,8 @@
 #include <vector>
 
 #include "shapegauge/datasets/layouts/layouts.h"
-#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/distributed/communicator.h"
-#include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/engine/experiment.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
 
 namespace shapegauge {
@@ -25,7 +23,7 @@ using DescribedModels = std::map<std::size_t, ModelDescription>;
 /// descriptor, empty for those that do not learn. Throws InputError if nothing can be learnt, and Interrupted.
 /// Collective. Runs in the calling TBB arena.
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
-                                          std::span<const PlannedField> plan, const RunControl& control, Cache& cache,
-                                          Communicator& ranks, std::vector<LearntFeatures>& learnt);
+                                          std::span<const PlannedField> plan, const RunContext& context,
+                                          std::vector<LearntFeatures>& learnt);
 
 }  // namespace shapegauge

@@ -13,6 +13,7 @@
 #include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/fusion.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
+#include "tests/support/run_alone.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
@@ -49,12 +50,10 @@ class DescriptorRuns : public testing::Test {
 
   ExperimentResults run(const Json& document, bool cached, int threads = 2) const {
     Cache cache(cached ? folder_.path() / "cache" : fs::path());
-    const RunControl control{.threads = threads};
-    const auto ranks = single_process();
-    ExperimentResults results = run_experiment(
-        configuration_from_json(document, "test.json", "."),
-        {.control = control, .cache = cache, .ranks = *ranks, .generated = folder_.path() / "generated", .results = {}},
-        {});
+    const auto work = [&](const RunContext& context) {
+      return run_experiment(configuration_from_json(document, "test.json", "."), context, {});
+    };
+    ExperimentResults results = test::run_alone({.threads = threads}, cache, folder_.path() / "generated", work);
     EXPECT_THAT(cache.warnings(), testing::IsEmpty());
     return results;
   }

@@ -21,6 +21,7 @@
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
 #include "tests/experiments/segmentation/published_segmentation.h"
+#include "tests/support/run_alone.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
@@ -37,6 +38,12 @@ using testing::Not;
 Shape two_balls() {
   const Shape ball = test::sphere(1, 2);
   return test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
+}
+
+SegmentationResults cut(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
+                        const RunControl& control, Cache& cache) {
+  return test::run_alone(control, cache, generated,
+                         [&](const RunContext& context) { return run_segmentation(experiment, context); });
 }
 
 class SegmentationRun : public testing::Test {
@@ -77,8 +84,7 @@ TEST(SegmentationMethod, HasTheDefaultsOfPartSegmentation) {
 
 TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
   Cache cache;
-  const SegmentationResults results =
-      run_segmentation(experiment(), folder_.path() / "none", {}, cache, *single_process());
+  const SegmentationResults results = cut(experiment(), folder_.path() / "none", {}, cache);
   EXPECT_THAT(results.scores.methods, testing::ElementsAre("best", "the paper", "people"));
   EXPECT_THAT(results.scores.classes, testing::ElementsAre("human", "cup"));
   // Of 640 triangles in two halves, pairs across are 320 * 320.
@@ -96,7 +102,7 @@ TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
   const std::filesystem::path place = folder_.path() / "cache";
   const auto use_of = [&](const SegmentationExperiment& run) {
     Cache cache(place);
-    const auto results = run_segmentation(run, folder_.path() / "none", {.threads = 1}, cache, *single_process());
+    const auto results = cut(run, folder_.path() / "none", {.threads = 1}, cache);
     return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation));
   };
   EXPECT_EQ(use_of(same).computed, 1U);  // the three files have equal contents, described once
@@ -123,8 +129,7 @@ TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
   for (const int threads : {1, 2}) {
     Cache cache;
     const std::filesystem::path place = folder_.path() / "results" / std::to_string(threads);
-    test::publish(place,
-                  run_segmentation(experiment(), place / "dataset", {.threads = threads}, cache, *single_process()));
+    test::publish(place, cut(experiment(), place / "dataset", {.threads = threads}, cache));
     const nlohmann::json manifest = read_json(place / manifest_name);
     EXPECT_EQ(manifest.at("inputs").at("models").size(), 9U);
     std::map<std::string, std::string> files;
@@ -151,7 +156,7 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
          {{"name", "points"}, {"perturbations", {{{"type", "sample_points"}, {"points", 500}}}}}}}},
       "x.json", folder_.path());
   Cache cache;
-  const SegmentationResults results = run_segmentation(run, folder_.path() / "none", {}, cache, *single_process());
+  const SegmentationResults results = cut(run, folder_.path() / "none", {}, cache);
   const SegmentedShape& shape = results.shapes[0];
   for (const auto& labels : shape.labels) ASSERT_EQ(labels.size(), 640U);
   EXPECT_TRUE(std::isnan(shape.moved[0]));
@@ -165,8 +170,7 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
   EXPECT_EQ(table.rows[1][0], "turned");
 
   run.seed = 2;
-  EXPECT_NE(run_segmentation(run, folder_.path() / "none", {}, cache, *single_process()).shapes[0].labels[1],
-            shape.labels[1]);
+  EXPECT_NE(cut(run, folder_.path() / "none", {}, cache).shapes[0].labels[1], shape.labels[1]);
 }
 
 TEST_F(SegmentationRun, TakesDamagedShapesFromTheCacheWhereNothingOfTheDamageHasChanged) {
@@ -177,7 +181,7 @@ TEST_F(SegmentationRun, TakesDamagedShapesFromTheCacheWhereNothingOfTheDamageHas
       "x.json", folder_.path());
   const auto computed = [&] {
     Cache cache(folder_.path() / "cache");
-    const auto results = run_segmentation(run, folder_.path() / "none", {.threads = 1}, cache, *single_process());
+    const auto results = cut(run, folder_.path() / "none", {.threads = 1}, cache);
     return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation)).computed;
   };
   EXPECT_EQ(computed(),
@@ -198,7 +202,7 @@ TEST_F(SegmentationRun, OfShapesThatNobodyCutSaysHowAlikeTheirPartsAre) {
                                                              {"segmentation", {{{"name", "best"}}}}},
                                                             "x.json", folder_.path());
   Cache cache;
-  const SegmentationResults results = run_segmentation(run, folder_.path() / "none", {}, cache, *single_process());
+  const SegmentationResults results = cut(run, folder_.path() / "none", {}, cache);
   using Row = std::vector<std::string>;
   EXPECT_THAT(consistency_table(results).rows,
               testing::ElementsAre(Row{"best", "ball", "1.000", "1.000", "0.000", "0.500"},
@@ -221,8 +225,7 @@ TEST_F(SegmentationRun, HasARowForEachPolygonOfTheFile) {
     test::write_text(root() / "seg/22" / (std::string(person) + ".seg"), "0\n0\n0\n0\n0\n1\n");
   }
   Cache cache;
-  const SegmentationResults results =
-      run_segmentation(experiment(), folder_.path() / "none", {}, cache, *single_process());
+  const SegmentationResults results = cut(experiment(), folder_.path() / "none", {}, cache);
   EXPECT_EQ(results.shapes[0].labels[0].size(), 640U);
   EXPECT_FALSE(results.shapes[0].has_polygons);
   EXPECT_EQ(results.shapes[2].labels[0].size(), 6U);
@@ -233,11 +236,9 @@ TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {
   write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(7, 0));
   Cache cache;
   SegmentationExperiment run = experiment();
-  EXPECT_THAT(
-      test::input_error_of([&] { run_segmentation(run, folder_.path() / "none", {}, cache, *single_process()); }),
-      HasSubstr("shape 21: "));
+  EXPECT_THAT(test::input_error_of([&] { cut(run, folder_.path() / "none", {}, cache); }), HasSubstr("shape 21: "));
   run.on_error = OnError::skip;
-  const SegmentationResults results = run_segmentation(run, folder_.path() / "none", {}, cache, *single_process());
+  const SegmentationResults results = cut(run, folder_.path() / "none", {}, cache);
   ASSERT_EQ(results.failures.size(), 1U);
   EXPECT_EQ(results.failures[0].id, "21");
   EXPECT_THAT(results.scores.ids, testing::ElementsAre("1", "22"));
@@ -249,8 +250,7 @@ TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
   document["dataset"]["generate"] = {{"classes", 2}, {"models_per_class", 1}, {"faces", 1000}};
   const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder.path());
   Cache cache;
-  const SegmentationResults results =
-      run_segmentation(experiment, folder.path() / "dataset", {}, cache, *single_process());
+  const SegmentationResults results = cut(experiment, folder.path() / "dataset", {}, cache);
   EXPECT_EQ(results.scores.methods.size(), 3U);  // one ground truth, hence no human scores
   EXPECT_LT(results.scores.mean(0, &SegmentationErrors::rand_index), 0.1);
   EXPECT_LT(results.scores.mean(0, &SegmentationErrors::rand_index),

@@ -84,8 +84,8 @@ struct Outcome {
 
 Outcome described(DescribedModels& models, const Configuration& configuration, Cache& cache, Communicator& ranks) {
   Outcome outcome;
-  outcome.failures =
-      describe_learnt(models, configuration, plan_fields(configuration.signatures), {}, cache, ranks, outcome.learnt);
+  outcome.failures = describe_learnt(models, configuration, plan_fields(configuration.signatures),
+                                     {.control = {}, .cache = cache, .ranks = ranks}, outcome.learnt);
   return outcome;
 }
 
@@ -215,8 +215,9 @@ TEST(DescribeLearnt, StopsWhenInterrupted) {
   const Configuration configuration = mean_configuration();
   Cache none;
   std::vector<LearntFeatures> learnt;
+  const RunControl control{.interrupted = [] { return true; }};
   EXPECT_THROW(describe_learnt(models, configuration, plan_fields(configuration.signatures),
-                               {.interrupted = [] { return true; }}, none, *single_process(), learnt),
+                               {.control = control, .cache = none, .ranks = *single_process()}, learnt),
                Interrupted);
 }
 

@@ -6,6 +6,7 @@
 #include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
+#include "tests/support/run_alone.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
@@ -55,11 +56,9 @@ class DescribeThroughCache : public testing::Test {
     return document;
   }
   ExperimentResults run(const Json& document, Cache& cache, int threads = 2) const {
-    const RunControl control{.threads = threads};
-    const auto ranks = single_process();
-    return run_experiment(
-        configuration_from_json(document, "test.json", "."),
-        {.control = control, .cache = cache, .ranks = *ranks, .generated = folder("generated"), .results = {}}, {});
+    return test::run_alone({.threads = threads}, cache, folder("generated"), [&](const RunContext& context) {
+      return run_experiment(configuration_from_json(document, "test.json", "."), context, {});
+    });
   }
   ExperimentResults run(const Json& document, int threads = 2) const {
     Cache used(cache());

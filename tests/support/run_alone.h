@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "shapegauge/experiments/engine/experiment.h"
+
+namespace shapegauge::test {
+
+/// Calls the work with the context of a run in this process alone.
+template <typename Work>
+auto run_alone(const RunControl& control, Cache& cache, const std::filesystem::path& generated, const Work& work) {
+  const auto ranks = single_process();
+  return work(RunContext{.control = control, .cache = cache, .ranks = *ranks, .generated = generated});
+}
+
+}  // namespace shapegauge::test
