@@ -126,7 +126,8 @@ tinygltf::Model load(const ShapeSource& source, GltfFiles& files) {
   if (files.failure) std::rethrow_exception(files.failure);
   if (loaded) return model;
   std::ranges::replace(errors, '\n', ' ');
-  fail(source.name, fmt::format("it is no valid glTF: {}", errors.empty() ? "it cannot be read" : printable(errors)));
+  fail(source.name,
+       fmt::format("it is no valid glTF: {}", errors.empty() ? "it cannot be read" : printable(errors, 200)));
 }
 
 void require_readable(const tinygltf::Model& model, const std::string& name) {

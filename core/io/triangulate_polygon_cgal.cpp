@@ -106,7 +106,7 @@ class PolygonTriangulator {
   Vertex next_on_edge(Vertex a, Vertex b) {
     Triangulation::Vertex_circulator neighbour = triangulation_.incident_vertices(a);
     while (triangulation_.is_infinite(neighbour) ||
-           !CGAL::collinear_are_ordered_along_line(a->point(), neighbour->point(), b->point())) {
+           !CGAL::are_ordered_along_line(a->point(), neighbour->point(), b->point())) {
       ++neighbour;
     }
     return neighbour;

@@ -112,15 +112,46 @@ TEST(ConstrainedDelaunay, OfSimplePolygons) {
   }
 }
 
+double area_of(const FlatCorners& corners, const std::vector<PolygonTriangle>& triangles) {
+  double area = 0;
+  for (const auto& [a, b, c] : triangles) {
+    area += orientation(corner_at(corners, a), corner_at(corners, b), corner_at(corners, c)) / 2;
+  }
+  return area;
+}
+
 TEST(ConstrainedDelaunay, OfASquareWithABridgeToItsHole) {
   const FlatCorners frame = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
-  double area = 0;
-  for (const auto& [a, b, c] : constrained_delaunay(frame)) {
+  const std::vector<PolygonTriangle> triangles = constrained_delaunay(frame);
+  for (const auto& [a, b, c] : triangles) {
     const Eigen::Vector2d centre = (corner_at(frame, a) + corner_at(frame, b) + corner_at(frame, c)) / 3;
     EXPECT_FALSE(centre.x() > 1 && centre.x() < 3 && centre.y() > 1 && centre.y() < 3) << "in the hole";
-    area += orientation(corner_at(frame, a), corner_at(frame, b), corner_at(frame, c)) / 2;
   }
-  EXPECT_EQ(area, 12);
+  EXPECT_EQ(area_of(frame, triangles), 12);
+}
+
+TEST(ConstrainedDelaunay, OfSidesThatPassThroughOtherCorners) {
+  // The first side passes through the next two corners, which go back along it.
+  const FlatCorners corners = {{0, 0}, {10, 0}, {1, 0}, {4, 0}, {4, 4}, {13, 4}, {1, 6}, {3, 3}};
+  EXPECT_EQ(area_of(corners, constrained_delaunay(corners)), 19.5);
+}
+
+TEST(ConstrainedDelaunay, OfAnOutlineWalkedBackAndForthHasItsArea) {
+  // An L with an area of 16, with corners anywhere on its sides, in any order.
+  const FlatCorners outline = {{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 4}, {0, 4}};
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    RandomNumbers random(seed);
+    FlatCorners corners;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Eigen::Vector2d way = outline[(i + 1) % outline.size()] - outline[i];
+      const auto length = static_cast<std::uint64_t>(way.norm());
+      corners.push_back(outline[i]);
+      for (std::uint64_t visits = random.below(4); visits > 0; --visits) {
+        corners.emplace_back(outline[i] + way * static_cast<double>(1 + random.below(length)) / way.norm());
+      }
+    }
+    EXPECT_EQ(area_of(corners, constrained_delaunay(corners)), 16) << "seed " << seed;
+  }
 }
 
 TEST(ConstrainedDelaunay, OfAPolygonThatCrossesItselfIsEmpty) {
