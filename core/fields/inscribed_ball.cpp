@@ -1,6 +1,7 @@
 #include "shapegauge/core/fields/inscribed_ball.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
@@ -22,6 +23,14 @@ namespace {
 /// Upper bound of the radius of a ball inside a closed shape of diagonal 1.
 constexpr double largest_radius = 0.5;
 
+/// Returns the distance in a shape's unit frame below which its points coincide: its coordinates, and those of samples
+/// on its surface, are rounded.
+double rounding_of(const Shape& shape, const UnitFrame& frame) {
+  constexpr double usual = 1e-9;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  return std::max(usual, 4 * epsilon * shape.vertices.cwiseAbs().maxCoeff() / frame.diagonal);
+}
+
 void check(const Shape& shape, const Samples& samples, const InscribedBallOptions& options) {
   check_options("inscribed_ball", inscribed_ball_table, options);
   require_usable(shape);
@@ -41,6 +50,7 @@ class ShrinkingBalls {
   ShrinkingBalls(const Shape& shape, double separation_angle_degrees)
       : shape_(shape),
         frame_(unit_frame(shape)),
+        rounding_(rounding_of(shape, frame_)),
         tree_(in_unit_frame(shape, frame_)),
         most_cosine_(std::cos(separation_angle_degrees / 180 * std::numbers::pi)) {
     for (std::int32_t i = 0; i < shape.triangles.rows(); ++i) normals_.push_back(oriented_normal(tree_.triangle(i)));
@@ -75,16 +85,18 @@ class ShrinkingBalls {
     const Triangle& triangle = tree_.triangle(index);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (is_cloud(shape_)) {
-      return faces(shape_.normals.row(index).transpose()) ? touching_radius(triangle.a - point, inward) : infinity;
+      return faces(shape_.normals.row(index).transpose()) ? touching_radius(triangle.a - point, inward, rounding_)
+                                                          : infinity;
     }
     const Eigen::Vector3d& normal = normals_[static_cast<std::size_t>(index)];
     if (normal.isZero(0)) return infinity;
-    const FacingTriangle facing(triangle, point, normal);
+    const FacingTriangle facing(triangle, point, normal, rounding_);
     return faces(facing.away()) ? touching_radius(facing, inward, limit) : infinity;
   }
 
   const Shape& shape_;
   UnitFrame frame_;
+  double rounding_;
   TriangleBVH tree_;
   std::vector<Eigen::Vector3d> normals_;  ///< of the triangles
   double most_cosine_;                    ///< between the outward normals of the sample and what stops its ball

@@ -12,13 +12,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Squared distance below which a point coincides with the origin.
-constexpr double at_origin = 1e-18;
-
 /// Returns the touching radius of a segment: of the point where the ball touches its line, or of its first end; the
 /// other end belongs to the next segment.
-double radius_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& normal) {
-  const double at_end = touching_radius(from, normal);
+double radius_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& normal,
+                         double rounding) {
+  const double at_end = touching_radius(from, normal, rounding);
   const Eigen::Vector3d side = to - from;
   const double length = side.norm();
   if (!(length > 0)) return at_end;
@@ -31,7 +29,8 @@ double radius_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
   const double root = b + std::sqrt(std::max(0.0, b * b + normal_along * normal_along * a));
   if (!(root > 0)) return at_end;
   const double along = a / root * normal_along - from_along;
-  return along > 0 && along < length ? std::min(at_end, touching_radius(from + along * direction, normal)) : at_end;
+  if (!(along > 0 && along < length)) return at_end;
+  return std::min(at_end, touching_radius(from + along * direction, normal, rounding));
 }
 
 }  // namespace
@@ -43,7 +42,7 @@ Eigen::Vector3d oriented_normal(const Triangle& triangle) {
 }
 
 bool FacingTriangle::has_corner_at_origin() const {
-  return std::ranges::any_of(corners, [](const Eigen::Vector3d& corner) { return corner.squaredNorm() < at_origin; });
+  return std::ranges::any_of(corners, [&](const Eigen::Vector3d& corner) { return corner.norm() < rounding; });
 }
 
 bool FacingTriangle::contains(const Eigen::Vector3d& q) const {
@@ -54,10 +53,10 @@ bool FacingTriangle::contains(const Eigen::Vector3d& q) const {
   return true;
 }
 
-double touching_radius(const Eigen::Vector3d& q, const Eigen::Vector3d& normal) {
+double touching_radius(const Eigen::Vector3d& q, const Eigen::Vector3d& normal, double rounding) {
   const double height = q.dot(normal);
   const double square = q.squaredNorm();
-  return height > 0 && square > at_origin ? square / (2 * height) : infinity;
+  return height > 0 && square > rounding * rounding ? square / (2 * height) : infinity;
 }
 
 double touching_radius(const FacingTriangle& triangle, const Eigen::Vector3d& normal, double limit) {
@@ -68,11 +67,12 @@ double touching_radius(const FacingTriangle& triangle, const Eigen::Vector3d& no
     // With a margin for rounding: the minimum must not depend on the order of the triangles.
     if (!(radius < limit * (1 + 1e-12))) return infinity;
     const Eigen::Vector3d contact = radius * (normal + away);
-    if (contact.squaredNorm() > at_origin && triangle.contains(contact)) return radius;
+    if (contact.norm() > triangle.rounding && triangle.contains(contact)) return radius;
   }
   double least = infinity;
   for (std::size_t k = 0; k < 3; ++k) {
-    least = std::min(least, radius_to_segment(triangle.corners[k], triangle.corners[(k + 1) % 3], normal));
+    least = std::min(least,
+                     radius_to_segment(triangle.corners[k], triangle.corners[(k + 1) % 3], normal, triangle.rounding));
   }
   return least;
 }

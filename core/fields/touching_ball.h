@@ -16,12 +16,15 @@ struct FacingTriangle {
   std::array<Eigen::Vector3d, 3> corners;
   Eigen::Vector3d normal;  ///< by the order of the corners; zero where it has no area
   double distance;         ///< of the plane, along the normal
+  double rounding;         ///< distance below which points coincide with the origin
 
   /// `unit_normal` is oriented_normal() of the triangle.
-  FacingTriangle(const Triangle& triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& unit_normal)
+  FacingTriangle(const Triangle& triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& unit_normal,
+                 double rounding)
       : corners{triangle.a - origin, triangle.b - origin, triangle.c - origin},
         normal(unit_normal),
-        distance(unit_normal.dot(corners[0])) {}
+        distance(unit_normal.dot(corners[0])),
+        rounding(rounding) {}
 
   /// Returns the normal that points away from the origin.
   [[nodiscard]] Eigen::Vector3d away() const { return distance < 0 ? Eigen::Vector3d(-normal) : normal; }
@@ -33,8 +36,8 @@ struct FacingTriangle {
 };
 
 /// Returns the radius of the ball through q that touches the plane at the origin on the side of its unit normal;
-/// infinity if q is not above the plane or coincides with the origin.
-double touching_radius(const Eigen::Vector3d& q, const Eigen::Vector3d& normal);
+/// infinity if q is not above the plane or closer to the origin than `rounding`.
+double touching_radius(const Eigen::Vector3d& q, const Eigen::Vector3d& normal, double rounding);
 
 /// Returns the radius of the largest ball that touches the plane at the origin, lies on the side of its unit normal and
 /// does not intersect the interior of the triangle: the minimum of |q|^2 / (2 q.normal) over the triangle's points q

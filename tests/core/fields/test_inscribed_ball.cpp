@@ -92,6 +92,16 @@ TEST(InscribedBall, MovesAndScalesWithTheShape) {
   EXPECT_TRUE(at_faces(moved).isApprox(50 * at_faces(shape), 1e-7));
 }
 
+TEST(InscribedBall, FarFromTheOriginIsThatOfTheSameRoundedShapeAtTheOrigin) {
+  for (const double distance : {1e7, 1e8, 1e9}) {
+    Shape far = test::torus(2, 0.7, 30, 18);
+    far.vertices.array() += distance;
+    Shape near = far;
+    near.vertices.array() -= distance;
+    EXPECT_TRUE(at_faces(far).isApprox(at_faces(near), 1e-5)) << distance;
+  }
+}
+
 TEST(InscribedBall, MissesWhereNothingStopsTheBall) {
   Shape sheet;
   sheet.vertices.resize(3, 3);

@@ -12,7 +12,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double radius_of(const Triangle& triangle, const Eigen::Vector3d& normal) {
-  return touching_radius({triangle, Eigen::Vector3d::Zero(), oriented_normal(triangle)}, normal, infinity);
+  return touching_radius({triangle, Eigen::Vector3d::Zero(), oriented_normal(triangle), 1e-9}, normal, infinity);
 }
 
 /// Brute force: candidate points on a regular grid over the triangle.
