@@ -74,7 +74,9 @@ class CylinderProjection {
 
   void add_cut(int row, const PlaneCut& cut, const Eigen::Vector2d& normal) {
     const double area = cut.first.x() * cut.last.y() - cut.first.y() * cut.last.x();
-    if (!(area > 0)) return;
+    // Seen from the edge, it is as wide as rounding errors.
+    constexpr double widest_edge = 1e-12;
+    if (!(area * area > widest_edge * widest_edge * cut.first.squaredNorm() * cut.last.squaredNorm())) return;
     const Eigen::Vector2d along = cut.last - cut.first;
     constexpr double rounding = 1e-9;  // rays between two cuts that touch must meet one of them
     const double from = column_of(cut.first);

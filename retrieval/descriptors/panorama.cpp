@@ -1,5 +1,6 @@
 #include "shapegauge/retrieval/descriptors/panorama.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -153,6 +154,17 @@ std::pair<Shape, SurfaceMoments> centred_surface(const Shape& shape) {
   return {std::move(mesh), moments};
 }
 
+/// Returns the rotations into the poses. A flat shape is seen from its edges only; it is tilted about its longest axis,
+/// in both poses, since its normals determine no axes.
+std::array<Eigen::Matrix3d, poses> rotations_into_poses(const SurfaceMoments& moments) {
+  const Eigen::Matrix3d axes = principal_axes(moments.covariance);
+  const double thickness = axes.row(2) * moments.covariance * axes.row(2).transpose();
+  constexpr double flat = 1e-12;  // of the variance: a millionth of its extent
+  if (thickness > flat * moments.covariance.trace()) return {axes, principal_axes(moments.normals)};
+  const Eigen::Matrix3d tilted = Eigen::AngleAxisd(std::numbers::pi / 4, Eigen::Vector3d::UnitX()) * axes;
+  return {tilted, tilted};
+}
+
 }  // namespace
 
 Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options) {
@@ -168,8 +180,8 @@ Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options) {
   const Eigen::Index of_pose = static_cast<Eigen::Index>(maps) * (transform.features() + in_wavelets);
   Eigen::VectorXf features(static_cast<Eigen::Index>(poses) * of_pose);
   Eigen::Index next = 0;
-  for (const Eigen::Matrix3d& of : {moments.covariance, moments.normals}) {
-    const Shape posed{centred.vertices * principal_axes(of).transpose(), centred.triangles};
+  for (const Eigen::Matrix3d& rotation : rotations_into_poses(moments)) {
+    const Shape posed{centred.vertices * rotation.transpose(), centred.triangles};
     Eigen::Index next_wavelets = next + static_cast<Eigen::Index>(maps) * transform.features();
     const auto append = [&](const CylinderGrid& map) {
       features.segment(next, transform.features()) = transform(map);

@@ -9,7 +9,7 @@
 namespace shapegauge {
 
 /// Cache version of panorama() and its distance; see docs/manual/cache.md.
-inline constexpr int panorama_version = 2;
+inline constexpr int panorama_version = 3;
 
 /// Options of panorama().
 struct PanoramaOptions {
@@ -24,11 +24,12 @@ struct PanoramaOptions {
 /// Computes the panoramic views of a shape (Papadakis, Pratikakis, Theoharis, Perantonis 2010).
 ///
 /// The surface's centroid is the origin. Two poses with three axes each are used: the principal axes of the surface,
-/// and those of its normals, by decreasing variance. For each axis, project_on_cylinder() computes two maps: distances,
-/// and cosines of the normals to the power of `sharpness`. The features of a map are the magnitudes of its Fourier
-/// coefficients up to `frequencies` around and along the axis, divided by their sum, to the power of `exponent`,
-/// and the mean, standard deviation and skewness of the absolute Haar wavelet coefficients in each subband of six
-/// levels.
+/// and those of its normals, by decreasing variance. A flat shape is tilted by 45 degrees about its longest axis
+/// instead, because cylinders around its principal axes see its edges only. For each axis, project_on_cylinder()
+/// computes two maps: distances, and cosines of the normals to the power of `sharpness`. The features of a map are the
+/// magnitudes of its Fourier coefficients up to `frequencies` around and along the axis, divided by their sum, to the
+/// power of `exponent`, and the mean, standard deviation and skewness of the absolute Haar wavelet coefficients in each
+/// subband of six levels.
 ///
 /// Fourier magnitudes are invariant to shifts of a map and to its reversal in both directions. Mirroring a map in one
 /// direction exchanges the coefficients of opposite frequencies along the axis; the features are their maximum and

@@ -244,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
             {19.5658906, 7.60807875, 19.5462406, 6.45005868, 10.9660654, 3.82700136, 18.1791119, 19.9828287}},
         RecordedDescriptor{
             {{"type", "panorama"}},
-            2,
+            3,
             {683.257275, 476.282503, 594.60766, 412.353933, 1061.55727, 719.259699, 25.8085216, 27.9393965}}));
 
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {

@@ -202,9 +202,18 @@ TEST(Panorama, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
   EXPECT_THROW(panorama(line), InputError);
 }
 
-TEST(Panorama, OfAFlatSheetIsFinite) {
-  const Shape sheet{Points{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
-  EXPECT_TRUE(panorama(sheet).allFinite());
+TEST(Panorama, FlatShapesDifferAsOthersDo) {
+  const auto sheet = [](double width) {
+    return Shape{Points{{0, 0, 0}, {2, 0, 0}, {2, width, 0}, {0, width, 0}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
+  };
+  const Eigen::VectorXf expected = panorama(sheet(1));
+  EXPECT_TRUE(expected.allFinite());
+  const double to_another = distance_of_panoramas(panorama(sheet(0.3)), expected);
+  EXPECT_GT(to_another, 0.1 * distance_to_others());
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Shape turned = test::transformed(sheet(1), 3, test::rotation(seed), {5, 6, 7});
+    EXPECT_LT(distance_of_panoramas(panorama(turned), expected), 0.02 * to_another) << seed;
+  }
 }
 
 }  // namespace
