@@ -85,8 +85,8 @@ class ShrinkingBalls {
     const Triangle& triangle = tree_.triangle(index);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (is_cloud(shape_)) {
-      return faces(shape_.normals.row(index).transpose()) ? touching_radius(triangle.a - point, inward, rounding_)
-                                                          : infinity;
+      if (!faces(shape_.normals.row(index).transpose())) return infinity;
+      return touching_radius(triangle.a - point, inward, rounding_);
     }
     const Eigen::Vector3d& normal = normals_[static_cast<std::size_t>(index)];
     if (normal.isZero(0)) return infinity;
