@@ -79,4 +79,12 @@ std::string sha256_of_shape(const ShapeSource& source) {
   return all == hash ? hash : sha256(all);
 }
 
+std::string sha256_if_readable(const std::filesystem::path& path) {
+  try {
+    return sha256_of_shape(read_shape_source(path));
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 }  // namespace shapegauge

@@ -19,4 +19,7 @@ std::string sha256_of_file(const std::filesystem::path& path);
 /// reports.
 std::string sha256_of_shape(const ShapeSource& source);
 
+/// Reads a shape's file and computes sha256_of_shape(); empty if the file cannot be read.
+std::string sha256_if_readable(const std::filesystem::path& path);
+
 }  // namespace shapegauge

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/signatures/cache_records.h"
@@ -13,15 +12,6 @@ namespace shapegauge {
 using OrderedJson = nlohmann::ordered_json;
 
 namespace {
-
-/// Returns SHA-256 of a shape's file, if it can be read.
-std::string readable_hash(const std::filesystem::path& file) {
-  try {
-    return sha256_of_shape(read_shape_source(file));
-  } catch (const InputError&) {
-    return {};
-  }
-}
 
 /// Returns the inputs with the models' hashes, omitting empty ones.
 OrderedJson inputs_json(const Configuration& configuration, const std::vector<Model>& models,
@@ -43,7 +33,7 @@ OrderedJson inputs(const ExperimentResults& results) {
   for (const ShapeReport& shape : results.shapes) hashes.push_back(shape.sha256);
   for (const FailedModel& failure : results.failures) {
     models.push_back(failure.model);
-    hashes.push_back(readable_hash(failure.model.file));
+    hashes.push_back(sha256_if_readable(failure.model.file));
   }
   return inputs_json(results.configuration, models, hashes);
 }
@@ -89,7 +79,7 @@ OrderedJson left_out(const ExperimentResults& results) {
 
 OrderedJson dataset_inputs(const Configuration& configuration, const std::vector<Model>& models) {
   std::vector<std::string> hashes(models.size());
-  parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = readable_hash(models[i].file); });
+  parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = sha256_if_readable(models[i].file); });
   return inputs_json(configuration, models, hashes);
 }
 

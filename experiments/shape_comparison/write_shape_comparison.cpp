@@ -176,13 +176,13 @@ std::vector<std::pair<std::string, std::string>> comparison_files(const ShapeCom
   return files;
 }
 
-OrderedJson read_files(const ShapeComparisonResults& results) {
+/// Returns the hashes of the shapes' files that can be read.
+OrderedJson inputs_of(const ShapeComparison& comparison) {
   OrderedJson shapes = OrderedJson::object();
-  for (const ShapeMeasurement& measured : results.shapes) {
-    for (const ComparedShape& shape : results.comparison.shapes) {
-      if (shape.name == measured.name && !shape.generated)
-        shapes[shape.name] = sha256_of_shape(read_shape_source(shape.file));
-    }
+  for (const ComparedShape& shape : comparison.shapes) {
+    if (shape.generated) continue;
+    const std::string hash = sha256_if_readable(shape.file);
+    if (!hash.empty()) shapes[shape.name] = hash;
   }
   return {{"algorithm", "SHA-256"}, {"shapes", std::move(shapes)}};
 }
@@ -193,7 +193,7 @@ OrderedJson manifest_entries(const ShapeComparisonResults& results) {
     failures.push_back({{"shape", failure.id}, {"error", failure.message}});
   }
   return {{"seed", results.comparison.seed},
-          {"inputs", read_files(results)},
+          {"inputs", inputs_of(results.comparison)},
           {"shapes", results.shapes.size()},
           {"failed_shapes", std::move(failures)},
           {"fields", fields_json(results.fields)}};
@@ -232,6 +232,7 @@ Experiment read_comparison(const nlohmann::json& document, const std::string& so
   const ShapeComparison comparison = comparison_from_json(document, source, folder);
   return {.name = comparison.name,
           .configuration = to_json(comparison),
+          .inputs = [comparison](int) { return inputs_of(comparison); },
           .run = [comparison](const RunContext& context) { return run_alone(comparison, context); }};
 }
 

@@ -115,6 +115,7 @@ TEST_F(ReplayReport, AComparisonIsRepeatedToo) {
   fs::copy_file(at("moved/T2.off"), at("moved/T1.off"), fs::copy_options::overwrite_existing);
   const Outcome changed = run_executable(replay + quoted("moved"));
   EXPECT_EQ(changed.status, 1);
+  EXPECT_THAT(changed.errors, HasSubstr("input: shape b differs from the recorded one\n")) << "before the run";
   EXPECT_THAT(changed.output, HasSubstr("input         shape b"));
 }
 

@@ -56,6 +56,8 @@ TEST(Sha256, OfAShape) {
   test::write_text(folder.path() / "b", "3");
   EXPECT_NE(hash, sha256_of_shape(shape));
   EXPECT_NE(hash, sha256_of_shape(read_shape_source(folder.file("x.parts", "b\na\n"))));
+  EXPECT_EQ(sha256_if_readable(folder.path() / "x.off"), sha256("abc"));
+  EXPECT_EQ(sha256_if_readable(folder.path() / "absent.off"), "");
   EXPECT_NO_THROW(sha256_of_shape(read_shape_source(folder.file("x.parts", "a\n../b\nabsent\n"))));
 }
 
