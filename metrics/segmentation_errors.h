@@ -8,9 +8,6 @@
 
 namespace shapegauge {
 
-/// Cache version of the segmentation errors; see docs/manual/cache.md.
-inline constexpr int segmentation_errors_version = 1;
-
 /// Errors between two segmentations of the same surface (Chen, Golovinskiy, Funkhouser: "A benchmark for 3D mesh
 /// segmentation", ACM Transactions on Graphics 28(3), 2009, section 4). 0 for equal segmentations; all but the cut
 /// discrepancy are fractions from 0 to 1.

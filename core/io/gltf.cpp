@@ -17,6 +17,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/shape_format.h"
 
 namespace shapegauge {
 

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/io/shape_format.h"
 #include "shapegauge/core/io/shape_source.h"
 #include "shapegauge/core/shape/shape.h"
 

@@ -312,12 +312,17 @@ void run_stages(const RunContext& context, SegmentationResults& results) {
 
 nlohmann::json versions_of(const SegmentationMethod& method) {
   // The shape determines which diameter is used as thickness. Normals of clouds are those of the samples.
-  return {{method.paper ? "paper_segmentation" : "part_segmentation",
-           method.paper ? paper_segmentation_version : part_segmentation_version},
-          {"cone_sdf", cone_sdf_version},
-          {"offset_sdf", offset_sdf_version},
-          {"automatic_offset", automatic_offset_version},
-          {"samples", samples_version}};
+  nlohmann::json versions{{"cone_sdf", cone_sdf_version},
+                          {"offset_sdf", offset_sdf_version},
+                          {"automatic_offset", automatic_offset_version},
+                          {"samples", samples_version}};
+  if (method.paper) {
+    versions["paper_segmentation"] = paper_segmentation_version;
+  } else {
+    versions["part_segmentation"] = part_segmentation_version;
+    versions["part_model"] = part_model_version;
+  }
+  return versions;
 }
 
 Labels segmented(const Shape& shape, const SegmentationMethod& method) {

@@ -113,7 +113,7 @@ TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
   EXPECT_EQ(use_of(same).computed, 1U);
 }
 
-TEST(SegmentationVersions, AreThoseOfDiametersAndSamplesToo) {
+TEST(SegmentationVersions, AreThoseOfDiametersSamplesAndThePartModelToo) {
   for (const bool paper : {false, true}) {
     const nlohmann::json versions = versions_of({.name = "parts", .paper = paper, .perturbations = {}});
     EXPECT_EQ(versions.at("cone_sdf"), cone_sdf_version);
@@ -121,6 +121,8 @@ TEST(SegmentationVersions, AreThoseOfDiametersAndSamplesToo) {
     EXPECT_EQ(versions.at("automatic_offset"), automatic_offset_version);
     EXPECT_EQ(versions.at("samples"), samples_version);
     EXPECT_EQ(versions.contains("paper_segmentation"), paper);
+    EXPECT_EQ(versions.contains("part_segmentation"), !paper);
+    EXPECT_EQ(versions.contains("part_model"), !paper);
   }
 }
 
