@@ -377,7 +377,7 @@ void check_measure(const MeasureDefinition& definition) {
 }  // namespace
 
 Registry<MeasureDefinition>& measure_definitions() {
-  static Registry<MeasureDefinition> all("measure", own_measures(), check_measure);
+  static Registry<MeasureDefinition> all("measure", own_measures(), has_functions<>, check_measure);
   return all;
 }
 
@@ -388,8 +388,7 @@ Measure measure_of(std::string_view name) {
   const MeasureDefinition* const definition =
       measure_definitions().find(at == std::string_view::npos ? stem : stem + std::string(ranks_suffix));
   if (definition == nullptr) {
-    throw ArgumentError("there is no measure \"" + std::string(name.substr(0, 40)) + "\"" +
-                        suggestion(name, measure_definitions().names()));
+    throw ArgumentError(no_such_word("measure", name, measure_definitions().names()));
   }
   const std::size_t k = at == std::string_view::npos ? 0 : ranks_of(name, name.substr(at + 1));
   return {.name = std::string(name), .definition = definition, .k = k};

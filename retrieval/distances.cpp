@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
 namespace shapegauge {
@@ -119,10 +118,6 @@ std::vector<NamedDistance> own_distances() {
   };
 }
 
-void check_distance(const NamedDistance& distance) {
-  if (distance.function == nullptr) throw ArgumentError("the distance \"" + distance.name + "\" needs a function");
-}
-
 }  // namespace
 
 // L2 (Euclidean) distance: the square root of the sum of (a[i] - b[i])^2, in double precision. The spans are of equal
@@ -137,7 +132,7 @@ double l2_distance(std::span<const float> a, std::span<const float> b) {
 }
 
 Registry<NamedDistance>& distances() {
-  static Registry<NamedDistance> all("distance", own_distances(), check_distance);
+  static Registry<NamedDistance> all("distance", own_distances(), has_functions<&NamedDistance::function>);
   return all;
 }
 

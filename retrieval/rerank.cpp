@@ -21,7 +21,8 @@ std::vector<int> neighbour_counts(const IntegerList& neighbours) {
 
 Registry<RerankMethod>& rerank_methods() {
   static Registry<RerankMethod> all("re-ranking method",
-                                    {diffusion_method(), k_reciprocal_method(), query_expansion_method()});
+                                    {diffusion_method(), k_reciprocal_method(), query_expansion_method()},
+                                    has_functions<&RerankMethod::rerank>);
   return all;
 }
 

@@ -35,7 +35,8 @@ struct RerankMethod {
   DistanceMatrix (*rerank)(const DistanceMatrix&, const ParameterValues&) = nullptr;
 };
 
-/// Returns the registry of re-ranking methods: one file each and one line in rerank.cpp, followed by those added.
+/// Returns the registry of re-ranking methods: one file each and one line in rerank.cpp, followed by those added. An
+/// entry must have `rerank`.
 Registry<RerankMethod>& rerank_methods();
 
 }  // namespace shapegauge

@@ -16,6 +16,13 @@
 
 namespace shapegauge {
 
+/// Returns true if an entry has all of these functions (pointers to members of it), which may be null pointers or
+/// empty.
+template <auto... functions, typename Entry>
+bool has_functions([[maybe_unused]] const Entry& entry) {
+  return (static_cast<bool>(entry.*functions) && ...);
+}
+
 /// Registry of entries by name, such as fields, descriptors, distances and measures. `Entry` is a struct with a member
 /// `name`. Entries stay in the order of registration, at fixed addresses, unchanged for the life of the program.
 /// Thread-safe.
@@ -25,17 +32,23 @@ class Registry {
   /// Creates a registry.
   /// - `kind`: noun for an entry in messages, for example "descriptor".
   /// - `own`: the library's entries, with distinct names.
-  /// - `check`: throws InputError for an invalid entry; null checks the name only.
-  Registry(std::string_view kind, std::vector<Entry> own, void (*check)(const Entry&) = nullptr)
+  /// - `is_complete`: true for an entry with the functions that it must have: has_functions<&Entry::function>.
+  /// - `check`: throws InputError for an entry that is invalid otherwise; null if none is.
+  Registry(std::string_view kind, std::vector<Entry> own, bool (*is_complete)(const Entry&),
+           void (*check)(const Entry&) = nullptr)
       : kind_(kind),
+        is_complete_(is_complete),
         check_(check),
         entries_(std::make_move_iterator(own.begin()), std::make_move_iterator(own.end())) {}
 
   /// Adds an entry, making it available to configurations, listings and the schema. Data that its views and spans refer
-  /// to must live as long as the program. Throws ArgumentError for a name that is empty or taken, and the errors of the
-  /// check.
+  /// to must live as long as the program. Throws ArgumentError for a name that is empty or taken and for an entry
+  /// without its functions, and the errors of the check.
   void add(Entry entry) {
     if (entry.name.empty()) throw ArgumentError("a " + kind_ + " needs a name");
+    if (!is_complete_(entry)) {
+      throw ArgumentError("the " + kind_ + " \"" + std::string(entry.name) + "\" lacks a function");
+    }
     if (check_ != nullptr) check_(entry);
     const std::unique_lock lock(mutex_);
     if (std::ranges::any_of(entries_, [&](const Entry& known) { return known.name == entry.name; })) {
@@ -61,8 +74,7 @@ class Registry {
   /// lists all.
   [[nodiscard]] const Entry& at(std::string_view name) const {
     if (const Entry* const found = find(name)) return *found;
-    throw ArgumentError("there is no " + kind_ + " \"" + std::string(name.substr(0, 40)) + "\"" +
-                        suggestion(name, names()));
+    throw ArgumentError(no_such_word(kind_, name, names()));
   }
 
   /// Returns all entries.
@@ -80,6 +92,7 @@ class Registry {
 
  private:
   std::string kind_;
+  bool (*is_complete_)(const Entry&);
   void (*check_)(const Entry&);
   mutable std::shared_mutex mutex_;
   std::deque<Entry> entries_;

@@ -42,9 +42,9 @@ void check_field_type(const FieldType& type) {
   const auto reserved = [](const Parameter& parameter) {
     return parameter.name == "type" || parameter.name == "at" || parameter.name == "bilateral";
   };
-  if (!type.make || std::ranges::any_of(type.parameters, reserved)) {
-    throw ArgumentError(fmt::format(
-        "a field needs a function, and parameters that are not called type, at or bilateral: \"{}\"", type.name));
+  if (std::ranges::any_of(type.parameters, reserved)) {
+    throw ArgumentError(
+        fmt::format("the parameters of a field are not called type, at or bilateral: \"{}\"", type.name));
   }
 }
 
@@ -122,7 +122,7 @@ Samples take_samples(const Shape& shape, const SamplePlan& plan) {
 }
 
 Registry<FieldType>& field_types() {
-  static Registry<FieldType> all("field", own_fields(), check_field_type);
+  static Registry<FieldType> all("field", own_fields(), has_functions<&FieldType::make>, check_field_type);
   return all;
 }
 

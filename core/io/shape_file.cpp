@@ -118,7 +118,8 @@ ShapeWriter shape_writer(const fs::path& path) {
 }
 
 Registry<ShapeFormat>& shape_formats() {
-  static Registry<ShapeFormat> all("format of shapes", own_formats(), check_format);
+  static Registry<ShapeFormat> all("format of shapes", own_formats(),
+                                   has_functions<&ShapeFormat::check_header, &ShapeFormat::read>, check_format);
   return all;
 }
 

@@ -63,9 +63,9 @@ struct ShapeFormat {
   bool (*begins_like)(std::string_view bytes) = nullptr;
   /// Throws InputError if the bytes, of a whole file or its beginning, do not begin like this format. `name` prefixes
   /// error messages.
-  void (*check_header)(const std::string& bytes, const std::string& name);
+  void (*check_header)(const std::string& bytes, const std::string& name) = nullptr;
   /// Reads the shape; neighbouring files through the source. Throws InputError.
-  Shape (*read)(const ShapeSource& source);
+  Shape (*read)(const ShapeSource& source) = nullptr;
   /// Returns the names of the neighbouring files that read() depends on; cached results depend on them as well. Null
   /// for none.
   std::vector<std::string> (*neighbours)(const ShapeSource& source) = nullptr;
@@ -73,7 +73,8 @@ struct ShapeFormat {
 };
 
 /// Returns the registry of shape formats: those of this folder, one file each and one line in shape_file.cpp, followed
-/// by those added. Extensions must be unique to an entry.
+/// by those added. Extensions must be unique to an entry, which must have `check_header` and
+/// `read`.
 Registry<ShapeFormat>& shape_formats();
 
 /// Returns advice on a common format that is not supported (.step, .fbx), as a sentence; nothing for other files.

@@ -178,7 +178,7 @@ Shape random_motion(Shape shape, double scale, RandomNumbers& random) {
 }
 
 Registry<ShapePerturbation>& shape_perturbations() {
-  static Registry<ShapePerturbation> all("perturbation", own_perturbations());
+  static Registry<ShapePerturbation> all("perturbation", own_perturbations(), has_functions<&ShapePerturbation::apply>);
   return all;
 }
 

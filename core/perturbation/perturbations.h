@@ -86,11 +86,12 @@ struct ShapePerturbation {
   std::span<const Parameter> parameters;
   /// Applies the perturbation. `settings` are complete values of `parameters`. Throws InputError for an unsuitable
   /// shape.
-  Shape (*apply)(Shape shape, const ParameterValues& settings, RandomNumbers& random);
+  Shape (*apply)(Shape shape, const ParameterValues& settings, RandomNumbers& random) = nullptr;
   int version = 1;  ///< cache version; see docs/manual/cache.md
 };
 
-/// Returns the registry of shape perturbations: those of this folder, followed by those added.
+/// Returns the registry of shape perturbations: those of this folder, followed by those added. An entry must have
+/// `apply`.
 Registry<ShapePerturbation>& shape_perturbations();
 
 // Building blocks.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/io/file_bytes.h"
@@ -253,7 +254,9 @@ std::span<const Parameter> generated_model_parameters() {
 Shape generate_model(const GeneratedModel& wanted) {
   const auto found = std::ranges::find(generated_classes(), wanted.model_class, &GeneratedClass::name);
   if (found == generated_classes().end()) {
-    throw InputError(fmt::format("unknown class \"{}\" of generated models", wanted.model_class));
+    std::vector<std::string> names;
+    for (const GeneratedClass& one : generated_classes()) names.push_back(one.name);
+    throw InputError(no_such_word("generated class", wanted.model_class, names));
   }
   require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = most_models - 1});
   require_in_bounds("the number of faces", wanted.faces, faces_parameter.bounds);

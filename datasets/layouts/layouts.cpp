@@ -207,7 +207,8 @@ Registry<DatasetLayout>& dataset_layouts() {
            .recognises = looks_like_shrec07},
           {.name = "named", .find = find_named_dataset, .has_classification = false, .recognises = looks_like_named},
           {.name = "tree", .find = find_tree_dataset, .has_classification = false, .recognises = looks_like_tree},
-      });
+      },
+      has_functions<&DatasetLayout::find>);
   return all;
 }
 

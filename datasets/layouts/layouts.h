@@ -14,7 +14,7 @@ namespace shapegauge {
 /// Layout of a data set in a folder.
 struct DatasetLayout {
   std::string_view name;
-  Dataset (*find)(const DatasetLocation&);
+  Dataset (*find)(const DatasetLocation&) = nullptr;
   std::string_view usual_classification{};  ///< default file beside the models with their classes; empty for none
   bool has_splits = false;                  ///< DatasetLocation::split selects models
   bool has_classification = true;           ///< a file may define the classes; otherwise names of files and folders do
@@ -22,7 +22,7 @@ struct DatasetLayout {
   bool (*recognises)(const std::filesystem::path& root) = nullptr;
 };
 
-/// Returns the registry of layouts: those of layouts.cpp, followed by those added.
+/// Returns the registry of layouts: those of layouts.cpp, followed by those added. An entry must have `find`.
 Registry<DatasetLayout>& dataset_layouts();
 
 /// Finds the data set at a location. Throws InputError for an absent or invalid folder or classification, and without

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -105,7 +104,7 @@ Perturbation make_perturbation(const Json& settings) {
   if (type == nullptr && name != one_of_type.name) {
     std::vector<std::string> names;
     for (const PerturbationType& any : perturbation_types()) names.emplace_back(any.name);
-    throw InputError(fmt::format("there is no perturbation of type \"{}\"{}", name, suggestion(name, names)));
+    throw InputError(no_such_word("perturbation", name, names));
   }
   Perturbation step = type == nullptr ? one_of(settings) : of_shape(*type, settings);
   step.settings["type"] = name;

@@ -9,20 +9,10 @@
 
 namespace shapegauge {
 
-namespace {
-
-void check_kind(const ExperimentKind& kind) {
-  if (kind.describes == nullptr || kind.read == nullptr) {
-    throw ArgumentError("the kind of experiment \"" + std::string(kind.name) + "\" needs both functions");
-  }
-}
-
-}  // namespace
-
 Registry<ExperimentKind>& experiment_kinds() {
   static Registry<ExperimentKind> all("kind of experiment",
                                       {retrieval_kind(), comparison_kind(), segmentation_kind(), multi_dataset_kind()},
-                                      check_kind);
+                                      has_functions<&ExperimentKind::describes, &ExperimentKind::read>);
   return all;
 }
 

@@ -52,7 +52,7 @@ std::size_t named_signature(const std::vector<SignatureConfiguration>& signature
   for (const SignatureConfiguration& one : signatures) names.push_back(one.name);
   const auto found = std::ranges::find(names, wanted);
   if (found == names.end()) {
-    throw InputError(fmt::format("{}: there is no signature \"{}\"{}", source, wanted, suggestion(wanted, names)));
+    throw InputError(fmt::format("{}: {}", source, no_such_word("signature", wanted, names)));
   }
   const auto chosen = static_cast<std::size_t>(found - names.begin());
   const std::string why = why_not_searchable(signatures, chosen);

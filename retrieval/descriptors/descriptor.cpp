@@ -38,12 +38,10 @@ void check_descriptor(const Descriptor& added) {
   const auto reserved = [](const Parameter& parameter) {
     return parameter.name == "type" || parameter.name == "fields" || parameter.name == "axes";
   };
-  if (added.describe == nullptr || added.distance == nullptr || added.most_fields < added.fewest_fields ||
-      std::ranges::any_of(added.parameters, reserved)) {
+  if (added.most_fields < added.fewest_fields || std::ranges::any_of(added.parameters, reserved)) {
     throw ArgumentError(
-        fmt::format("a descriptor needs functions, at least as many fields at most as at fewest, and parameters that "
-                    "are not called "
-                    "type, fields or axes: \"{}\"",
+        fmt::format("a descriptor needs at least as many fields at most as at fewest, and parameters that are not "
+                    "called type, fields or axes: \"{}\"",
                     added.name));
   }
 }
@@ -51,7 +49,8 @@ void check_descriptor(const Descriptor& added) {
 }  // namespace
 
 Registry<Descriptor>& descriptors() {
-  static Registry<Descriptor> all("descriptor", own_descriptors(), check_descriptor);
+  static Registry<Descriptor> all("descriptor", own_descriptors(),
+                                  has_functions<&Descriptor::describe, &Descriptor::distance>, check_descriptor);
   return all;
 }
 

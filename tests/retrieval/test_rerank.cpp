@@ -163,6 +163,11 @@ TEST(NearestModels, AreInOrderAndTheLesserIndexFirst) {
   EXPECT_EQ(nearest.indices(2, 1), 1);
 }
 
+TEST(RerankMethods, RefuseOneWithoutAFunction) {
+  EXPECT_THROW(rerank_methods().add({.name = "test_none", .description = "", .parameters = {}}), ArgumentError);
+  EXPECT_EQ(rerank_methods().find("test_none"), nullptr);
+}
+
 TEST(Rerank, RefusesOptionsOutOfRange) {
   const DistanceMatrix distances = distances_of(arcs(5, 2, 1));
   EXPECT_THROW(diffused(distances, {.neighbours = 0}), InputError);

@@ -50,6 +50,11 @@ TEST(Suggestion, NamesTheNearestOrAll) {
   EXPECT_EQ(suggestion("colour", {}), "");
 }
 
+TEST(NoSuchWord, NamesTheKindAndTheBeginningOfTheWord) {
+  EXPECT_EQ(no_such_word("setting", "rnage", settings), "there is no setting \"rnage\"; did you mean \"range\"?");
+  EXPECT_EQ(no_such_word("setting", std::string(50, 'x'), {}), "there is no setting \"" + std::string(40, 'x') + "\"");
+}
+
 }  // namespace
 
 }  // namespace shapegauge

@@ -1,3 +1,4 @@
+#include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
@@ -17,12 +18,18 @@ struct Colour {
   int wavelength = 0;
 };
 
+struct Mixture {
+  std::string name;
+  int (*mix)(int) = nullptr;
+  std::function<int(int)> separate;
+};
+
 void check_visible(const Colour& colour) {
   if (colour.wavelength < 380 || colour.wavelength > 750) throw ArgumentError("cannot be seen: " + colour.name);
 }
 
 TEST(Registry, HasTheLibrarysEntriesThenThoseAddedInTheirOrder) {
-  Registry<Colour> colours("colour", {{"red", 700}, {"green", 530}});
+  Registry<Colour> colours("colour", {{"red", 700}, {"green", 530}}, has_functions<>);
   colours.add({"blue", 470});
   EXPECT_THAT(colours.names(), ElementsAre("red", "green", "blue"));
   EXPECT_EQ(colours.at("blue").wavelength, 470);
@@ -32,7 +39,7 @@ TEST(Registry, HasTheLibrarysEntriesThenThoseAddedInTheirOrder) {
 }
 
 TEST(Registry, RefusesAnEntryWithoutANameOrWithOneThatIsTakenOrUnusable) {
-  Registry<Colour> colours("colour", {{"red", 700}}, check_visible);
+  Registry<Colour> colours("colour", {{"red", 700}}, has_functions<>, check_visible);
   EXPECT_THROW(colours.add({"", 500}), InputError);
   EXPECT_THROW(colours.add({"red", 690}), InputError);
   EXPECT_THROW(colours.add({"infrared", 900}), ArgumentError);
@@ -40,8 +47,18 @@ TEST(Registry, RefusesAnEntryWithoutANameOrWithOneThatIsTakenOrUnusable) {
   EXPECT_EQ(colours.at("red").wavelength, 700);
 }
 
+TEST(Registry, RefusesAnEntryWithoutItsFunctions) {
+  Registry<Mixture> mixtures("mixture", {}, has_functions<&Mixture::mix, &Mixture::separate>);
+  const auto twice = [](int parts) { return 2 * parts; };
+  EXPECT_THAT([&] { mixtures.add({.name = "grey", .mix = nullptr, .separate = twice}); },
+              ThrowsMessage<ArgumentError>(R"(the mixture "grey" lacks a function)"));
+  EXPECT_THROW(mixtures.add({.name = "grey", .mix = twice, .separate = {}}), ArgumentError);
+  mixtures.add({.name = "grey", .mix = twice, .separate = twice});
+  EXPECT_THAT(mixtures.names(), ElementsAre("grey"));
+}
+
 TEST(Registry, SaysWhatWasProbablyMeant) {
-  const Registry<Colour> colours("colour", {{"red", 700}, {"green", 530}});
+  const Registry<Colour> colours("colour", {{"red", 700}, {"green", 530}}, has_functions<>);
   EXPECT_THAT([&] { return colours.at("gren"); },
               ThrowsMessage<InputError>(R"(there is no colour "gren"; did you mean "green"?)"));
   EXPECT_THAT([&] { return colours.at("ultramarine"); },
@@ -49,7 +66,7 @@ TEST(Registry, SaysWhatWasProbablyMeant) {
 }
 
 TEST(Registry, EntriesStayWhereTheyAreWhileThreadsAddOthers) {
-  Registry<Colour> colours("colour", {{"red", 700}});
+  Registry<Colour> colours("colour", {{"red", 700}}, has_functions<>);
   const Colour& red = colours.at("red");
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i) {

@@ -228,6 +228,17 @@ TEST(RegisterShapeFormat, AddsOneOfAUsersOwn) {
   EXPECT_THROW(shape_formats().add(format), InputError);
 }
 
+TEST(RegisterShapeFormat, RefusesOneThatCannotBeReadOrRecognised) {
+  ShapeFormat format = shape_formats().at("OFF");
+  format.name = "test_unread";
+  format.extensions = {};
+  format.read = nullptr;
+  EXPECT_THROW(shape_formats().add(format), ArgumentError);
+  format.read = shape_formats().at("OFF").read;
+  format.check_header = nullptr;
+  EXPECT_THROW(shape_formats().add(format), ArgumentError);
+}
+
 }  // namespace
 
 }  // namespace shapegauge

@@ -116,8 +116,8 @@ TEST(RegisterShapePerturbation, AddsOneOfAUsersOwn) {
   EXPECT_EQ(applied("test_stretch", {}, sphere).vertices.col(0), 2 * sphere.vertices.col(0));
   EXPECT_EQ(applied("test_stretch", {{"factor", 3}}, sphere).vertices.col(0), 3 * sphere.vertices.col(0));
   EXPECT_THROW(applied("test_stretch", {{"factor", 0}}, sphere), InputError);
-  EXPECT_THROW(shape_perturbations().add({.name = "motion", .description = "", .parameters = {}, .apply = nullptr}),
-               InputError);
+  EXPECT_THROW(shape_perturbations().add({.name = "test_none", .description = "", .parameters = {}, .apply = nullptr}),
+               ArgumentError);
 }
 
 }  // namespace

@@ -226,6 +226,11 @@ TEST(GenerateDataset, RefusesOptionsOutOfRange) {
   EXPECT_EQ(folder.size(), 0U);
 }
 
+TEST(GenerateModel, AnUnknownClassIsAnErrorThatSuggestsOne) {
+  EXPECT_THAT(test::input_error_of([] { generate_model({.model_class = "octopuss"}); }),
+              HasSubstr("there is no generated class \"octopuss\"; did you mean \"octopus\"?"));
+}
+
 TEST(GenerateDataset, RefusesAFolderThatCannotBeMade) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.file("file", "text");

@@ -91,6 +91,11 @@ TEST_F(Layouts, AMissingFolderIsAnErrorInEveryLayout) {
   }
 }
 
+TEST(DatasetLayouts, RefuseOneWithoutAFunction) {
+  EXPECT_THROW(dataset_layouts().add({.name = "test_none"}), ArgumentError);
+  EXPECT_EQ(dataset_layouts().find("test_none"), nullptr);
+}
+
 TEST_F(Layouts, AFileInPlaceOfTheFolderIsAnError) {
   write_text(root(), "x");
   EXPECT_THAT(error("folders"), HasSubstr("is not a folder"));

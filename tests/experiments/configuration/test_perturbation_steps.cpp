@@ -185,7 +185,7 @@ TEST(MakePerturbation, AnUnknownTypeIsAnError) {
   EXPECT_THAT(test::input_error_of([] {
                 make_perturbation({{"type", "melt"}});
               }),
-              HasSubstr("no perturbation of type \"melt\""));
+              HasSubstr("no perturbation \"melt\""));
 }
 
 }  // namespace
