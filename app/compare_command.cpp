@@ -123,11 +123,10 @@ void check_compare_outputs(const CompareArguments& arguments) {
   }
   const bool matrices = !arguments.evaluation.files.labels.empty();
   if (!arguments.report.empty() && !matrices) throw InputError("--report requires distance matrices and --labels");
-  const std::vector<OutputFile> outputs{
-      {.path = arguments.plot, .what = "--plot"},
-      {.path = arguments.score_plot, .what = "--plot-scores"},
-      {.path = arguments.curves, .what = "--pr", .extensions = {".csv"}},
-      {.path = arguments.report, .what = "--report", .extensions = {".html", ".htm"}}};
+  const std::vector<OutputFile> outputs{{.path = arguments.plot, .what = "--plot"},
+                                        {.path = arguments.score_plot, .what = "--plot-scores"},
+                                        {.path = arguments.curves, .what = "--pr", .extensions = {".csv"}},
+                                        {.path = arguments.report, .what = "--report", .extensions = page_extensions}};
   check_output_files(arguments.inputs, outputs, arguments.replace);
 }
 

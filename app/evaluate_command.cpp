@@ -152,7 +152,7 @@ void check_outputs(const EvaluateArguments& arguments) {
       {.path = arguments.per_class, .what = "--per-class", .extensions = csv},
       {.path = arguments.plot, .what = "--plot"},
       {.path = arguments.class_plot, .what = "--plot-classes"},
-      {.path = arguments.report, .what = "--report", .extensions = {".html", ".htm"}},
+      {.path = arguments.report, .what = "--report", .extensions = page_extensions},
   };
   for (const fs::path& plot : {arguments.plot, arguments.class_plot}) {
     if (!plot.empty()) check_drawing_file(plot);

@@ -42,11 +42,6 @@ struct LeaderboardArguments {
   bool replace = false;
 };
 
-bool is_page(const fs::path& output) {
-  const std::string extension = lower_case(output.extension().string());
-  return extension == ".html" || extension == ".htm";
-}
-
 // Throws InputError for unusable output files, before any work.
 void check_leaderboard_output(const LeaderboardArguments& arguments) {
   if (arguments.output.empty()) return;

@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <fmt/format.h>
 #include <malloc.h>
@@ -17,6 +16,7 @@
 #include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/nearest_word.h"
+#include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/engine/run_control.h"
@@ -135,7 +135,7 @@ int run_command(std::span<const std::string> arguments) {
   CLI::App app("Shape diameter function, shape signatures and retrieval evaluation", "shapegauge");
   int status = exit_success;
   add_commands(app, status);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   try {
     status = std::max(parse_and_run(app, arguments), status);
   } catch (const Interrupted& interruption) {
@@ -146,8 +146,7 @@ int run_command(std::span<const std::string> arguments) {
     return report(error.what(), exit_unusable_input);
   }
   if (verbosity() == Verbosity::verbose) {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    note(fmt::format("{} took {:.2f} s", command_in(app), seconds));
+    note(fmt::format("{} took {:.2f} s", command_in(app), stopwatch.seconds()));
   }
   return status;
 }

@@ -70,6 +70,10 @@ void check_extension(const OutputFile& output) {
 
 }  // namespace
 
+bool is_page(const std::filesystem::path& output) {
+  return std::ranges::find(page_extensions, lower_case(output.extension().string())) != page_extensions.end();
+}
+
 void add_replace_option(CLI::App& command, bool& replace) {
   command.add_flag("--replace", replace, "Overwrite existing files")->group(output_options);
 }

@@ -24,6 +24,12 @@ struct OutputFile {
   bool may_be_input = false;  ///< with `replace`; all inputs must be read before anything is written
 };
 
+/// Extensions of pages, for OutputFile::extensions.
+inline const std::vector<std::string> page_extensions{".html", ".htm"};
+
+/// Returns true if the name ends in one of page_extensions, ignoring case.
+bool is_page(const std::filesystem::path& output);
+
 /// Adds --replace, for check_output_files().
 void add_replace_option(CLI::App& command, bool& replace);
 

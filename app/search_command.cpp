@@ -100,7 +100,7 @@ class SearchRun {
     inputs.push_back(arguments_->method);
     inputs.push_back(index_file());
     const std::vector<OutputFile> outputs{
-        {.path = arguments_->page, .what = "--output", .extensions = {".html", ".htm"}}};
+        {.path = arguments_->page, .what = "--output", .extensions = page_extensions}};
     check_output_files(inputs, outputs, arguments_->replace);
     inputs.pop_back();
     check_output_files(inputs, std::vector<OutputFile>{{.path = index_file(), .what = "--index"}}, true);

@@ -13,6 +13,7 @@
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/options.h"
+#include "app/output_files.h"
 #include "app/shape_files.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
@@ -207,8 +208,7 @@ std::string title_of(const ViewArguments& arguments, const std::vector<ShapeView
 }
 
 void check_output(const fs::path& output) {
-  const std::string extension = lower_case(output.extension().string());
-  if (is_standard_stream(output) || extension == ".html" || extension == ".htm") return;
+  if (is_standard_stream(output) || is_page(output)) return;
   throw InputError(fmt::format("cannot write {}: the name of a page must end in .html", output.string()));
 }
 

@@ -1,13 +1,12 @@
 #include "shapegauge/metrics/friedman_test.h"
 
-#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/metrics/ascending_order.h"
 #include "shapegauge/metrics/studentised_range.h"
 
 namespace shapegauge {
@@ -16,16 +15,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<std::size_t> ascending(const Eigen::VectorXd& values) {
-  std::vector<std::size_t> order(static_cast<std::size_t>(values.size()));
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[static_cast<Eigen::Index>(i)]; });
-  return order;
-}
-
 // Ranks one data set, the largest value first; adds t^3 - t for each group of t tied methods.
 Eigen::VectorXd ranks_of(const Eigen::VectorXd& values, double& ties) {
-  const std::vector<std::size_t> order = ascending(-values);
+  const std::vector<std::size_t> order = ascending_order(-values);
   Eigen::VectorXd ranks(values.size());
   for (std::size_t first = 0; first < order.size();) {
     std::size_t after = first;
@@ -78,7 +70,7 @@ RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
     comparison.ranks.row(set) = ranks_of(values.row(set).transpose(), ties).transpose();
   }
   comparison.mean_ranks = comparison.ranks.colwise().mean().transpose();
-  comparison.order = ascending(comparison.mean_ranks);
+  comparison.order = ascending_order(comparison.mean_ranks);
   comparison.friedman = friedman_of(comparison.mean_ranks, sets, ties);
 
   const double unit = std::sqrt(methods * (methods + 1) / (6 * sets));

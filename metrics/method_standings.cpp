@@ -1,25 +1,15 @@
 #include "shapegauge/metrics/method_standings.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/metrics/ascending_order.h"
 #include "shapegauge/metrics/homogeneous_groups.h"
 #include "shapegauge/metrics/significance_tests.h"
 
 namespace shapegauge {
 
 namespace {
-
-// Orders methods by average, the largest first (ties: in their own order).
-std::vector<std::size_t> order_of(const Eigen::VectorXd& averages) {
-  std::vector<std::size_t> order(static_cast<std::size_t>(averages.size()));
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-    return averages[static_cast<Eigen::Index>(a)] > averages[static_cast<Eigen::Index>(b)];
-  });
-  return order;
-}
 
 Eigen::MatrixXd p_values_of(const UnitValues& units, const StandingOptions& options) {
   if (units.values.rows() < 2) return Eigen::MatrixXd::Ones(units.values.cols(), units.values.cols());
@@ -35,7 +25,7 @@ std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::
   const UnitValues units = units_of(per_query, classes, options.blocks, options.average);
   const Eigen::VectorXd averages = averages_of(units);
   const Eigen::MatrixXd p_values = p_values_of(units, options);
-  const std::vector<std::size_t> order = order_of(averages);
+  const std::vector<std::size_t> order = ascending_order(-averages);  // the largest first
   const std::size_t methods = order.size();
   const double alpha = 1 - options.confidence;
   const auto differ = [&](std::size_t i, std::size_t j) {

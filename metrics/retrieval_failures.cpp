@@ -1,11 +1,11 @@
 #include "shapegauge/metrics/retrieval_failures.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/metrics/ascending_order.h"
 
 namespace shapegauge {
 
@@ -33,9 +33,7 @@ std::vector<std::size_t> worst_queries(const Evaluation& evaluation, std::string
     throw ArgumentError("the evaluation has no measure " + std::string(measure));
   }
   const auto values = evaluation.per_query.col(column - evaluation.measures.begin());
-  std::vector<std::size_t> order(evaluation.queries.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[static_cast<Eigen::Index>(i)]; });
+  std::vector<std::size_t> order = ascending_order(values);
   order.resize(std::min(count, order.size()));
   return order;
 }

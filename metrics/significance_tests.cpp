@@ -4,7 +4,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <tbb/blocked_range.h>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/metrics/ascending_order.h"
 
 namespace shapegauge {
 
@@ -117,9 +117,7 @@ Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOpti
 }
 
 std::vector<double> holm_adjusted(std::span<const double> p_values) {
-  std::vector<std::size_t> ascending(p_values.size());
-  std::iota(ascending.begin(), ascending.end(), std::size_t{0});
-  std::ranges::stable_sort(ascending, {}, [&](std::size_t i) { return p_values[i]; });
+  const std::vector<std::size_t> ascending = ascending_order(p_values);
   std::vector<double> adjusted(p_values.size());
   double largest = 0;
   for (std::size_t i = 0; i < ascending.size(); ++i) {

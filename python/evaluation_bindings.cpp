@@ -9,6 +9,7 @@
 
 #include "python/native.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
@@ -190,12 +191,6 @@ Evaluation evaluation_of(const py::tuple& state) {
 }
 /// @}
 
-std::string formatted(const TextTable& table, const std::string& format) {
-  if (format == "latex") return to_latex(table);
-  if (format == "markdown") return to_markdown(table);
-  return format == "csv" ? to_csv(table) : to_plain_text(table);
-}
-
 /// Comparison of methods, as by the command `compare`.
 struct ComparedMethods {
   AlignedMethods methods;
@@ -260,7 +255,7 @@ void bind_evaluation(py::module_& module) {
       .def("table",
            [](const Evaluation& evaluation, const std::string& method, const std::string& format) {
              const std::vector<NamedEvaluation> one{{.method = method, .evaluation = &evaluation}};
-             return formatted(summary_table(one), format);
+             return table_text(summary_table(one), format);
            })
       .def(py::pickle(&state_of, &evaluation_of));
   module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
@@ -294,10 +289,11 @@ void bind_comparison(py::module_& module) {
       .def_property_readonly("warnings", &ComparedMethods::warnings)
       .def("summary",
            [](const ComparedMethods& compared, const std::string& format) {
-             return formatted(comparison_summary(compared.methods, compared.comparisons, compared.options, {}), format);
+             return table_text(comparison_summary(compared.methods, compared.comparisons, compared.options, {}),
+                               format);
            })
       .def("pairs", [](const ComparedMethods& compared, const std::string& format) {
-        return formatted(pairs_table(compared.methods, compared.comparisons, {}, format == "csv"), format);
+        return table_text(pairs_table(compared.methods, compared.comparisons, {}, format == "csv"), format);
       });
   module.def("compare", &compare_evaluations);
 }

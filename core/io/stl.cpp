@@ -158,15 +158,6 @@ class AsciiReader {
 /// Vertices in the format's precision.
 using FloatPoints = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Returns the unit normal by the order of the corners; zero for a degenerate triangle.
-Eigen::RowVector3f facet_normal(const Shape& mesh, Eigen::Index triangle) {
-  const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(triangle, 0));
-  const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(triangle, 1));
-  const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(triangle, 2));
-  const Eigen::Vector3d normal = (b - a).cross(c - a).stableNormalized();
-  return normal.allFinite() ? Eigen::RowVector3f(normal.cast<float>()) : Eigen::RowVector3f::Zero();
-}
-
 void append_floats(std::string& bytes, const Eigen::RowVector3f& vector) {
   for (const float component : vector) append_little_endian(bytes, component);
 }
@@ -205,7 +196,7 @@ void write_stl(const std::filesystem::path& path, const Shape& shape) {
   bytes.resize(header_size, ' ');
   append_little_endian(bytes, static_cast<std::uint32_t>(shape.triangles.rows()));
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    append_floats(bytes, facet_normal(shape, f));
+    append_floats(bytes, triangle_normal(shape, f).cast<float>());
     for (int corner = 0; corner < 3; ++corner) append_floats(bytes, vertices.row(shape.triangles(f, corner)));
     append_little_endian(bytes, std::uint16_t{0});  // the attribute
   }

@@ -1,7 +1,6 @@
 #include "shapegauge/core/offset/offset_solver.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/offset/block_distances.h"
 #include "shapegauge/core/offset/grid_layout.h"
 #include "shapegauge/core/offset/mean_normals.h"
@@ -22,8 +22,6 @@
 namespace shapegauge {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Exterior cells up to this distance from O(r), in cells, have a site. Every point of the offset surface is within a
 /// cell of a site.
@@ -449,7 +447,7 @@ void Solver::solve_batch(const Batch& batch, Scratch& scratch) const {
 
 OffsetResults solve_on_grid(const Shape& shape, const Points& points, const Points& normals,
                             const OffsetSolverOptions& options, const std::vector<std::int32_t>& triangles) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch stopwatch;
   const Eigen::AlignedBox3d bounds = bounding_box(shape);
   const GridLayout layout = choose_grid_layout(shape, bounds, options.offset, options.cells_per_offset);
   const BlockGrid grid(bounds, layout.offset, layout.cell);
@@ -459,7 +457,7 @@ OffsetResults solve_on_grid(const Shape& shape, const Points& points, const Poin
   const MeanNormals means(grid, shape, surface);
   OffsetResults results;
   results.offset = layout.offset;
-  results.build_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  results.build_seconds = stopwatch.seconds();
   results.values = Eigen::VectorXd::Constant(points.rows(), std::numeric_limits<double>::quiet_NaN());
   results.heights = results.values;
   results.directions = Points::Zero(points.rows(), 3);

@@ -26,13 +26,6 @@ Shape thinned(const Shape& cloud, const SamplePointsOptions& options, RandomNumb
   return points;
 }
 
-Eigen::RowVector3d normal_of(const Shape& mesh, Eigen::Index triangle) {
-  const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(triangle, 0));
-  const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(triangle, 1));
-  const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(triangle, 2));
-  return (b - a).cross(c - a).stableNormalized().transpose();
-}
-
 }  // namespace
 
 Shape sample_points(const Shape& shape, const SamplePointsOptions& options, RandomNumbers& random) {
@@ -45,7 +38,7 @@ Shape sample_points(const Shape& shape, const SamplePointsOptions& options, Rand
   if (!options.with_normals) return cloud;
   cloud.normals.resize(options.points, 3);
   for (Eigen::Index i = 0; i < options.points; ++i) {
-    cloud.normals.row(i) = normal_of(shape, sampled.triangles[static_cast<std::size_t>(i)]);
+    cloud.normals.row(i) = triangle_normal(shape, sampled.triangles[static_cast<std::size_t>(i)]);
   }
   return cloud;
 }

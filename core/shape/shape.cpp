@@ -41,6 +41,14 @@ Eigen::VectorXd triangle_areas(const Shape& shape) {
   return areas;
 }
 
+Eigen::RowVector3d triangle_normal(const Shape& mesh, Eigen::Index triangle) {
+  const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(triangle, 0));
+  const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(triangle, 1));
+  const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(triangle, 2));
+  const Eigen::RowVector3d normal = (b - a).cross(c - a).stableNormalized().transpose();
+  return normal.allFinite() ? normal : Eigen::RowVector3d::Zero();
+}
+
 double surface_area(const Shape& shape) { return is_cloud(shape) ? 0 : surface_area(shape, welding_of(shape)); }
 
 double surface_area(const Shape& shape, const Welding& welding) {

@@ -42,6 +42,9 @@ double bounding_box_diagonal(const Shape& shape);
 /// Computes the area of every triangle, in the shape's units squared. Duplicates have the area of their first.
 Eigen::VectorXd triangle_areas(const Shape& shape);
 
+/// Computes the unit normal of a triangle by the order of its corners; zero if the triangle is degenerate.
+Eigen::RowVector3d triangle_normal(const Shape& mesh, Eigen::Index triangle);
+
 /// Returns true for a point cloud: a shape without triangles.
 inline bool is_cloud(const Shape& shape) { return shape.triangles.rows() == 0; }
 

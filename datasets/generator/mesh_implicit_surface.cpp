@@ -24,6 +24,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "shapegauge/datasets/generator/shape_of_mesh.h"
+
 // Internal to the sources that use CGAL.
 
 namespace shapegauge {
@@ -260,22 +262,6 @@ TriangleSoup refine(const ImplicitSurface& surface, double coarseness) {
   return to_soup(complex);
 }
 
-Shape to_shape(const ClosedMesh& mesh) {
-  Shape shape;
-  shape.vertices.resize(static_cast<Eigen::Index>(mesh.number_of_vertices()), 3);
-  shape.triangles.resize(static_cast<Eigen::Index>(mesh.number_of_faces()), 3);
-  for (const auto v : mesh.vertices()) {
-    shape.vertices.row(static_cast<Eigen::Index>(v.idx())) = to_eigen(mesh.point(v)).transpose();
-  }
-  for (const auto f : mesh.faces()) {
-    int k = 0;
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      shape.triangles(static_cast<Eigen::Index>(f.idx()), k++) = static_cast<std::int32_t>(v.idx());
-    }
-  }
-  return shape;
-}
-
 // Converts the soup to a closed, connected, outward-oriented mesh; nothing if it is not one.
 std::optional<Shape> closed_shape(TriangleSoup soup) {
   namespace processing = CGAL::Polygon_mesh_processing;
@@ -287,7 +273,7 @@ std::optional<Shape> closed_shape(TriangleSoup soup) {
   auto component = mesh.add_property_map<ClosedMesh::Face_index, std::size_t>("component").first;
   if (processing::connected_components(mesh, component) != 1) return std::nullopt;
   if (!processing::is_outward_oriented(mesh)) processing::reverse_face_orientations(mesh);
-  return to_shape(mesh);
+  return shape_of_mesh(mesh);
 }
 
 }  // namespace

@@ -17,6 +17,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "shapegauge/datasets/generator/shape_of_mesh.h"
+
 // Internal to the sources that use CGAL.
 
 namespace shapegauge {
@@ -162,23 +164,6 @@ class MarchingTetrahedra {
   std::unordered_map<std::size_t, HalfedgeMesh::Vertex_index> vertices_;
 };
 
-Shape shape_of(const HalfedgeMesh& mesh) {
-  Shape shape;
-  shape.vertices.resize(static_cast<Eigen::Index>(mesh.number_of_vertices()), 3);
-  shape.triangles.resize(static_cast<Eigen::Index>(mesh.number_of_faces()), 3);
-  for (const auto v : mesh.vertices()) {
-    const auto& point = mesh.point(v);
-    shape.vertices.row(static_cast<Eigen::Index>(v.idx())) << point.x(), point.y(), point.z();
-  }
-  for (const auto f : mesh.faces()) {
-    int k = 0;
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      shape.triangles(static_cast<Eigen::Index>(f.idx()), k++) = static_cast<std::int32_t>(v.idx());
-    }
-  }
-  return shape;
-}
-
 bool is_sound(HalfedgeMesh& mesh) {
   const auto component = mesh.add_property_map<HalfedgeMesh::Face_index, std::size_t>("component").first;
   return CGAL::is_closed(mesh) && processing::connected_components(mesh, component) == 1 &&
@@ -220,7 +205,7 @@ std::optional<SolidMesh> mesh_solid(const SolidObject& object, int faces) {
     mesh.collect_garbage();
     const double excess = static_cast<double>(mesh.number_of_faces()) / faces;
     const bool right = excess > 1 - tolerance && (excess < 1 + tolerance || length < (1 - tolerance) * wanted);
-    if (right && is_sound(mesh)) return with_labels(shape_of(mesh), object);
+    if (right && is_sound(mesh)) return with_labels(shape_of_mesh(mesh), object);
     length *= right ? 0.97 : std::sqrt(excess);
   }
   return std::nullopt;

@@ -16,6 +16,7 @@
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/layouts/add_model.h"
 
 namespace shapegauge {
 
@@ -37,21 +38,6 @@ std::optional<int> number_of(const fs::path& file) {
   const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
   const bool whole = error == std::errc() && end == id.data() + id.size() && number > 0;
   return whole ? std::optional(number) : std::nullopt;
-}
-
-int label_in(std::vector<std::string>& classes, const std::string& name) {
-  const auto found = std::ranges::find(classes, name);
-  const auto label = static_cast<int>(found - classes.begin());
-  if (found == classes.end()) classes.push_back(name);
-  return label;
-}
-
-// Adds a model; throws InputError for a repeated id.
-void add_model(Model model, std::set<std::string>& ids, Dataset& dataset) {
-  if (!ids.insert(model.id).second) {
-    throw InputError(fmt::format("{}: another file is also model {}; keep one", model.file.string(), model.id));
-  }
-  dataset.models.push_back(std::move(model));
 }
 
 bool is_there(const fs::path& path) {
@@ -121,7 +107,7 @@ Dataset find_named_dataset(const DatasetLocation& location) {
       throw InputError(fmt::format(
           "{}: expected a class and a number such as cat0.off, as the layout \"named\" requires", file.string()));
     }
-    add_model({.id = id_of(file), .file = file, .label = label_in(dataset.classes, name)}, ids, dataset);
+    add_model({.id = id_of(file), .file = file, .label = label_of_class(name, dataset)}, ids, dataset);
   }
   std::ranges::sort(dataset.models, natural_less, &Model::id);
   return dataset;
@@ -144,7 +130,7 @@ Dataset find_tree_dataset(const DatasetLocation& location) {
     waiting.pop_back();
     const std::string name = folder.lexically_relative(location.root).generic_string();
     for (const fs::path& file : model_files(folder)) {
-      add_model({.id = name + "/" + id_of(file), .file = file, .label = label_in(dataset.classes, name)}, ids, dataset);
+      add_model({.id = name + "/" + id_of(file), .file = file, .label = label_of_class(name, dataset)}, ids, dataset);
     }
     std::vector<fs::path> below = subfolders(folder);
     waiting.insert(waiting.end(), below.rbegin(), below.rend());
@@ -197,7 +183,7 @@ Dataset find_shapenet_dataset(const DatasetLocation& location) {
     if (location.split != "all" && row.cells[split] != location.split) continue;
     add_model({.id = row.cells[id],
                .file = shapenet_file(location.root, row.cells[split], row.cells[synset], row.cells[id]),
-               .label = label_in(dataset.classes, row.cells[synset]),
+               .label = label_of_class(row.cells[synset], dataset),
                .subclass = subclass && row.cells[*subclass] != row.cells[synset] ? row.cells[*subclass] : ""},
               ids, dataset);
   }

@@ -17,6 +17,7 @@
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/layouts/add_model.h"
 #include "shapegauge/datasets/layouts/benchmark_layouts.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 
@@ -53,14 +54,6 @@ const std::string& cell(const CsvRow& row, std::size_t position, const std::stri
   return row.cells[position];
 }
 
-/// Returns the number of a class, adding it if the name is new.
-int label_of(const std::string& name, Dataset& dataset) {
-  const auto found = std::ranges::find(dataset.classes, name);
-  const auto label = static_cast<int>(found - dataset.classes.begin());
-  if (found == dataset.classes.end()) dataset.classes.push_back(name);
-  return label;
-}
-
 /// Finds a data set of the layout "csv": a table with the columns id, path and class, named in its first row in any
 /// order and case, separated by commas, semicolons or tabs, and optionally subclass. Paths are relative to the root.
 /// Additional columns are allowed. Throws InputError, with the line, for a table that is absent, empty or lacks a
@@ -77,7 +70,7 @@ Dataset find_csv_dataset(const DatasetLocation& location) {
     const CsvRow& row = rows[i];
     Model model{.id = cell(row, columns.id, "id", source),
                 .file = location.root / cell(row, columns.path, "path", source),
-                .label = label_of(cell(row, columns.name, "class", source), dataset),
+                .label = label_of_class(cell(row, columns.name, "class", source), dataset),
                 .subclass = columns.subclass ? row.cells[*columns.subclass] : ""};
     if (model.subclass == row.cells[columns.name]) model.subclass.clear();
     const auto [earlier, added] = lines.emplace(model.id, row.line);
@@ -128,11 +121,8 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
     for (const fs::path& file : files) {
       // An unreadable folder may have a dot in its name.
       const fs::path named = is_model_file(file) ? fs::path(file).replace_extension() : file;
-      const std::string id = named.lexically_relative(location.root).generic_string();
-      if (!ids.insert(id).second) {
-        throw InputError(fmt::format("{}: another file is also model {}; keep one", file.string(), id));
-      }
-      dataset.models.push_back({.id = id, .file = file, .label = label});
+      add_model({.id = named.lexically_relative(location.root).generic_string(), .file = file, .label = label}, ids,
+                dataset);
     }
   }
   if (dataset.classes.empty()) {

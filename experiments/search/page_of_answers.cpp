@@ -12,6 +12,7 @@
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/experiments/signatures/model_view.h"
 #include "shapegauge/pages/coarse_view.h"
 #include "shapegauge/pages/search_page.h"
 
@@ -21,12 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the number of faces of each shape on a page.
-Eigen::Index faces_of_each(std::size_t shapes) {
-  constexpr Eigen::Index of_all = 600'000;
-  return std::clamp(of_all / static_cast<Eigen::Index>(std::max<std::size_t>(shapes, 1)), Eigen::Index{600},
-                    Eigen::Index{6000});
-}
+/// A page of answers has fewer shapes than a report.
+constexpr ViewFaces view_faces{.in_total = 600'000, .fewest = 600, .most = 6000};
 
 /// Adds the thickness at the vertices of a shape, if it is defined.
 void add_thickness(ShapeView& view) {
@@ -73,7 +70,7 @@ class PageShapes {
     std::vector<SearchPageShape> drawn(shapes_.size());
     std::vector<std::size_t> all(shapes_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    const Eigen::Index faces = faces_of_each(shapes_.size());
+    const Eigen::Index faces = faces_of_views(shapes_.size(), view_faces);
     for (std::size_t i = 0; i < shapes_.size(); ++i) drawn[i].name = shapes_[i].name;
     for_each_model(all, "pictures", false, control, [&](std::size_t i) {
       drawn[i].view = view_of(shapes_[i].shape ? *shapes_[i].shape : read_shape(shapes_[i].file), faces);

@@ -9,10 +9,9 @@
 
 namespace shapegauge {
 
-Eigen::Index faces_of_views(std::size_t models) {
-  constexpr Eigen::Index of_all = 240'000;
-  return std::clamp(of_all / static_cast<Eigen::Index>(std::max<std::size_t>(models, 1)), Eigen::Index{200},
-                    Eigen::Index{3000});
+Eigen::Index faces_of_views(std::size_t models, const ViewFaces& limits) {
+  const auto each = limits.in_total / static_cast<Eigen::Index>(std::max<std::size_t>(models, 1));
+  return std::clamp(each, limits.fewest, limits.most);
 }
 
 std::string model_view(const Shape& shape, std::span<const SampledField> fields, Eigen::Index faces) {

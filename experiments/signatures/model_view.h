@@ -16,9 +16,15 @@ inline constexpr int model_view_version = 2;
 /// Maximum number of models with views in a report.
 inline constexpr std::size_t most_models_with_views = 2000;
 
-/// Returns the number of faces of a view in a report, which decreases with the number of models to limit their total
-/// size to a few megabytes.
-Eigen::Index faces_of_views(std::size_t models);
+/// Limits of the faces of the views on a page. The defaults limit the size of a report to a few megabytes.
+struct ViewFaces {
+  Eigen::Index in_total = 240'000;
+  Eigen::Index fewest = 200;  ///< of a view
+  Eigen::Index most = 3000;   ///< of a view
+};
+
+/// Returns the number of faces of a view, which decreases with the number of models on its page.
+Eigen::Index faces_of_views(std::size_t models, const ViewFaces& limits = {});
 
 /// Values of a field at samples of a shape.
 struct SampledField {

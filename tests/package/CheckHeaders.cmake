@@ -1,5 +1,6 @@
 # cmake -DROOT=<project> -DHEADERS=<file with a path a line> -P CheckHeaders.cmake: no installed header says that it is not
 # part of the public interface, and each includes only installed headers of the project.
+cmake_minimum_required(VERSION 3.25)
 file(STRINGS ${HEADERS} headers)
 if(NOT headers)
   message(FATAL_ERROR "${HEADERS} lists no headers")

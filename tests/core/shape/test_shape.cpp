@@ -23,6 +23,18 @@ TEST(Shape, MeasuresOfABox) {
   EXPECT_NEAR(surface_area(box), 16, 1e-13);
 }
 
+TEST(TriangleNormal, IsThatOfTheOrderOfTheCornersAndZeroWithoutOne) {
+  Shape mesh;
+  mesh.vertices.resize(5, 3);
+  mesh.vertices << 0, 0, 0, 3, 0, 0, 0, 1e-200, 0, 1e200, 0, 0, 0, 1e200, 0;
+  mesh.triangles.resize(4, 3);
+  mesh.triangles << 0, 1, 2, 0, 2, 1, 0, 1, 1, 0, 3, 4;
+  EXPECT_EQ(triangle_normal(mesh, 0), Eigen::RowVector3d(0, 0, 1));
+  EXPECT_EQ(triangle_normal(mesh, 1), Eigen::RowVector3d(0, 0, -1));
+  EXPECT_EQ(triangle_normal(mesh, 2), Eigen::RowVector3d::Zero());
+  EXPECT_EQ(triangle_normal(mesh, 3), Eigen::RowVector3d::Zero());  // overflow
+}
+
 TEST(Shape, AreaOfATorusConvergesToTheFormula) {
   const double expected = 4 * std::numbers::pi * std::numbers::pi * 3 * 1;
   EXPECT_NEAR(surface_area(test::torus(3, 1, 200, 200)) / expected, 1, 1e-3);

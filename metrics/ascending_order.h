@@ -1,0 +1,20 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace shapegauge {
+
+/// Returns the indices of the values of a vector or span in ascending order of the values; equal ones keep their order.
+template <typename Values>
+std::vector<std::size_t> ascending_order(const Values& values) {
+  using Index = decltype(values.size());
+  std::vector<std::size_t> order(static_cast<std::size_t>(values.size()));
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[static_cast<Index>(i)]; });
+  return order;
+}
+
+}  // namespace shapegauge
