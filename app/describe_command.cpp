@@ -91,7 +91,7 @@ Described described(const DescriptorChoice& choice, const Shape& given, bool den
   Described result;
   FieldSource source(shape);
   result.fields = compute_fields(choice, source);
-  if (learns(choice.descriptor, choice.values)) return result;
+  if (needs_learning(choice.descriptor, choice.values)) return result;
   const DescriptorInput input{.shape = shape, .fields = result.fields, .proxy = &source.proxy()};
   result.features = compute_features(choice.descriptor, input, {}, choice.values);
   result.fields.clear();
@@ -169,7 +169,7 @@ int run(DescribeArguments& arguments) {
   });
   const auto none_left = std::ranges::none_of(shapes, [](const auto& shape) { return shape.has_value(); });
   if (none_left) return exit_unusable_input;
-  if (learns(choice.descriptor, choice.values)) learn_and_describe(choice, arguments.files, shapes);
+  if (needs_learning(choice.descriptor, choice.values)) learn_and_describe(choice, arguments.files, shapes);
   write_features(arguments, ids, shapes);
   if (status != exit_success) warn(fmt::format("{} has no rows for these shapes", arguments.output.string()));
   return status;

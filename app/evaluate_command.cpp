@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct EvaluateArguments {
+struct EvaluateCommandArguments {
   fs::path distances;  ///< "-" for standard input
   std::string input_format;
   EvaluationArguments evaluation;
@@ -47,7 +47,7 @@ struct EvaluateArguments {
 };
 
 // Returns the inputs of a result as JSON, before the scores.
-nlohmann::ordered_json inputs_json(const EvaluateArguments& arguments) {
+nlohmann::ordered_json inputs_json(const EvaluateCommandArguments& arguments) {
   const EvaluationFiles& files = arguments.evaluation.files;
   nlohmann::ordered_json json{{"version", version()}, {"file", arguments.distances.string()}};
   if (!files.labels.empty()) json["labels"] = files.labels.string();
@@ -67,7 +67,7 @@ nlohmann::ordered_json coverage_json(const ListCoverage& coverage, const std::st
 }
 
 std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& task,
-                           const EvaluateArguments& arguments) {
+                           const EvaluateCommandArguments& arguments) {
   nlohmann::ordered_json json = inputs_json(arguments);
   json["method"] = named.method;
   if (task.coverage) json["lists"] = coverage_json(*task.coverage, arguments.evaluation.missing_queries);
@@ -77,7 +77,7 @@ std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& t
 }
 
 std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationTask& task,
-                                 const EvaluateArguments& arguments) {
+                                 const EvaluateCommandArguments& arguments) {
   if (arguments.printed.format == "json") return formatted_json(named, task, arguments);
   const std::vector<NamedEvaluation> one{named};
   const ScoreStyle style = style_of(arguments.printed);
@@ -98,7 +98,7 @@ void check_fit_for_report(const EvaluationTask& task) {
       "separate queries and targets, judgements and ranked lists");
 }
 
-void write_files(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateArguments& arguments) {
+void write_files(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateCommandArguments& arguments) {
   const std::vector<NamedEvaluation> one{named};
   if (!arguments.curve.empty()) {
     const bool plot = lower_case(arguments.curve.extension().string()) == ".plot";
@@ -123,7 +123,7 @@ std::string_view sniffed_format(std::string_view bytes) {
 }
 
 /// Evaluates standard input. Copies it to a file in the folder first, since matrices are read in blocks.
-EvaluatedFiles evaluate_standard_input(const EvaluateArguments& arguments, const ScratchFolder& scratch) {
+EvaluatedFiles evaluate_standard_input(const EvaluateCommandArguments& arguments, const ScratchFolder& scratch) {
   const std::string bytes = read_standard_input();
   const std::string format =
       arguments.input_format.empty() ? std::string(sniffed_format(bytes)) : arguments.input_format;
@@ -141,7 +141,7 @@ EvaluatedFiles evaluate_standard_input(const EvaluateArguments& arguments, const
 }
 
 /// Throws InputError for unusable output files, before any work.
-void check_outputs(const EvaluateArguments& arguments) {
+void check_outputs(const EvaluateCommandArguments& arguments) {
   const EvaluationFiles& files = arguments.evaluation.files;
   const std::vector<fs::path> inputs{arguments.distances, files.labels, files.targets, files.qrels, files.ids};
   const std::vector<std::string> csv{".csv"};
@@ -160,7 +160,7 @@ void check_outputs(const EvaluateArguments& arguments) {
   check_output_files(inputs, outputs, arguments.replace);
 }
 
-int run(const EvaluateArguments& arguments) {
+int run(const EvaluateCommandArguments& arguments) {
   check_outputs(arguments);
   const bool piped = is_standard_stream(arguments.distances);
   if (!piped && !arguments.input_format.empty()) {
@@ -203,7 +203,7 @@ int run(const EvaluateArguments& arguments) {
   return exit_success;
 }
 
-void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
+void add_output_options(CLI::App& command, EvaluateCommandArguments& arguments) {
   begin_option_group(command, output_options);
   add_score_format_options(command, arguments.printed, "Format of the printed result");
   command.add_option("--pr", arguments.curve,
@@ -242,7 +242,7 @@ void add_evaluate_command(CLI::App& app, int& status) {
       "(CSV, --ids) are in the order of the labels' file if it is a list (a table, one class per line, .npy),\nand in "
       "natural order (2 before 10) for a .cla file or a folder. Princeton's own tools use the order of the .cla\nfile: "
       "--order file.\nTables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
-  const auto arguments = std::make_shared<EvaluateArguments>();
+  const auto arguments = std::make_shared<EvaluateCommandArguments>();
   command
       ->add_option("distances", arguments->distances,
                    "Distances or features (.npy, .npz, .mat, .matrix, .csv, .txt or .dat) or ranked lists (.run, "

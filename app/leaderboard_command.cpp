@@ -16,7 +16,6 @@
 #include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/leaderboard/judge_submissions.h"

@@ -218,7 +218,7 @@ void print_summaries(const SdfArguments& arguments, const std::vector<NamedSumma
     print_output("{}\n", (arguments.files.inputs.size() > 1 ? all : all.front()).dump(2));
     return;
   }
-  print_output("{}", table_text(summary_table(summaries, words), arguments.format));
+  print_output("{}", table_text(thickness_summary_table(summaries, words), arguments.format));
 }
 
 /// Draws the distribution of values by area, with common bins for all shapes.

@@ -79,7 +79,7 @@ void segment(const SegmentArguments& arguments, LabelWriter write, const Shape& 
              Remarks& remarks) {
   try {
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
-    const Labels labels = segmented(shape, method_for(shape, arguments, remarks));
+    const Labels labels = segment_by_method(shape, method_for(shape, arguments, remarks));
     write(job.output, shape, labels);
     if (const auto polygons = polygon_note(shape)) {
       remarks.notes.push_back(

@@ -62,7 +62,7 @@ nlohmann::ordered_json json_of(const SegmentationScores& scores, const Segmentat
   return {{"weights", arguments.weights}, {"meshes", scores.ids.size()}, {"methods", methods}};
 }
 
-std::string words_of(const SegmentationScores& scores, const MethodComparison& comparison) {
+std::string comparison_text(const SegmentationScores& scores, const MethodComparison& comparison) {
   std::string words;
   for (std::size_t m = 0; m < scores.methods.size(); ++m) {
     words += fmt::format("{}: Rand error {:.4f}, 95 % from {:.4f} to {:.4f} (mean of {} classes)\n",
@@ -79,7 +79,7 @@ std::string formatted_errors(const SegmentationScores& scores, const Segmentatio
   std::string result = text(mean_table(scores)) + "\n" + text(class_table(scores));
   const std::optional<MethodComparison> comparison = rand_comparison(scores);
   if (!comparison) return result;
-  return result + "\n" + words_of(scores, *comparison) + "\n" + text(pair_table(scores, *comparison));
+  return result + "\n" + comparison_text(scores, *comparison) + "\n" + text(pair_table(scores, *comparison));
 }
 
 int run(const SegmentationEvaluationArguments& arguments) {

@@ -66,9 +66,6 @@ Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels,
 /// of another size than the task's.
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
-/// Returns `count` rows of a distance matrix from the row `first` on.
-using RowSource = std::function<DistanceMatrix(Eigen::Index first, Eigen::Index count)>;
-
 /// Streaming version of evaluate(), for matrices that do not fit into memory. Requests blocks of a few hundred rows
 /// sequentially. The result is equal to the bit. Throws as above.
 Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const EvaluationOptions& options);

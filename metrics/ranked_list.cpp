@@ -65,13 +65,13 @@ void append_precisions(std::vector<double>& precisions, std::size_t size, std::s
   }
 }
 
-struct RankedModel {
+struct RankedColumn {
   double distance;
   Eigen::Index column;
 };
 
-void sort_by_distance(std::vector<RankedModel>& models) {
-  std::ranges::sort(models, [](const RankedModel& a, const RankedModel& b) {
+void sort_by_distance(std::vector<RankedColumn>& models) {
+  std::ranges::sort(models, [](const RankedColumn& a, const RankedColumn& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.column < b.column;
   });
 }
@@ -148,7 +148,7 @@ bool finds_nothing(const DistanceTable& distances, const Query& query, Eigen::In
 }
 
 void collect_hits(const DistanceTable& distances, const Query& query, Eigen::Index row, bool is_empty, Answer& answer) {
-  std::vector<RankedModel> hits;
+  std::vector<RankedColumn> hits;
   for (Eigen::Index column = 0; column < distances.cols(); ++column) {
     if (!query.is_target(column) || !query.is_relevant(column)) continue;
     if (is_empty || std::isnan(distances(row, column))) {
@@ -158,7 +158,7 @@ void collect_hits(const DistanceTable& distances, const Query& query, Eigen::Ind
     }
   }
   sort_by_distance(hits);
-  for (const RankedModel& hit : hits) {
+  for (const RankedColumn& hit : hits) {
     if (answer.tied.empty() || answer.tied.back().distance != hit.distance) {
       answer.tied.push_back({.distance = hit.distance, .before = {}, .hits = {}, .misses = {}});
     }

@@ -7,12 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace shapegauge {
+#include "shapegauge/core/base/distance_rows.h"
 
-/// Distances, row-major: entry (i, j) is the distance from query i to model j.
-using DistanceMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-/// Non-owning view of a distance matrix.
-using DistanceTable = Eigen::Ref<const DistanceMatrix>;
+namespace shapegauge {
 
 /// Class of a row that is not a query, or of a column that is not a target.
 inline constexpr int no_class = std::numeric_limits<int>::min();

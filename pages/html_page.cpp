@@ -41,7 +41,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-double rounded(double value, int digits) {
+double rounded_to_digits(double value, int digits) {
   return std::isfinite(value) ? std::stod(fmt::format("{:.{}g}", value, digits)) : value;
 }
 

@@ -15,7 +15,7 @@ namespace shapegauge {
 std::string base64(std::string_view bytes);
 
 /// Rounds a value to a number of significant digits, to shorten its text.
-double rounded(double value, int digits);
+double rounded_to_digits(double value, int digits);
 
 /// Escapes a text for HTML content and attributes.
 std::string html_text(std::string_view text);

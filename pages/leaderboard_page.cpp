@@ -38,7 +38,7 @@ OrderedJson standings_json(const std::vector<std::vector<MethodStanding>>& by_me
   for (const std::vector<MethodStanding>& standings : by_measure) {
     OrderedJson& methods = measures.emplace_back(OrderedJson::array());
     for (const MethodStanding& one : standings) {
-      OrderedJson json{{"average", rounded(one.average, score_digits)},
+      OrderedJson json{{"average", rounded_to_digits(one.average, score_digits)},
                        {"rank", one.rank},
                        {"ranks", {one.best_rank, one.worst_rank}},
                        {"letters", one.letters}};

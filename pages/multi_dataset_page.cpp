@@ -20,7 +20,7 @@ PageJson page_table_json(const MultiDatasetPageTable& table) {
   for (const RankDifference& pair : table.ranks->pairs) {
     pairs.push_back({{"first", pair.first},
                      {"second", pair.second},
-                     {"p", rounded(pair.p, score_digits)},
+                     {"p", rounded_to_digits(pair.p, score_digits)},
                      {"counts", {pair.data_sets.wins, pair.data_sets.ties, pair.data_sets.losses}}});
   }
   return {{"protocol", table.protocol},
@@ -31,7 +31,7 @@ PageJson page_table_json(const MultiDatasetPageTable& table) {
           {"order", table.ranks->order},
           {"groups", std::move(groups)},
           {"letters", table.letters},
-          {"critical_difference", rounded(table.ranks->critical_difference, score_digits)},  // null: none
+          {"critical_difference", rounded_to_digits(table.ranks->critical_difference, score_digits)},  // null: none
           {"pairs", std::move(pairs)},
           {"words", table.words}};
 }

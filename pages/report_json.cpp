@@ -31,7 +31,7 @@ std::vector<std::size_t> worst_of(const Evaluation& evaluation) {
 Json intervals_json(const std::vector<ConfidenceInterval>& intervals) {
   Json json = Json::array();
   for (const ConfidenceInterval& one : intervals) {
-    json.push_back({rounded(one.low, score_digits), rounded(one.high, score_digits)});
+    json.push_back({rounded_to_digits(one.low, score_digits), rounded_to_digits(one.high, score_digits)});
   }
   return json;
 }
@@ -76,7 +76,7 @@ Json neighbours_json(const Report& report, const ReportMethod& method) {
       const double distance = method.distances->nearest_distances(model, k);
       if (!std::isfinite(distance)) break;
       list.push_back(method.distances->nearest(model, k));
-      row.push_back(rounded(distance, distance_digits));
+      row.push_back(rounded_to_digits(distance, distance_digits));
     }
   }
   return {{"models", models}, {"lists", lists}, {"distances", std::move(distances)}};
@@ -107,7 +107,8 @@ Json histograms_json(const ReportHistograms& histograms) {
   json["bins"] = histograms.table->cols();
   json["ranges"] = Json::array();
   for (const Interval& range : histograms.ranges) {
-    json["ranges"].push_back({rounded(range.low, distance_digits), rounded(range.high, distance_digits)});
+    json["ranges"].push_back(
+        {rounded_to_digits(range.low, distance_digits), rounded_to_digits(range.high, distance_digits)});
   }
   return json;
 }
@@ -182,7 +183,8 @@ Json report_json(const Report& report) {
   for (const ReportMethod& method : report.methods) methods.push_back(method_json(report, method));
   Json leaks = Json::array();
   for (const ReportLeak& leak : report.leaks) {
-    leaks.push_back({leak.id, leak.field, rounded(leak.offset, score_digits), rounded(leak.gap, score_digits)});
+    leaks.push_back(
+        {leak.id, leak.field, rounded_to_digits(leak.offset, score_digits), rounded_to_digits(leak.gap, score_digits)});
   }
   return {{"version", version()},
           {"title", report.title},

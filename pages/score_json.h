@@ -17,7 +17,7 @@ inline constexpr int score_digits = 6;
 template <typename Values>
 nlohmann::ordered_json rounded_scores(const Values& values) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const double value : values) json.push_back(rounded(value, score_digits));
+  for (const double value : values) json.push_back(rounded_to_digits(value, score_digits));
   return json;
 }
 

@@ -25,7 +25,7 @@ Json packed_shape(const SearchPageShape& shape) {
 Json packed_answer(const SearchPageAnswer& answer) {
   constexpr int digits = 7;
   Json nearest = Json::array();
-  for (const auto& [shape, distance] : answer.nearest) nearest.push_back({shape, rounded(distance, digits)});
+  for (const auto& [shape, distance] : answer.nearest) nearest.push_back({shape, rounded_to_digits(distance, digits)});
   return {{"query", answer.query}, {"failure", answer.failure}, {"nearest", std::move(nearest)}};
 }
 

@@ -59,7 +59,7 @@ Json packed_points(const Shape& shape, const std::vector<std::int32_t>& vertices
   for (const std::int32_t vertex : vertices) {
     for (int k = 0; k < 3; ++k) append_short(bytes, std::lround((shape.vertices(vertex, k) - box.min()[k]) / step));
   }
-  return {{"step", rounded(step, digits)}, {"values", base64(bytes)}};
+  return {{"step", rounded_to_digits(step, digits)}, {"values", base64(bytes)}};
 }
 
 std::string packed_directions(const Points& directions, const std::vector<std::int32_t>& places) {
@@ -120,8 +120,9 @@ Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& places) 
   std::string bytes;
   for (const std::int32_t place : places)
     append_short(bytes, std::lround(radii[static_cast<std::size_t>(place)] / step));
-  return {
-      {"step", rounded(step, digits)}, {"values", base64(bytes)}, {"directions", packed_directions(normals, places)}};
+  return {{"step", rounded_to_digits(step, digits)},
+          {"values", base64(bytes)},
+          {"directions", packed_directions(normals, places)}};
 }
 
 /// Returns the camera of the initial position.
@@ -144,7 +145,8 @@ Json first_axes(const ShapeView& view) {
   const Eigen::Vector3d up = towards.cross(right);
   Json axes = Json::array();
   for (const Eigen::Vector3d& axis : {right, up, towards}) {
-    axes.push_back({rounded(axis[0], digits), rounded(axis[1], digits), rounded(axis[2], digits)});
+    axes.push_back(
+        {rounded_to_digits(axis[0], digits), rounded_to_digits(axis[1], digits), rounded_to_digits(axis[2], digits)});
   }
   return axes;
 }

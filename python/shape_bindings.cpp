@@ -103,7 +103,7 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
     if (json.contains("perturbations")) throw InputError("perturbations are of an experiment: use run()");
     const SegmentationMethod method = segmentation_method(json);
     const Shape shape = shape_of(vertices, faces, normals);
-    const std::vector<std::int32_t> labels = segmented(shape, method);
+    const std::vector<std::int32_t> labels = segment_by_method(shape, method);
     Computed result;
     result.labels =
         Eigen::Map<const Eigen::VectorX<std::int32_t>>(labels.data(), static_cast<Eigen::Index>(labels.size()));
@@ -122,7 +122,7 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
     const Json json = Json::parse(settings);
     check_against_schema(json, "descriptor", "the descriptor");
     const DescriptorChoice choice = make_descriptor(json);
-    if (learns(choice.descriptor, choice.values)) {
+    if (needs_learning(choice.descriptor, choice.values)) {
       throw InputError("the descriptor " + std::string(choice.descriptor.name) +
                        " learns from a whole data set: describe one by a configuration, with run()");
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/distance_rows.h"
 #include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {
@@ -13,12 +14,10 @@ inline constexpr int distances_version = 2;
 
 /// Signatures, one shape a row.
 using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-/// Pairwise distances: a symmetric matrix with zero diagonal.
-using DistanceMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Computes all pairwise distances of signatures by the named distance. Parallel, with the same bytes for any number of
-/// threads. Throws ArgumentError for a name that is not in distances(), for an entry that is not finite, and for a
-/// signature outside the distance's domain (DistanceDomain).
+/// Computes all pairwise distances of signatures by the named distance: a symmetric matrix with zero diagonal.
+/// Parallel, with the same bytes for any number of threads. Throws ArgumentError for a name that is not in distances(),
+/// for an entry that is not finite, and for a signature outside the distance's domain (DistanceDomain).
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
 
 /// Consecutive signatures of a larger set, with the index of the first.

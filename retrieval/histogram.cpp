@@ -17,7 +17,7 @@ void check_sizes(const ScalarField& field) {
   }
 }
 
-void check_options(const Interval& range, const HistogramOptions& options) {
+void check_histogram_options(const Interval& range, const HistogramOptions& options) {
   if (options.bins < 1) {
     throw ArgumentError("a histogram needs at least one bin, not " + std::to_string(options.bins));
   }
@@ -62,7 +62,7 @@ Interval enclosing_interval(std::span<const Interval> intervals) {
 
 Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const HistogramOptions& options) {
   check_sizes(field);
-  check_options(range, options);
+  check_histogram_options(range, options);
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(options.bins);
   double total = 0;
   for (Eigen::Index i = 0; i < field.values.size(); ++i) {

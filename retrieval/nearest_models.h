@@ -24,11 +24,8 @@ struct NearestModels {
   double largest = 0;        ///< largest finite distance between any two models
 };
 
-/// Returns `count` rows of a distance matrix from `first` on. The whole matrix need not be in memory: distance_rows()
-/// of signatures is such a source.
-using RowSource = std::function<DistanceMatrix(Eigen::Index first, Eigen::Index count)>;
-
-/// Makes a source from a matrix in memory, which must outlive it. Throws ArgumentError for a matrix that is not square.
+/// Makes a source of rows from a matrix in memory, which must outlive it. Throws ArgumentError for a matrix that is not
+/// square.
 RowSource rows_of(const DistanceMatrix& distances);
 
 /// Calls visit(first, rows) for the rows of n models, 256 at a time. Throws ArgumentError for rows of another length.

@@ -110,7 +110,7 @@ constexpr auto option_of(std::string_view name, std::string_view description) {
 
 /// Removes the default of an option, which makes it mandatory.
 template <typename Options>
-constexpr OptionParameter<Options> required(OptionParameter<Options> option) {
+constexpr OptionParameter<Options> without_default(OptionParameter<Options> option) {
   option.parameter.default_value = {};
   return option;
 }

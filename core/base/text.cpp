@@ -49,7 +49,7 @@ std::optional<double> parse_number(std::string_view word) {
   return value;
 }
 
-std::string counted(std::int64_t count, std::string_view one, std::string_view several) {
+std::string count_text(std::int64_t count, std::string_view one, std::string_view several) {
   return std::to_string(count).append(" ").append(count == 1 ? one : several);
 }
 

@@ -29,7 +29,7 @@ std::string lower_case(std::string text);
 std::optional<double> parse_number(std::string_view word);
 
 /// Returns a number of things with the word for one or for several of them: "1 row", "3 rows".
-std::string counted(std::int64_t count, std::string_view one, std::string_view several);
+std::string count_text(std::int64_t count, std::string_view one, std::string_view several);
 
 /// Quotes a word for a one-line message: in quotation marks, sanitised by printable(), truncated to 40 bytes.
 std::string quoted_word(std::string_view word);

@@ -23,6 +23,7 @@ enum class NoiseDistribution {
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<NoiseDistribution>{"gaussian", "uniform"};
 
+/// Options of vertex_noise().
 struct VertexNoiseOptions {
   double amplitude = 0.005;  ///< as a fraction of the bounding-box diagonal
   NoiseDistribution distribution = NoiseDistribution::uniform;
@@ -30,8 +31,9 @@ struct VertexNoiseOptions {
 
 /// Parameters of VertexNoiseOptions.
 inline constexpr std::array vertex_noise_table = {
-    required(measured_in(bounding_box_diagonals, option_of<&VertexNoiseOptions::amplitude>(
-                                                     "amplitude", {.low = 0, .high = 1}, "Length of the vector."))),
+    without_default(measured_in(
+        bounding_box_diagonals,
+        option_of<&VertexNoiseOptions::amplitude>("amplitude", {.low = 0, .high = 1}, "Length of the vector."))),
     option_of<&VertexNoiseOptions::distribution>("distribution",
                                                  "gaussian: each coordinate has the amplitude as its standard "
                                                  "deviation; uniform: in the ball whose radius is the amplitude."),
@@ -53,6 +55,7 @@ Shape remove_faces(Shape shape, double fraction, RandomNumbers& random);
 /// without normals unchanged. Throws InputError for a fraction out of bounds.
 Shape flip_orientation(Shape shape, double fraction, RandomNumbers& random);
 
+/// Options of punch_holes().
 struct PunchHolesOptions {
   int number = 5;        ///< number of holes; they may overlap
   double radius = 0.05;  ///< as a fraction of the bounding-box diagonal

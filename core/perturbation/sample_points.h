@@ -9,9 +9,10 @@
 
 namespace shapegauge {
 
+/// Options of sample_points().
 struct SamplePointsOptions {
-  std::int64_t points = 10000;
-  bool with_normals = false;  ///< give the points their triangles' normals
+  std::int64_t points = 10000;  ///< number of points
+  bool with_normals = false;    ///< give the points their triangles' normals
 };
 
 /// Parameters of SamplePointsOptions.

@@ -60,8 +60,8 @@ std::vector<std::int32_t> labels_of_triangles(const Shape& shape, std::span<cons
 
 std::optional<std::string> polygon_note(const Shape& shape) {
   if (!has_polygons(shape)) return std::nullopt;
-  return fmt::format("{} of the file became {}", counted(polygon_count(shape), "face", "faces"),
-                     counted(shape.triangles.rows(), "triangle", "triangles"));
+  return fmt::format("{} of the file became {}", count_text(polygon_count(shape), "face", "faces"),
+                     count_text(shape.triangles.rows(), "triangle", "triangles"));
 }
 
 }  // namespace shapegauge

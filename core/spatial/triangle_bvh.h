@@ -19,6 +19,7 @@ struct ClosestHit {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
 };
 
+/// Ball, for queries of a part of space.
 struct Ball {
   Eigen::Vector3d centre;
   double radius;

@@ -18,7 +18,7 @@ namespace shapegauge {
 
 namespace {
 
-std::vector<std::string_view> words_of(std::string_view line, std::string_view separators) {
+std::vector<std::string_view> words_in(std::string_view line, std::string_view separators) {
   std::vector<std::string_view> words;
   while (true) {
     line.remove_prefix(std::min(line.find_first_not_of(separators), line.size()));
@@ -39,7 +39,7 @@ std::vector<WordLine> word_lines(std::string_view text, const std::string& sourc
   std::size_t number = 0;
   for (const std::string_view line : split_lines(text)) {
     ++number;
-    std::vector<std::string_view> words = words_of(line, separators);
+    std::vector<std::string_view> words = words_in(line, separators);
     if (!words.empty()) lines.push_back({std::move(words), fmt::format("{}:{}", source, number)});
   }
   if (lines.empty()) throw InputError(fmt::format("{}: the file has no lines", source));
@@ -53,7 +53,7 @@ void expect_words(const WordLine& line, std::size_t count, std::string_view form
 
 // Returns true if the first line is "query Q0 model rank score tag"; a line of numbers has no Q0.
 bool begins_like_a_run(std::string_view text) {
-  const std::vector<std::string_view> words = words_of(text.substr(0, text.find('\n')), " \t\r");
+  const std::vector<std::string_view> words = words_in(text.substr(0, text.find('\n')), " \t\r");
   return words.size() == 6 && (words[1] == "Q0" || words[1] == "q0");
 }
 

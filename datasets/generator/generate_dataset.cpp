@@ -107,7 +107,7 @@ class ClassModels {
   std::function<SolidMesh(RandomNumbers&)> draw_;
 };
 
-void check_options(const GeneratorOptions& options) {
+void check_generator_options(const GeneratorOptions& options) {
   require_in_bounds("the number of classes", options.classes,
                     {.low = 1, .high = static_cast<double>(generated_classes().size())});
   require_in_bounds("the number of models of each class", options.models_per_class, {.low = 1, .high = most_models});
@@ -266,7 +266,7 @@ Shape generate_model(const GeneratedModel& wanted) {
 
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,
                       const GeneratorProgress& progress) {
-  check_options(options);
+  check_generator_options(options);
   prepare_folder(folder, options.force);
   const Models models{scattered_numbers(options), folder};
   const auto classes = static_cast<std::size_t>(options.classes);

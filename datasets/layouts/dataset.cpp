@@ -60,7 +60,7 @@ bool leads_nowhere(const fs::path& path) {
 std::string skipped_text(const SkippedEntries& skipped) {
   std::vector<std::string> parts;
   const auto add = [&](std::size_t count, std::string_view one, std::string_view several) {
-    if (count > 0) parts.push_back(counted(static_cast<std::int64_t>(count), one, several));
+    if (count > 0) parts.push_back(count_text(static_cast<std::int64_t>(count), one, several));
   };
   add(skipped.files, "file that is not a shape", "files that are not shapes");
   add(skipped.shapes, "shape outside of the layout", "shapes outside of the layout");

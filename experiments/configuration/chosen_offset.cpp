@@ -57,7 +57,7 @@ std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull)
   const auto cavities = static_cast<std::int64_t>(cavity_count(shape));
   if (cavities == 0) return std::nullopt;
   return fmt::format(
-      "the shape is hollow ({}): {}", counted(cavities, "inner surface", "inner surfaces"),
+      "the shape is hollow ({}): {}", count_text(cavities, "inner surface", "inner surfaces"),
       measures_hull ? "offset_sdf measures its hull, as if it were solid; inscribed_ball and cone_sdf measure its wall"
                     : "values are the thickness of its wall, not of the hull");
 }

@@ -93,7 +93,7 @@ std::vector<ModelFailure> failures_of_all(const std::vector<ModelFailure>& own, 
   return all;
 }
 
-CacheReport report_of(const Cache& cache, Communicator& ranks) {
+CacheReport cache_report(const Cache& cache, Communicator& ranks) {
   CacheReport report = cache.report();
   const std::vector<std::string> parts = ranks.gather(std::move(Packer().add(report.uses)).bytes());
   if (parts.empty()) return report;

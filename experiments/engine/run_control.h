@@ -57,7 +57,7 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
 std::vector<ModelFailure> failures_of_all(const std::vector<ModelFailure>& own, Communicator& ranks);
 
 /// Sums the cache reports of all ranks, on rank 0. Collective.
-CacheReport report_of(const Cache& cache, Communicator& ranks);
+CacheReport cache_report(const Cache& cache, Communicator& ranks);
 
 /// Reads every model in parallel as a run would, in the calling TBB arena, and returns the unusable ones in order.
 /// Throws Interrupted.

@@ -174,13 +174,13 @@ std::string name_of_row(std::span<const std::string> ids, Eigen::Index row) {
 void warn_of_entries(const MatrixFindings& found, bool negated, Audience audience, std::vector<std::string>& warnings) {
   if (found.negative > 0 && !negated) {
     warnings.push_back(fmt::format("{} negative, which ranks before 0; if larger means more similar, use {}",
-                                   counted(found.negative, "distance is", "distances are"),
+                                   count_text(found.negative, "distance is", "distances are"),
                                    setting_on(audience, "similarity")));
   }
   if (found.infinite > 0) {
     warnings.push_back(
         fmt::format("{} infinite: these models are tied at the end of the list (minus infinity: at the beginning)",
-                    counted(found.infinite, "distance is", "distances are")));
+                    count_text(found.infinite, "distance is", "distances are")));
   }
 }
 
@@ -198,7 +198,7 @@ void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated
   }
   if (found.nonzero_diagonal > 0 && !negated) {
     warnings.push_back(fmt::format("{} not 0 on the diagonal, which is ignored",
-                                   counted(found.nonzero_diagonal, "entry is", "entries are")));
+                                   count_text(found.nonzero_diagonal, "entry is", "entries are")));
   }
 }
 
@@ -211,11 +211,12 @@ void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids,
     warnings.push_back(fmt::format(
         "{} an earlier one (first: {} repeats {}): duplicates in the data set retrieve each other, which increases all "
         "scores",
-        counted(std::ssize(repeated), "row repeats", "rows repeat"), name_of_row(ids, row), name_of_row(ids, earlier)));
+        count_text(std::ssize(repeated), "row repeats", "rows repeat"), name_of_row(ids, row),
+        name_of_row(ids, earlier)));
   }
   if (!found.constant_rows.empty()) {
     warnings.push_back(fmt::format("{} all distances equal (first: {}): only the handling of ties orders their answers",
-                                   counted(std::ssize(found.constant_rows), "row has", "rows have"),
+                                   count_text(std::ssize(found.constant_rows), "row has", "rows have"),
                                    name_of_row(ids, found.constant_rows.front())));
   }
 }
@@ -254,7 +255,7 @@ std::string advice_on(const EvaluationFiles& files, const EvaluationTask& task) 
 }  // namespace
 
 std::string asymmetry_text(const MatrixFindings& found) {
-  const std::string pairs = counted(found.asymmetric_pairs, "pair", "pairs");
+  const std::string pairs = count_text(found.asymmetric_pairs, "pair", "pairs");
   const std::string amount = found.largest_asymmetry > 0 ? fmt::format("by up to {:.6g}", found.largest_asymmetry)
                                                          : "as one is infinite and the other is not";
   return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);
@@ -288,9 +289,9 @@ std::optional<std::string> left_out_warning(const Evaluation& evaluation, const 
   if (evaluation.models_left_out == 0) return std::nullopt;
   return task.judged.empty()
              ? fmt::format("omitted as queries: {} of classes with fewer than {} models",
-                           counted(evaluation.models_left_out, "model", "models"), options.minimum_class_size)
+                           count_text(evaluation.models_left_out, "model", "models"), options.minimum_class_size)
              : fmt::format("omitted from all scores: {} with fewer than {} relevant models",
-                           counted(evaluation.models_left_out, "query", "queries"), options.minimum_class_size - 1);
+                           count_text(evaluation.models_left_out, "query", "queries"), options.minimum_class_size - 1);
 }
 
 EvaluationData open_evaluation_files(const EvaluationFiles& files) {

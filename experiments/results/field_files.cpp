@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Describes the colour scale of a file.
-std::string words_of(const ColourScale& scale, const std::string& label) {
+std::string scale_text(const ColourScale& scale, const std::string& label) {
   return fmt::format("{}: colours (viridis) from {:.6g} to {:.6g}{}{}", label, scale.low, scale.high,
                      scale.logarithmic ? ", logarithmic" : "",
                      scale.threshold ? fmt::format("; less than {:.6g} is red", *scale.threshold) : "");
@@ -145,7 +145,7 @@ FieldFileWriter field_file_writer(const fs::path& path, const FieldPicture& pict
   if (extension == ".ply") {
     return [picture](const fs::path& file, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
       const ColourScale scale = colour_scale_of({.values = values, .weights = samples.weights}, picture);
-      write_ply(file, shape, samples.site, values, colours_of(values, scale), "sdf", words_of(scale, picture.label));
+      write_ply(file, shape, samples.site, values, colours_of(values, scale), "sdf", scale_text(scale, picture.label));
     };
   }
   if (extension == ".png") {

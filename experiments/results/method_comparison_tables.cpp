@@ -152,7 +152,7 @@ std::optional<std::string> few_units_warning(const MethodComparison& comparison,
       "with {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {}); no "
       "difference can be significant at {:.4g}; {}",
       comparison.units, name_of(options.blocks), name_of(options.test), smallest, std::min(1.0, pairs * smallest),
-      counted(std::ssize(comparison.pairs), "pair", "pairs"), alpha, advice);
+      count_text(std::ssize(comparison.pairs), "pair", "pairs"), alpha, advice);
 }
 
 }  // namespace shapegauge

@@ -66,7 +66,7 @@ ThicknessSummary summarise(const ScalarField& field, std::optional<double> thres
   return summary;
 }
 
-TextTable summary_table(std::span<const NamedSummary> summaries, const SummaryWords& words) {
+TextTable thickness_summary_table(std::span<const NamedSummary> summaries, const SummaryWords& words) {
   const std::string unit = words.unit.empty() ? "" : fmt::format(" ({})", words.unit);
   TextTable table{.header = {"shape", "samples", "missing",
                              words.unit.empty() ? "area" : fmt::format("area ({}²)", words.unit), "min" + unit},

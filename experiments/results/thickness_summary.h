@@ -45,7 +45,7 @@ struct SummaryWords {
 };
 
 /// Makes a table with a row for each shape. Areas below the threshold are in percent of the area.
-TextTable summary_table(std::span<const NamedSummary> summaries, const SummaryWords& words);
+TextTable thickness_summary_table(std::span<const NamedSummary> summaries, const SummaryWords& words);
 
 /// Formats the summary with all digits: samples, missing, unit, area, min, percentiles, max, mean, below. Unknown
 /// values are null.

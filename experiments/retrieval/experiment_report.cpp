@@ -84,12 +84,11 @@ std::vector<ReportLeak> leaks_of(const ExperimentResults& results) {
   for (std::size_t i = 0; i < results.shapes.size(); ++i) {
     const ShapeReport& shape = results.shapes[i];
     for (std::size_t field = 0; field < results.fields.size(); ++field) {
-      const nlohmann::json& settings = results.fields[field].settings;
-      const std::optional<double> offset = shape.offsets[field];
-      if (!leaks(shape.diagnostics, offset, settings)) continue;
+      const std::optional<double> offset = shape.offsets[field] ? shape.offsets[field] : results.fields[field].offset;
+      if (!offset_leaks(shape.diagnostics, offset)) continue;
       found.push_back({.id = results.models[i].id,
-                       .field = setting_text(settings),
-                       .offset = offset ? *offset : settings.at("offset").get<double>(),
+                       .field = setting_text(results.fields[field].settings),
+                       .offset = *offset,
                        .gap = shape.diagnostics.gap_size / shape.diagnostics.diagonal});
     }
   }
@@ -133,7 +132,7 @@ ReportMethod method_of(const MethodResults& method, const SignatureConfiguration
 
 }  // namespace
 
-Report report_of(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations) {
+Report experiment_report(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations) {
   const Configuration& configuration = results.configuration;
   Report report;
   report.title = configuration.name;

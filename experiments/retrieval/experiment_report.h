@@ -10,6 +10,6 @@ namespace shapegauge {
 
 /// Makes the report of a run from its results and their evaluations, by method and then by protocol, with or without
 /// intervals. It refers to the results.
-Report report_of(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations);
+Report experiment_report(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations);
 
 }  // namespace shapegauge

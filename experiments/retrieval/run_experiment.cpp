@@ -58,7 +58,7 @@ ExperimentResults run_experiment(const Configuration& configuration, const RunCo
   results.configuration = configuration;
   results.threads = context.control.threads > 0 ? context.control.threads : available_threads();
   with_threads(context.control, [&] { run_stages(configuration, context, distance_files, results); });
-  results.cache = report_of(context.cache, context.ranks);
+  results.cache = cache_report(context.cache, context.ranks);
   return results;
 }
 

@@ -146,7 +146,7 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
     outcome.files.insert(outcome.files.end(), more.begin(), more.end());
   }
   if (results.configuration.report.wanted) {
-    write_file_atomically(folder / report_name, report_page(report_of(results, evaluations)));
+    write_file_atomically(folder / report_name, report_page(experiment_report(results, evaluations)));
     outcome.files.emplace_back(report_name);
   }
   return outcome;

@@ -100,8 +100,8 @@ std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery>
       shown.nearest.emplace_back(shapes.add_model(static_cast<std::size_t>(one.model)), one.distance);
     }
   }
-  page.facts = {counted(std::ssize(answers), "query", "queries"),
-                counted(std::ssize(index.contents.models), "shape", "shapes") + " in the collection",
+  page.facts = {count_text(std::ssize(answers), "query", "queries"),
+                count_text(std::ssize(index.contents.models), "shape", "shapes") + " in the collection",
                 fmt::format("compared by \u201c{}\u201d", index.method.name)};
   std::string html;
   with_threads(control, [&] {

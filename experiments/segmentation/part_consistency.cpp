@@ -20,7 +20,7 @@ using Sizes = std::vector<double>;
 
 std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3f}", value); }
 
-std::size_t counted(const Sizes& sizes) {
+std::size_t count_text(const Sizes& sizes) {
   return static_cast<std::size_t>(std::ranges::count_if(sizes, [](double size) { return size >= least_size; }));
 }
 
@@ -65,13 +65,13 @@ ClassConsistency consistency(const SegmentationResults& results, std::size_t met
   for (std::size_t i = 0; i < results.shapes.size(); ++i) {
     if (results.scores.labels[i] != label) continue;
     const Sizes& one = results.shapes[i].part_sizes[method];
-    numbers.push_back(static_cast<double>(counted(one)));
+    numbers.push_back(static_cast<double>(count_text(one)));
     for (std::size_t k = 0; k < results.shapes.size(); ++k) {
       const Sizes& other = results.shapes[k].part_sizes[method];
       if (results.scores.labels[k] != label) {
         other_sizes.add(difference(one, other));
       } else if (k > i) {
-        same_number.add(counted(one) == counted(other) ? 1 : 0);
+        same_number.add(count_text(one) == count_text(other) ? 1 : 0);
         sizes.add(difference(one, other));
       }
     }

@@ -120,9 +120,9 @@ class SegmentationJob {
   }
 
   [[nodiscard]] Labels computed_labels(const SegmentationMethod& method) const {
-    if (method.perturbations.empty()) return segmented(mesh_, method);
+    if (method.perturbations.empty()) return segment_by_method(mesh_, method);
     const Shape changed = perturb_model(mesh_, method.perturbations, experiment_.seed, model_.id, index_).shape;
-    return renumbered(carried_over(segmented(changed, method), changed, mesh_));
+    return renumbered(carried_over(segment_by_method(changed, method), changed, mesh_));
   }
 
   /// Measures how much the perturbations of a method change its parts.
@@ -325,7 +325,7 @@ nlohmann::json versions_of(const SegmentationMethod& method) {
   return versions;
 }
 
-Labels segmented(const Shape& shape, const SegmentationMethod& method) {
+Labels segment_by_method(const Shape& shape, const SegmentationMethod& method) {
   if (!method.paper) {
     PartSegmentationOptions options{.parts = method.parts, .patches = method.patches};
     options.least_probability = method.least_probability;
@@ -342,7 +342,7 @@ SegmentationResults run_segmentation(const SegmentationExperiment& experiment, c
   results.experiment = experiment;
   results.threads = context.control.threads > 0 ? context.control.threads : available_threads();
   with_threads(context.control, [&] { run_stages(context, results); });
-  results.cache = report_of(context.cache, context.ranks);
+  results.cache = cache_report(context.cache, context.ranks);
   return results;
 }
 

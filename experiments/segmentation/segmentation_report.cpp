@@ -70,7 +70,7 @@ std::vector<std::size_t> typical_shapes(const SegmentationScores& scores) {
 
 }  // namespace
 
-SegmentationPage report_of(const SegmentationResults& results) {
+SegmentationPage segmentation_report(const SegmentationResults& results) {
   SegmentationPage page{.title = results.experiment.name,
                         .description = results.experiment.description,
                         .shapes = results.scores.ids.size(),

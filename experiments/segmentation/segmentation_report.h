@@ -7,6 +7,6 @@ namespace shapegauge {
 
 /// Makes the report of a segmentation experiment, with shapes in decreasing order of the first method's Rand error. Its
 /// pictures refer to the results.
-SegmentationPage report_of(const SegmentationResults& results);
+SegmentationPage segmentation_report(const SegmentationResults& results);
 
 }  // namespace shapegauge

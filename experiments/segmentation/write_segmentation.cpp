@@ -45,7 +45,7 @@ std::vector<std::pair<std::string, std::string>> text_files(const SegmentationRe
   std::vector<std::pair<std::string, std::string>> files{
       {"summary.md", summary_markdown(results)},
       {"consistency.csv", to_csv(consistency_table(results))},
-      {std::string(report_name), segmentation_page(report_of(results))}};
+      {std::string(report_name), segmentation_page(segmentation_report(results))}};
   if (const TextTable moved = moved_table(results); !moved.rows.empty()) files.emplace_back("moved.csv", to_csv(moved));
   if (!results.has_people) return files;
   files.emplace_back("errors.csv", to_csv(mesh_table(results.scores)));

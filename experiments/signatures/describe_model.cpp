@@ -41,7 +41,7 @@ std::vector<PlannedField> plan_fields(const std::vector<SignatureConfiguration>&
       const DescriptorChoice& choice = *signature.descriptor;
       for (const Field& of_descriptor : choice.fields) {
         PlannedField& field = planned(plan, of_descriptor);
-        if (learns(choice.descriptor, choice.values)) field.keep_values = true;
+        if (needs_learning(choice.descriptor, choice.values)) field.keep_values = true;
       }
     }
   }
@@ -56,7 +56,7 @@ std::vector<PlannedDescriptor> plan_descriptors(const std::vector<SignatureConfi
     const DescriptorChoice& choice = *signatures[i].descriptor;
     PlannedDescriptor& added = descriptors.emplace_back();
     added.signature = i;
-    added.learns = learns(choice.descriptor, choice.values);
+    added.learns = needs_learning(choice.descriptor, choice.values);
     for (const Field& field : choice.fields) added.fields.push_back(place_in(plan, field));
   }
   return descriptors;

@@ -10,10 +10,8 @@
 
 namespace shapegauge {
 
-bool leaks(const ShapeDiagnostics& model, std::optional<double> chosen_offset, const nlohmann::json& settings) {
-  const auto given = settings.find("offset");
-  if (given == settings.end()) return false;
-  return model.gap_size > (chosen_offset ? *chosen_offset : given->get<double>()) * model.diagonal;
+bool offset_leaks(const ShapeDiagnostics& model, std::optional<double> offset) {
+  return offset && model.gap_size > *offset * model.diagonal;
 }
 
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
@@ -22,11 +20,14 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
   for (std::size_t field = 0; field < plan.size(); ++field) {
     FieldReport& report = reports.emplace_back();
     report.settings = to_json(plan[field].field.settings);
+    const auto given = report.settings.find("offset");
+    if (given != report.settings.end() && given->is_number()) report.offset = given->get<double>();
     for (const ModelDescription* model : models) {
       if (!model->fields[field].error.empty()) continue;
       ++report.models;
       report.seconds += model->fields[field].seconds;
-      if (leaks(model->diagnostics, model->fields[field].offset, report.settings)) ++report.leaking;
+      const std::optional<double> chosen = model->fields[field].offset;
+      if (offset_leaks(model->diagnostics, chosen ? chosen : report.offset)) ++report.leaking;
       for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
     }
   }

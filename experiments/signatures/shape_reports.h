@@ -33,16 +33,17 @@ struct ShapeReport {
   std::vector<double> descriptor_seconds;      ///< by signature that is a descriptor, without its fields
 };
 
-/// Checks whether the model's gaps are wider than the offset of a field: the one that the field chose or, without one,
-/// that of its settings. Fields without an offset do not leak.
-bool leaks(const ShapeDiagnostics& model, std::optional<double> chosen_offset, const nlohmann::json& settings);
+/// Returns true if the model's gaps are wider than an offset, a fraction of the diagonal: the offset surface then leaks
+/// into the model. False without an offset.
+bool offset_leaks(const ShapeDiagnostics& model, std::optional<double> offset);
 
 /// Report on a field over all models used.
 struct FieldReport {
-  nlohmann::json settings;  ///< as in a configuration
-  FieldOutcomes outcomes;   ///< totals
-  double seconds = 0;       ///< total over the models, including concurrent work
-  std::size_t models = 0;   ///< with values of it
+  nlohmann::json settings;            ///< as in a configuration
+  std::optional<double> offset = {};  ///< of the settings; absent if the field has none or chooses it for each shape
+  FieldOutcomes outcomes;             ///< totals
+  double seconds = 0;                 ///< total over the models, including concurrent work
+  std::size_t models = 0;             ///< with values of it
   std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_size()), into which it leaks
 };
 

@@ -54,7 +54,7 @@ Registry<Descriptor>& descriptors() {
   return all;
 }
 
-bool learns(const Descriptor& one, const DescriptorSettings& settings) {
+bool needs_learning(const Descriptor& one, const DescriptorSettings& settings) {
   return one.learn != nullptr && (one.learns == nullptr || one.learns(settings));
 }
 

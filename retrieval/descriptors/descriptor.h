@@ -68,7 +68,7 @@ struct Descriptor {
 Registry<Descriptor>& descriptors();
 
 /// Returns true if the descriptor must learn from all shapes before it can describe one.
-bool learns(const Descriptor& one, const DescriptorSettings& settings);
+bool needs_learning(const Descriptor& one, const DescriptorSettings& settings);
 
 /// Computes the features of one shape and validates them; `learnt` is for descriptors that learn. Throws InputError if
 /// there are no features or some are not finite, and as `describe` does.

@@ -31,9 +31,9 @@ TEST(Base64, ALongTextIsEncodedInOnePiece) {
 }
 
 TEST(Rounded, KeepsTheLeadingDigits) {
-  EXPECT_EQ(rounded(0.123456789, 3), 0.123);
-  EXPECT_EQ(rounded(98765.4321, 3), 98800);
-  EXPECT_TRUE(std::isinf(rounded(std::numeric_limits<double>::infinity(), 3)));
+  EXPECT_EQ(rounded_to_digits(0.123456789, 3), 0.123);
+  EXPECT_EQ(rounded_to_digits(98765.4321, 3), 98800);
+  EXPECT_TRUE(std::isinf(rounded_to_digits(std::numeric_limits<double>::infinity(), 3)));
 }
 
 TEST(HtmlText, HasNoMarkup) { EXPECT_EQ(html_text("<a href=\"x\">&amp;"), "&lt;a href=&quot;x&quot;&gt;&amp;amp;"); }

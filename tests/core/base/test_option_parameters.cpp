@@ -43,7 +43,7 @@ struct InnerOptions {
 };
 
 constexpr std::array inner_table = {
-    required(option_of<&InnerOptions::count>("inner_count", {.low = 1, .high = 9}, "How many.")),
+    without_default(option_of<&InnerOptions::count>("inner_count", {.low = 1, .high = 9}, "How many.")),
 };
 
 struct WordOptions {

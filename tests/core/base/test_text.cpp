@@ -60,9 +60,9 @@ RC_GTEST_PROP(ParseNumber, ReadsBackWhatIsWrittenShortest, (double value)) {
 }
 
 TEST(Counted, HasTheWordForOneOrForSeveral) {
-  EXPECT_EQ(counted(1, "row", "rows"), "1 row");
-  EXPECT_EQ(counted(0, "row", "rows"), "0 rows");
-  EXPECT_EQ(counted(1234, "row", "rows"), "1234 rows");
+  EXPECT_EQ(count_text(1, "row", "rows"), "1 row");
+  EXPECT_EQ(count_text(0, "row", "rows"), "0 rows");
+  EXPECT_EQ(count_text(1234, "row", "rows"), "1234 rows");
 }
 
 TEST(QuotedWord, StandsInQuotationMarksOnOneLine) {

@@ -24,7 +24,7 @@ using testing::StartsWith;
 
 const std::string scanned_name = "some.txt";
 
-std::vector<std::string> words_of(const std::string& text) {
+std::vector<std::string> scanned_words(const std::string& text) {
   TextScanner scanner(text, scanned_name);
   std::vector<std::string> words;
   for (std::string_view word = scanner.read_word(); !word.empty(); word = scanner.read_word()) words.emplace_back(word);
@@ -54,15 +54,16 @@ std::vector<std::string> literal_words(const std::string& text) {
 }
 
 TEST(TextScanner, WordsStandBetweenBlanksAndComments) {
-  EXPECT_THAT(words_of("one  two\t# three\n\r\n four#4\r#five\r\nsix"), ElementsAre("one", "two", "four#4", "six"));
-  EXPECT_THAT(words_of("\xEF\xBB\xBFone"), ElementsAre("one")) << "after a byte order mark";
-  EXPECT_TRUE(words_of("").empty());
-  EXPECT_TRUE(words_of("# nothing").empty());
+  EXPECT_THAT(scanned_words("one  two\t# three\n\r\n four#4\r#five\r\nsix"),
+              ElementsAre("one", "two", "four#4", "six"));
+  EXPECT_THAT(scanned_words("\xEF\xBB\xBFone"), ElementsAre("one")) << "after a byte order mark";
+  EXPECT_TRUE(scanned_words("").empty());
+  EXPECT_TRUE(scanned_words("# nothing").empty());
 }
 
 RC_GTEST_PROP(TextScanner, WordsAreThoseOfTheDefinition, ()) {
   const auto text = *rc::gen::container<std::string>(rc::gen::element('a', '1', '#', ' ', '\t', '\n', '\r'));
-  RC_ASSERT(words_of(text) == literal_words(text));
+  RC_ASSERT(scanned_words(text) == literal_words(text));
 }
 
 /// The number that a text begins with; nothing if it is refused.

@@ -40,7 +40,7 @@ TEST(ThicknessSummary, WithoutValuesHasNone) {
 TEST(ThicknessSummary, IsATableAndJson) {
   const std::vector<NamedSummary> one{{.name = "x.stl", .summary = summarise(field_of({1, 3}, {1, 3}), 2.0)}};
   const SummaryWords words{.unit = "mm", .threshold = 2.0};
-  const TextTable table = summary_table(one, words);
+  const TextTable table = thickness_summary_table(one, words);
   ASSERT_EQ(table.rows.size(), 1U);
   ASSERT_EQ(table.rows[0].size(), table.header.size());
   EXPECT_EQ(table.header.back(), "area below 2mm (%)");
@@ -50,7 +50,7 @@ TEST(ThicknessSummary, IsATableAndJson) {
   EXPECT_EQ(json["unit"], "mm");
   EXPECT_EQ(json["percentiles"]["50"], 3);
   EXPECT_EQ(json["below"]["percent"], 25);
-  EXPECT_EQ(summary_table(one, {}).header[4], "min");
+  EXPECT_EQ(thickness_summary_table(one, {}).header[4], "min");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ std::vector<std::string> titles(const std::vector<SegmentationFigure>& figures) 
 
 TEST(SegmentationReport, ShowsTheLargestErrorsFirstAndTheMedianShapeOfAClass) {
   const SegmentationResults shown = results();
-  const SegmentationPage page = report_of(shown);
+  const SegmentationPage page = segmentation_report(shown);
   EXPECT_EQ(page.title, "hands");
   EXPECT_EQ(page.description, "of people");
   EXPECT_EQ(page.shapes, 4U);
@@ -58,7 +58,7 @@ TEST(SegmentationReport, ShowsTheLargestErrorsFirstAndTheMedianShapeOfAClass) {
 
 TEST(SegmentationReport, AFigureHasAPersonAndEachMethodWithItsError) {
   const SegmentationResults shown = results();
-  const SegmentationFigure figure = report_of(shown).shown.front();
+  const SegmentationFigure figure = segmentation_report(shown).shown.front();
   ASSERT_EQ(figure.pictures.size(), 3U);
   EXPECT_EQ(figure.pictures[0].png, "person 4");
   EXPECT_EQ(figure.pictures[1].png, "best 4");
@@ -68,7 +68,7 @@ TEST(SegmentationReport, AFigureHasAPersonAndEachMethodWithItsError) {
 
 TEST(SegmentationReport, HasTheMeanErrorOfEachMethodByClass) {
   const SegmentationResults shown = results();
-  const SegmentationPage page = report_of(shown);
+  const SegmentationPage page = segmentation_report(shown);
   ASSERT_TRUE(page.errors);
   EXPECT_THAT(page.errors->methods, ElementsAre("best", "paper", people_name));
   ASSERT_EQ(page.errors->classes.size(), 2U);
@@ -80,12 +80,12 @@ TEST(SegmentationReport, WithoutPeopleOrPicturesTheirPartsAreAbsent) {
   SegmentationResults shown = results();
   shown.has_people = false;
   for (SegmentedShape& shape : shown.shapes) shape.pictures.erase(shape.pictures.begin());
-  EXPECT_FALSE(report_of(shown).errors);
-  ASSERT_EQ(report_of(shown).shown.front().pictures.size(), 2U);
-  EXPECT_EQ(report_of(shown).shown.front().pictures[0].caption, "best");
+  EXPECT_FALSE(segmentation_report(shown).errors);
+  ASSERT_EQ(segmentation_report(shown).shown.front().pictures.size(), 2U);
+  EXPECT_EQ(segmentation_report(shown).shown.front().pictures[0].caption, "best");
   shown.experiment.pictures = false;
-  EXPECT_TRUE(report_of(shown).shown.empty());
-  EXPECT_TRUE(report_of(shown).typical.empty());
+  EXPECT_TRUE(segmentation_report(shown).shown.empty());
+  EXPECT_TRUE(segmentation_report(shown).typical.empty());
 }
 
 }  // namespace

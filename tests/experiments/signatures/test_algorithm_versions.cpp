@@ -176,7 +176,7 @@ std::vector<double> numbers_of(const DescriptorChoice& choice) {
   }
   std::vector<DescriptorInput> inputs;
   for (std::size_t i = 0; i < prepared.size(); ++i) inputs.push_back({prepared[i].shape, fields[i]});
-  const bool learning = learns(choice.descriptor, choice.values);
+  const bool learning = needs_learning(choice.descriptor, choice.values);
   const LearntFeatures learnt = learning ? choice.descriptor.learn(inputs, choice.values) : LearntFeatures{};
   Signatures features;
   std::vector<double> numbers;

@@ -38,7 +38,7 @@ TEST(Descriptors, EachDescribesAShapeAndIsZeroFromItself) {
   for (const Descriptor& one : descriptors().entries()) {
     const DescriptorInput input = {shape, std::span(fields).first(std::min<std::size_t>(one.most_fields, 2))};
     const DescriptorSettings settings = default_settings(one, input.fields.size());
-    const LearntFeatures learnt = learns(one, settings) ? one.learn({&input, 1}, settings) : LearntFeatures{};
+    const LearntFeatures learnt = needs_learning(one, settings) ? one.learn({&input, 1}, settings) : LearntFeatures{};
     const Eigen::VectorXf features = one.describe(input, learnt, settings);
     EXPECT_TRUE(features.allFinite()) << one.name;
     const std::span<const float> entries(features.data(), static_cast<std::size_t>(features.size()));
@@ -93,9 +93,9 @@ TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
   EXPECT_THROW(bag.describe(input, {}, default_settings(bag, 2)), InputError);
   const Descriptor& joint = descriptors().at("joint_histogram");
   DescriptorSettings settings = default_settings(joint, 2);
-  EXPECT_FALSE(learns(joint, settings));
+  EXPECT_FALSE(needs_learning(joint, settings));
   settings.axes[1].set("over_data_set", true);
-  EXPECT_TRUE(learns(joint, settings));
+  EXPECT_TRUE(needs_learning(joint, settings));
   EXPECT_THROW(joint.describe(input, {}, settings), InputError);
 }
 

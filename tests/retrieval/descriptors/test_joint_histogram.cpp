@@ -133,7 +133,7 @@ TEST(JointHistogram, OverADataSetOfOneValueItIsThatOfEachShapesOwnRange) {
   const auto histogram_with = [&](const char* range) {
     DescriptorSettings settings = default_settings(joint, 2);
     settings.axes[0].set(range, true);
-    const LearntFeatures learnt = learns(joint, settings) ? joint.learn(inputs, settings) : LearntFeatures();
+    const LearntFeatures learnt = needs_learning(joint, settings) ? joint.learn(inputs, settings) : LearntFeatures();
     return compute_features(joint, inputs[0], learnt, settings);
   };
   EXPECT_EQ(histogram_with("over_data_set"), histogram_with("per_shape"));
