@@ -124,9 +124,10 @@ std::vector<std::string> distance_files(const Configuration& configuration) {
 }
 
 RunOutcome write_results(const fs::path& folder, const ExperimentResults& results) {
+  std::vector<NamedEvaluation> evaluations = all_evaluations(results);
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_entries(results),
-                     .summary = summary_text(results),
+                     .summary = to_plain_text(summary_table(evaluations)),
                      .warnings = run_warnings(results),
                      .incomplete = incomplete_methods(results),
                      .used = results.models.size(),
@@ -135,7 +136,6 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
   for (const FailedModel& failure : results.failures) {
     outcome.left_out.push_back({.id = failure.model.id, .message = failure.message});
   }
-  std::vector<NamedEvaluation> evaluations = all_evaluations(results);
   for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
   for (const auto& [name, text] : text_files(results, evaluations)) {
     write_file_atomically(folder / name, text);
@@ -202,10 +202,6 @@ ExperimentKind retrieval_kind() {
           .description = "Signatures of the models of a data set, their distances, and what these are worth.",
           .describes = [](const nlohmann::json& document) { return document.contains("signatures"); },
           .read = read_retrieval};
-}
-
-std::string summary_text(const ExperimentResults& results) {
-  return to_plain_text(summary_table(all_evaluations(results)));
 }
 
 }  // namespace shapegauge

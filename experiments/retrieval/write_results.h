@@ -22,7 +22,4 @@ RunOutcome write_results(const std::filesystem::path& folder, const ExperimentRe
 /// Returns the names of the files of distances, by signature; empty if the configuration does not keep them.
 std::vector<std::string> distance_files(const Configuration& configuration);
 
-/// Formats the summary of a run for a terminal: its evaluations.
-std::string summary_text(const ExperimentResults& results);
-
 }  // namespace shapegauge

@@ -121,7 +121,7 @@ std::vector<std::string> notes_of(const SegmentationResults& results) {
 RunOutcome write_segmentation(const std::filesystem::path& folder, const SegmentationResults& results) {
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_entries(results),
-                     .summary = summary_text(results),
+                     .summary = summary(results, to_plain_text),
                      .notes = notes_of(results),
                      .left_out = results.failures,
                      .used = results.shapes.size(),
@@ -162,7 +162,5 @@ ExperimentKind segmentation_kind() {
           .describes = is_segmentation,
           .read = read_segmentation};
 }
-
-std::string summary_text(const SegmentationResults& results) { return summary(results, to_plain_text); }
 
 }  // namespace shapegauge

@@ -199,6 +199,15 @@ OrderedJson manifest_entries(const ShapeComparisonResults& results) {
           {"fields", fields_json(results.fields)}};
 }
 
+/// Formats the summary for a terminal: distances, errors, normals, timings.
+std::string summary_text(const ShapeComparisonResults& results) {
+  std::string text;
+  for (const auto& [title, table] : comparing_tables(results)) {
+    text += fmt::format("{}\n{}\n", title, to_plain_text(table));
+  }
+  return text + fmt::format("Timings ({} threads)\n{}", results.threads, to_plain_text(timings_table(results)));
+}
+
 }  // namespace
 
 RunOutcome write_shape_comparison(const std::filesystem::path& folder, const ShapeComparisonResults& results) {
@@ -243,14 +252,6 @@ ExperimentKind comparison_kind() {
           .description = "A few shapes, compared with one of them: values, normals, histograms, times.",
           .describes = is_comparison,
           .read = read_comparison};
-}
-
-std::string summary_text(const ShapeComparisonResults& results) {
-  std::string text;
-  for (const auto& [title, table] : comparing_tables(results)) {
-    text += fmt::format("{}\n{}\n", title, to_plain_text(table));
-  }
-  return text + fmt::format("Timings ({} threads)\n{}", results.threads, to_plain_text(timings_table(results)));
 }
 
 }  // namespace shapegauge

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "shapegauge/experiments/engine/experiment.h"
 #include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
@@ -13,8 +12,5 @@ ExperimentKind comparison_kind();
 
 /// Writes all result files of a comparison but the manifest into the folder.
 RunOutcome write_shape_comparison(const std::filesystem::path& folder, const ShapeComparisonResults& results);
-
-/// Formats the summary of a comparison for a terminal: distances, errors, normals, timings.
-std::string summary_text(const ShapeComparisonResults& results);
 
 }  // namespace shapegauge

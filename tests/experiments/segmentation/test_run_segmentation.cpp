@@ -93,7 +93,7 @@ TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
   EXPECT_DOUBLE_EQ(results.scores.errors[0][2].rand_index, apart / 2);
   EXPECT_DOUBLE_EQ(results.scores.errors[2][2].rand_index, apart);
   EXPECT_DOUBLE_EQ(results.scores.mean(2, &SegmentationErrors::rand_index, 1), apart / 2);
-  EXPECT_THAT(summary_text(results), HasSubstr("the paper"));
+  EXPECT_THAT(write_segmentation(folder_.path(), results).summary, HasSubstr("the paper"));
 }
 
 TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {

@@ -66,7 +66,8 @@ TEST(WriteSegmentation, TheManifestListsWhatWasWrittenAndWhatWasRead) {
 }
 
 TEST(WriteSegmentation, TheSummaryHasARowForEachMethodAndClass) {
-  const std::string summary = summary_text(found());
+  const test::TemporaryFolder folder;
+  const std::string summary = write_segmentation(folder.path(), found()).summary;
   for (const char* const word : {"best", "of/the paper", "2.000", "3.000"}) {
     EXPECT_THAT(summary, testing::HasSubstr(word));
   }
