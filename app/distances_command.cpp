@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "app/commands.h"
 #include "app/help_format.h"
@@ -29,14 +28,14 @@ struct DistancesArguments {
 int run(const DistancesArguments& arguments) {
   const OutputFile output{.path = arguments.output, .what = "--output", .extensions = {".npy", ".csv"}};
   check_output_files({&arguments.features, 1}, {&output, 1}, arguments.replace);
-  LabelledTable table = read_number_table(arguments.features);
+  const LabelledTable table = read_matrix(arguments.features, TableShape::any);
   DistanceMatrix distances;
   try {
     distances = feature_distances(arguments.distance, table.numbers.cast<float>());
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", arguments.features.string(), error.what()));
   }
-  write_distance_matrix(arguments.output, {std::move(distances), std::move(table.row_ids)});
+  write_distance_matrix(arguments.output, distances, table.row_ids);
   return exit_success;
 }
 

@@ -105,7 +105,7 @@ int run(const RerankArguments& arguments) {
     if (by_rows) {
       diffuse_file(matrix, diffusion_options(values), arguments.output);
     } else {
-      write_distance_matrix(arguments.output, {method.rerank(whole_matrix(matrix), values), matrix.row_ids});
+      write_distance_matrix(arguments.output, method.rerank(whole_matrix(matrix), values), matrix.row_ids);
     }
   } catch (const ArgumentError& error) {
     throw InputError(fmt::format("{}: {}", arguments.distances.string(), error.what()));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -51,73 +52,48 @@ DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& sourc
   return matrix;
 }
 
-DistanceMatrix read_psb_matrix(const std::filesystem::path& path) {
-  return parse_psb_matrix(read_plain_bytes(path), path.string());
-}
-
 namespace {
 
-DistanceMatrix read_npy(const std::filesystem::path& path) { return parse_npy(read_plain_bytes(path), path.string()); }
-
-template <DistanceMatrix (*read)(const std::filesystem::path&)>
-LabelledDistances without_ids(const std::filesystem::path& path) {
-  return {.distances = read(path), .ids = {}};
+LabelledTable without_ids(DistanceMatrix numbers) {
+  return {.numbers = std::move(numbers), .row_ids = {}, .column_ids = {}};
 }
 
-LabelledTable npy_table(const std::filesystem::path& path) {
-  return {.numbers = parse_npy_table(read_plain_bytes(path), path.string()), .row_ids = {}, .column_ids = {}};
+LabelledTable read_psb(const std::filesystem::path& path, TableShape /*shape*/) {
+  return without_ids(parse_psb_matrix(read_plain_bytes(path), path.string()));  // square always
 }
 
-DistanceMatrix read_npz(const std::filesystem::path& path) {
-  return parse_npy(array_in_npz(read_plain_bytes(path), path.string()), path.string());
+LabelledTable read_npy(const std::filesystem::path& path, TableShape shape) {
+  return without_ids(parse_npy(read_plain_bytes(path), path.string(), shape));
 }
 
-LabelledTable npz_table(const std::filesystem::path& path) {
-  return {.numbers = parse_npy_table(array_in_npz(read_plain_bytes(path), path.string()), path.string()),
-          .row_ids = {},
-          .column_ids = {}};
+LabelledTable read_npz(const std::filesystem::path& path, TableShape shape) {
+  return without_ids(parse_npy(array_in_npz(read_plain_bytes(path), path.string()), path.string(), shape));
 }
 
-DistanceMatrix read_square_mat(const std::filesystem::path& path) {
-  DistanceMatrix matrix = read_mat(path);
-  if (matrix.rows() == matrix.cols()) return matrix;
-  throw InputError(
-      fmt::format("{}: expected a square distance matrix, found {} x {}", path.string(), matrix.rows(), matrix.cols()));
+LabelledTable read_matlab(const std::filesystem::path& path, TableShape shape) {
+  LabelledTable table = without_ids(read_mat(path));
+  if (shape == TableShape::any || table.numbers.rows() == table.numbers.cols()) return table;
+  throw InputError(fmt::format("{}: expected a square distance matrix, found {} x {}", path.string(),
+                               table.numbers.rows(), table.numbers.cols()));
 }
 
-LabelledTable mat_table(const std::filesystem::path& path) {
-  return {.numbers = read_mat(path), .row_ids = {}, .column_ids = {}};
+LabelledTable read_csv(const std::filesystem::path& path, TableShape shape) {
+  const auto parse = shape == TableShape::square ? parse_csv_matrix : parse_csv_table;
+  return parse(read_plain_bytes(path), path.string());
 }
 
-LabelledTable text_table(const std::filesystem::path& path) {
-  return {.numbers = parse_text_matrix(read_plain_bytes(path), path.string(), TableShape::any),
-          .row_ids = {},
-          .column_ids = {}};
-}
-
-LabelledTable csv_table(const std::filesystem::path& path) {
-  return parse_csv_table(read_plain_bytes(path), path.string());
-}
-
-LabelledTable psb_table(const std::filesystem::path& path) {
-  return {.numbers = read_psb_matrix(path), .row_ids = {}, .column_ids = {}};  // square matrices only
+LabelledTable read_text(const std::filesystem::path& path, TableShape shape) {
+  return without_ids(parse_text_matrix(read_plain_bytes(path), path.string(), shape));
 }
 
 struct Format {
   std::string_view extension;
-  LabelledDistances (*read)(const std::filesystem::path&);
-  LabelledTable (*read_table)(const std::filesystem::path&);
+  LabelledTable (*read)(const std::filesystem::path&, TableShape);
 };
 
 constexpr std::array formats = {
-    Format{".matrix", without_ids<read_psb_matrix>, psb_table},
-    Format{".npy", without_ids<read_npy>, npy_table},
-    Format{".npz", without_ids<read_npz>, npz_table},
-    Format{".mat", without_ids<read_square_mat>, mat_table},
-    Format{".csv", read_csv_matrix, csv_table},
-    Format{".tsv", read_csv_matrix, csv_table},
-    Format{".txt", without_ids<read_text_matrix>, text_table},
-    Format{".dat", without_ids<read_text_matrix>, text_table},
+    Format{".matrix", read_psb}, Format{".npy", read_npy}, Format{".npz", read_npz},  Format{".mat", read_matlab},
+    Format{".csv", read_csv},    Format{".tsv", read_csv}, Format{".txt", read_text}, Format{".dat", read_text},
 };
 
 const Format& format_of(const std::filesystem::path& path) {
@@ -140,30 +116,25 @@ void refuse_nan(const DistanceMatrix& numbers, const MatrixPlace& first, std::st
   }
 }
 
-LabelledDistances read_distance_matrix(const std::filesystem::path& path) {
-  LabelledDistances result = format_of(path).read(path);
-  refuse_nan(result.distances, {}, "distance", path);
+LabelledTable read_matrix(const std::filesystem::path& path, TableShape shape) {
+  LabelledTable result = format_of(path).read(path, shape);
+  refuse_nan(result.numbers, {}, shape == TableShape::square ? "distance" : "number", path);
   return result;
 }
 
-LabelledTable read_number_table(const std::filesystem::path& path) {
-  LabelledTable result = format_of(path).read_table(path);
-  refuse_nan(result.numbers, {}, "number", path);
-  return result;
-}
-
-void write_distance_matrix(const std::filesystem::path& path, const LabelledDistances& matrix) {
+void write_distance_matrix(const std::filesystem::path& path, const DistanceMatrix& distances,
+                           const std::vector<std::string>& ids) {
   const std::string extension = lower_case(path.extension().string());
-  if (extension == ".npy") return write_npy(path, matrix.distances);
+  if (extension == ".npy") return write_npy(path, distances);
   if (extension != ".csv") {
     throw InputError(fmt::format("distances are written as .npy or .csv, not to \"{}\"", path.string()));
   }
   TextTable table{.header = {"id"}, .rows = {}};
-  for (Eigen::Index i = 0; i < matrix.distances.rows(); ++i) {
-    const std::string id = matrix.ids.empty() ? std::to_string(i) : matrix.ids[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < distances.rows(); ++i) {
+    const std::string id = ids.empty() ? std::to_string(i) : ids[static_cast<std::size_t>(i)];
     table.header.push_back(id);
     auto& row = table.rows.emplace_back(std::vector{id});
-    for (const double distance : matrix.distances.row(i)) row.push_back(fmt::format("{}", distance));
+    for (const double distance : distances.row(i)) row.push_back(fmt::format("{}", distance));
   }
   write_file_atomically(path, to_csv(table));
 }

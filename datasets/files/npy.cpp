@@ -253,9 +253,9 @@ NumberFormat number_format_of(const NpyHeader& header, const std::string& source
       fmt::format("{}: numbers of type {} are not supported; save the array as float64", source, quoted_word(type)));
 }
 
-void check_shape(const NpyHeader& header, bool square, const std::string& source) {
+void check_shape(const NpyHeader& header, TableShape wanted, const std::string& source) {
   const std::vector<std::uint64_t>& shape = header.shape;
-  if (square && (shape.size() != 2 || shape[0] != shape[1] || shape[0] == 0)) {
+  if (wanted == TableShape::square && (shape.size() != 2 || shape[0] != shape[1] || shape[0] == 0)) {
     throw InputError(fmt::format("{}: expected a square distance matrix, found an array of shape {}", source,
                                  shape_as_text(header)));
   }
@@ -344,10 +344,10 @@ DistanceMatrix decoded(std::string_view bytes, const NpyTable& table) {
 
 NumberFormat float32_format() { return format_in<float>(std::endian::little); }
 
-NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, bool square,
+NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, TableShape shape,
                                 const std::string& source) {
   const NpyHeader header = parse_npy_header(beginning, source);
-  check_shape(header, square, source);
+  check_shape(header, shape, source);
   const NumberFormat numbers = number_format_of(header, source);
   check_data_size(header, numbers.bytes, file_size, source);
   return {.rows = static_cast<Eigen::Index>(header.shape[0]),
@@ -357,19 +357,15 @@ NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_siz
           .data_begin = header.data_begin};
 }
 
-DistanceMatrix parse_npy(std::string_view bytes, const std::string& source) {
-  return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), true, source));
-}
-
-DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source) {
-  return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), false, source));
+DistanceMatrix parse_npy(std::string_view bytes, const std::string& source, TableShape shape) {
+  return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), shape, source));
 }
 
 std::optional<std::vector<std::string>> parse_npy_strings(std::string_view bytes, const std::string& source) {
   const NpyHeader header = parse_npy_header(bytes, source);
   const std::optional<StringFormat> format = string_format_of(header.type);
   if (!format) return std::nullopt;
-  check_shape(header, false, source);
+  check_shape(header, TableShape::any, source);
   if (header.shape[0] != 1 && columns_of(header) != 1) {
     throw InputError(fmt::format("{}: expected a one-dimensional array of strings, found the shape {}", source,
                                  shape_as_text(header)));

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shapegauge/retrieval/distance_matrix.h"
+#include "shapegauge/datasets/files/labelled_table.h"
 
 namespace shapegauge {
 
@@ -55,17 +55,14 @@ std::string npy_numbers(std::span<const double> numbers);
 
 /// Validates the header of a numeric array against the size of its file. `beginning` must contain the header. A
 /// one-dimensional array is one column. Throws InputError for another type or shape, an invalid header, data of the
-/// wrong length and, if `square`, a matrix that is not square.
-NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, bool square,
+/// wrong length, and another shape.
+NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, TableShape shape,
                                 const std::string& source);
 
-/// Reads a square matrix from the bytes of a NumPy `.npy` file: versions 1 to 3 of the format, floating-point numbers
+/// Reads a matrix from the bytes of a NumPy `.npy` file: versions 1 to 3 of the format, floating-point numbers
 /// of 16, 32 or 64 bits, integers or booleans, little- or big-endian, C or Fortran order. Throws InputError as
 /// parse_npy_table_header() does.
-DistanceMatrix parse_npy(std::string_view bytes, const std::string& source);
-
-/// Reads a matrix of any shape from the bytes of a `.npy` file.
-DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source);
+DistanceMatrix parse_npy(std::string_view bytes, const std::string& source, TableShape shape);
 
 /// Reads an array of strings, one-dimensional or with one row or column, from the bytes of a `.npy` file: NumPy's types
 /// `U`, converted to UTF-8, and `S`. Nothing for an array of another type. Throws InputError as

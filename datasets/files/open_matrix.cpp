@@ -82,7 +82,7 @@ std::optional<NpyTable> block_layout(const std::filesystem::path& path, TableSha
     const Eigen::Index size = psb_matrix_size(bytes, path.string());
     return NpyTable{.rows = size, .columns = size, .numbers = float32_format()};
   }
-  const NpyTable table = parse_npy_table_header(beginning, bytes, shape == TableShape::square, path.string());
+  const NpyTable table = parse_npy_table_header(beginning, bytes, shape, path.string());
   if (table.column_by_column) return std::nullopt;
   return table;
 }
@@ -108,9 +108,7 @@ OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape) {
               return read_block(*file, *layout, block);
             }};
   }
-  if (shape == TableShape::any) return open_matrix(read_number_table(path));
-  LabelledDistances square = read_distance_matrix(path);
-  return open_matrix({.numbers = std::move(square.distances), .row_ids = square.ids, .column_ids = square.ids});
+  return open_matrix(read_matrix(path, shape));
 }
 
 DistanceMatrix whole_matrix(const OpenMatrix& matrix) {

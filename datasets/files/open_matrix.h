@@ -27,7 +27,7 @@ struct OpenMatrix {
   std::vector<std::string> column_ids{};  ///< empty if unknown
 };
 
-/// Opens a matrix with the formats of read_distance_matrix() or read_number_table(). For `.matrix` files and `.npy`
+/// Opens a matrix with the formats of read_matrix(). For `.matrix` files and `.npy`
 /// files in C order, only the requested blocks are in memory, and a NaN is an error of its block; other files are read
 /// as a whole.
 OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape);

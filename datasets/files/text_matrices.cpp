@@ -8,7 +8,6 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/datasets/files/compressed_files.h"
 #include "shapegauge/datasets/files/csv.h"
 
 namespace shapegauge {
@@ -132,23 +131,22 @@ void add_numbers(NumberRows& rows, std::string_view line, char separator, std::s
 
 }  // namespace
 
-LabelledDistances parse_csv_matrix(std::string_view text, const std::string& source) {
+LabelledTable parse_csv_matrix(std::string_view text, const std::string& source) {
   const std::vector<CsvRow> table = parse_csv(text, source, number_separator(text));
-  LabelledDistances result;
-  const bool has_ids = !table.empty() && !parse_number(table.front().cells.front());
-  if (has_ids) result.ids = read_ids(table.front(), source);
+  const bool has_ids = !table.empty() && !is_number(table.front().cells.front());
+  const std::vector<std::string> ids = has_ids ? read_ids(table.front(), source) : std::vector<std::string>();
   const std::size_t first_row = has_ids ? 1 : 0;
   NumberRows rows(source, TableShape::square);
   for (std::size_t i = first_row; i < table.size(); ++i) {
     const CsvRow& row = table[i];
-    if (has_ids) check_row_id(row, i - first_row, result.ids, source);
+    if (has_ids) check_row_id(row, i - first_row, ids, source);
     for (std::size_t j = first_row; j < row.cells.size(); ++j) rows.add_number(row.cells[j], row.line);
     rows.end_row(row.line);
   }
-  result.distances = rows.matrix();
-  if (has_ids && result.ids.size() != static_cast<std::size_t>(result.distances.cols())) {
+  LabelledTable result{.numbers = rows.matrix(), .row_ids = ids, .column_ids = ids};
+  if (has_ids && ids.size() != static_cast<std::size_t>(result.numbers.cols())) {
     throw InputError(fmt::format("{}: the header row has {} ids, but there are {} rows of {} numbers", source,
-                                 result.ids.size(), result.distances.rows(), result.distances.cols()));
+                                 ids.size(), result.numbers.rows(), result.numbers.cols()));
   }
   return result;
 }
@@ -180,10 +178,6 @@ LabelledTable parse_csv_table(std::string_view text, const std::string& source) 
   return result;
 }
 
-LabelledDistances read_csv_matrix(const std::filesystem::path& path) {
-  return parse_csv_matrix(read_plain_bytes(path), path.string());
-}
-
 DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source, TableShape shape) {
   NumberRows rows(source, shape);
   std::optional<char> separator;
@@ -197,10 +191,6 @@ DistanceMatrix parse_text_matrix(std::string_view text, const std::string& sourc
     rows.end_row(number);
   }
   return rows.matrix();
-}
-
-DistanceMatrix read_text_matrix(const std::filesystem::path& path) {
-  return parse_text_matrix(read_plain_bytes(path), path.string());
 }
 
 }  // namespace shapegauge

@@ -164,7 +164,7 @@ ModelLabels string_labels(const std::vector<std::string>& names, const std::stri
 ModelLabels read_label_array(const fs::path& path) {
   const std::string bytes = read_plain_bytes(path);
   if (const auto names = parse_npy_strings(bytes, path.string())) return string_labels(*names, path.string());
-  const DistanceMatrix numbers = parse_npy_table(bytes, path.string());
+  const DistanceMatrix numbers = parse_npy(bytes, path.string(), TableShape::any);
   if (numbers.rows() != 1 && numbers.cols() != 1) {
     throw InputError(fmt::format("{}: expected a one-dimensional array of labels, found {} x {}", path.string(),
                                  numbers.rows(), numbers.cols()));

@@ -35,7 +35,7 @@ std::vector<std::string> read_ids(const fs::path& path) {
 
 // Makes a matrix of distances between features, one row a model, computed on demand.
 OpenMatrix open_features(const EvaluationFiles& files) {
-  const LabelledTable table = read_number_table(files.matrix);
+  const LabelledTable table = read_matrix(files.matrix, TableShape::any);
   const auto features = std::make_shared<const Signatures>(table.numbers.cast<float>());
   const NamedDistance distance = feature_distance(files.distance);
   try {

@@ -50,12 +50,12 @@ TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {
   };
   ASSERT_EQ(distances("d.csv", "d2").status, 0);
   ASSERT_EQ(distances("d.npy", "d2").status, 0);
-  const LabelledDistances with_ids = read_distance_matrix(at("d.csv"));
-  EXPECT_EQ(with_ids.ids, (std::vector<std::string>{"sphere", "box", "capsule"}));
-  EXPECT_EQ(with_ids.distances, read_distance_matrix(at("d.npy")).distances);
-  const LabelledTable features = read_number_table(at("f.csv"));
-  EXPECT_EQ(with_ids.distances, feature_distances("d2", features.numbers.cast<float>()));
-  EXPECT_GT(with_ids.distances(0, 1), 0);
+  const LabelledTable with_ids = read_matrix(at("d.csv"), TableShape::square);
+  EXPECT_EQ(with_ids.row_ids, (std::vector<std::string>{"sphere", "box", "capsule"}));
+  EXPECT_EQ(with_ids.numbers, read_matrix(at("d.npy"), TableShape::square).numbers);
+  const LabelledTable features = read_matrix(at("f.csv"), TableShape::any);
+  EXPECT_EQ(with_ids.numbers, feature_distances("d2", features.numbers.cast<float>()));
+  EXPECT_GT(with_ids.numbers(0, 1), 0);
   expect_error_lines(
       {{fmt::format("distances '{}' -o '{}' --distance d2", at("f.csv").string(), at("d.npy").string()), "exists"},
        {fmt::format("distances '{}' -o '{}' --distance d2", at("f.csv").string(), at("d.txt").string()), "d.txt"},
@@ -69,7 +69,7 @@ TEST_F(DescribeCommand, WritesARowAShape) {
   const std::string output = at("x.npy").string();
   const Outcome outcome = describe(fmt::format("--descriptor d2 --set bins=8 --set points=64 -o '{}'", output));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  const DistanceMatrix rows = read_number_table(output).numbers;
+  const DistanceMatrix rows = read_matrix(output, TableShape::any).numbers;
   ASSERT_EQ(rows.rows(), 3);
   const Shape box = prepare_shape(test::small_shape("box", 0), {}).shape;
   EXPECT_TRUE(rows.row(1).transpose().isApprox(d2(box, {.points = 64, .bins = 8}).cast<double>(), 1e-6));
@@ -80,7 +80,7 @@ TEST_F(DescribeCommand, LearnsFromAllShapesAndNamesThemInCsv) {
   const Outcome outcome = describe(fmt::format(
       "--descriptor bag_of_features --set words=4 --set 'fields=[{{\"type\":\"centricity\"}}]' -o '{}'", output));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  const LabelledTable table = read_number_table(output);
+  const LabelledTable table = read_matrix(output, TableShape::any);
   EXPECT_THAT(table.row_ids, testing::ElementsAre("sphere", "box", "capsule"));
   ASSERT_EQ(table.numbers.cols(), 4);
   for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(table.numbers.row(i).sum(), 1, 1e-5);
@@ -95,7 +95,7 @@ TEST_F(DescribeCommand, IdsTellFilesOfOneNameApart) {
     const Outcome outcome =
         run_executable(fmt::format("describe {} --descriptor d2 --replace -o '{}'", inputs, at("x.csv").string()));
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    return read_number_table(at("x.csv")).row_ids;
+    return read_matrix(at("x.csv"), TableShape::any).row_ids;
   };
   const std::string a = fmt::format("'{}'", at("a/x.off").string());
   const std::string b = fmt::format("'{}'", at("b/x.off").string());
@@ -110,7 +110,7 @@ TEST_F(DescribeCommand, AShapeThatFailsHasNoRow) {
   const Outcome outcome = describe(fmt::format("--descriptor shape_dna -o '{}'", output));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("box.off"));
-  EXPECT_EQ(read_number_table(output).numbers.rows(), 2);
+  EXPECT_EQ(read_matrix(output, TableShape::any).numbers.rows(), 2);
 }
 
 TEST_F(DescribeCommand, TellsWhatIsWrongInALine) {
@@ -135,7 +135,7 @@ TEST_F(DescribeCommand, EvaluateComparesFeaturesByTheirDescriptorsDistance) {
   std::filesystem::create_directory(at("matrix"));
   test::write_text(at("classes.txt"), "a\na\nb\n");
   EXPECT_EQ(describe(fmt::format("--descriptor light_field --set pixels=16 -o '{}'", at("x.npy").string())).status, 0);
-  const Signatures features = read_number_table(at("x.npy")).numbers.cast<float>();
+  const Signatures features = read_matrix(at("x.npy"), TableShape::any).numbers.cast<float>();
   write_npy(at("matrix/x.npy"), descriptor_distances(descriptors().at("light_field"), features));
   const auto evaluate = [&](const std::string& matrix, const std::string& distance) {
     return run_executable(fmt::format("evaluate '{}' {} --labels '{}' --per-query '{}'", at(matrix).string(), distance,
@@ -169,7 +169,7 @@ TEST(RerankCommand, GivesWhatTheLibraryGives) {
     const std::string call = fmt::format("rerank '{}' --replace -o '{}' {}", at("d.npy"), at("r.npy"), arguments);
     const Outcome outcome = run_executable(call);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    return read_distance_matrix(at("r.npy")).distances;
+    return read_matrix(at("r.npy"), TableShape::square).numbers;
   };
   EXPECT_EQ(rerank("--neighbours 3"), diffused(line(), {.neighbours = 3}));
   EXPECT_EQ(rerank("--method k_reciprocal --neighbours 4 --expansion-neighbours 2 --original 0.5"),
@@ -190,9 +190,9 @@ TEST(RerankCommand, IdsOfACsvStay) {
   const Outcome outcome = run_executable(
       fmt::format("rerank '{}' -o '{}' --method query_expansion --neighbours 1", at("d.csv"), at("r.csv")));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  const LabelledDistances found = read_distance_matrix(at("r.csv"));
-  EXPECT_THAT(found.ids, testing::ElementsAre("x", "y", "z"));
-  EXPECT_EQ(found.distances, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
+  const LabelledTable found = read_matrix(at("r.csv"), TableShape::square);
+  EXPECT_THAT(found.row_ids, testing::ElementsAre("x", "y", "z"));
+  EXPECT_EQ(found.numbers, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
 }
 
 TEST(RerankCommand, InfiniteDistancesStayUsable) {
@@ -211,7 +211,7 @@ TEST(RerankCommand, InfiniteDistancesStayUsable) {
         run_executable(fmt::format("rerank '{}' --replace -o '{}' --method {}", at("d.npy"), at("r.npy"), method));
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors, "") << method;
-    const DistanceMatrix found = read_distance_matrix(at("r.npy")).distances;
+    const DistanceMatrix found = read_matrix(at("r.npy"), TableShape::square).numbers;
     EXPECT_EQ(found.array().isInf().count(), 18) << method;
     EXPECT_FALSE(found.hasNaN()) << method;
     EXPECT_EQ(run_executable(fmt::format("evaluate '{}' --labels '{}'", at("r.npy"), at("classes.txt"))).status, 0);

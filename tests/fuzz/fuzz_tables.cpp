@@ -6,6 +6,7 @@
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
+#include "shapegauge/datasets/files/text_matrices.h"
 #include "shapegauge/segmentation/seg_file.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"
@@ -36,18 +37,20 @@ bool classification(std::string_view bytes) {
 }
 
 bool npy(std::string_view bytes) {
-  return is_accepted("matrix:", [&] { promise_square(parse_npy(bytes, "matrix")); });
+  return is_accepted("matrix:", [&] { promise_square(parse_npy(bytes, "matrix", TableShape::square)); });
 }
 
 bool text_matrix(std::string_view bytes) {
-  return is_accepted("matrix:", [&] { promise_square(parse_text_matrix(bytes, "matrix")); });
+  return is_accepted("matrix:", [&] { promise_square(parse_text_matrix(bytes, "matrix", TableShape::square)); });
 }
 
 bool csv_matrix(std::string_view bytes) {
   return is_accepted("matrix:", [&] {
-    const LabelledDistances matrix = parse_csv_matrix(bytes, "matrix");
-    promise_square(matrix.distances);
-    promise(matrix.ids.empty() || std::ssize(matrix.ids) == matrix.distances.rows(), "there is an id for each row");
+    const LabelledTable matrix = parse_csv_matrix(bytes, "matrix");
+    promise_square(matrix.numbers);
+    promise(matrix.row_ids.empty() || std::ssize(matrix.row_ids) == matrix.numbers.rows(),
+            "there is an id for each row");
+    promise(matrix.row_ids == matrix.column_ids, "rows and columns have the same ids");
   });
 }
 
@@ -66,7 +69,8 @@ bool npy_strings(std::string_view bytes) {
 }
 
 bool npy_table(std::string_view bytes) {
-  return is_accepted("matrix:", [&] { promise(parse_npy_table(bytes, "matrix").size() > 0, "a table is not empty"); });
+  return is_accepted("matrix:",
+                     [&] { promise(parse_npy(bytes, "matrix", TableShape::any).size() > 0, "a table is not empty"); });
 }
 
 bool csv_table(std::string_view bytes) {

@@ -93,7 +93,7 @@ TEST(CompressedFiles, ThatUnpackToMoreThanTheyCanHoldAreErrors) {
   std::string bomb;  // a gzip file may consist of several members
   for (const std::string member = gzipped(zeros); bomb.size() < 65 * member.size();) bomb += member;
   for (const char* const name : {"a.npy.gz", "a.csv.gz", "a.matrix.gz"}) {
-    EXPECT_THAT(test::input_error_of([&] { read_number_table(folder.file(name, bomb)); }),
+    EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.file(name, bomb), TableShape::any); }),
                 AllOf(HasSubstr(name), HasSubstr("256 MiB")));
   }
   std::string content = npy_of(small_matrix());
@@ -106,11 +106,14 @@ TEST(CompressedFiles, ThatUnpackToMoreThanTheyCanHoldAreErrors) {
 
 TEST(CompressedFiles, HoldMatricesAndRuns) {
   const TemporaryFolder folder;
-  EXPECT_EQ(read_distance_matrix(folder.file("m.txt.gz", gzipped("0 1.5\n2.5 0\n"))).distances, small_matrix());
-  EXPECT_EQ(read_distance_matrix(folder.file("m.npy.gz", gzipped(npy_of(small_matrix())))).distances, small_matrix());
-  const LabelledDistances table = read_distance_matrix(folder.file("m.csv.gz", gzipped("id,a,b\na,0,1.5\nb,2.5,0\n")));
-  EXPECT_EQ(table.distances, small_matrix());
-  EXPECT_THAT(table.ids, ElementsAre("a", "b"));
+  EXPECT_EQ(read_matrix(folder.file("m.txt.gz", gzipped("0 1.5\n2.5 0\n")), TableShape::square).numbers,
+            small_matrix());
+  EXPECT_EQ(read_matrix(folder.file("m.npy.gz", gzipped(npy_of(small_matrix()))), TableShape::square).numbers,
+            small_matrix());
+  const LabelledTable table =
+      read_matrix(folder.file("m.csv.gz", gzipped("id,a,b\na,0,1.5\nb,2.5,0\n")), TableShape::square);
+  EXPECT_EQ(table.numbers, small_matrix());
+  EXPECT_THAT(table.row_ids, ElementsAre("a", "b"));
   const auto run = folder.file("r.txt.gz", gzipped("q Q0 a 1 2 mine\n"));
   EXPECT_TRUE(is_ranked_answers_file(run));
   EXPECT_EQ(read_ranked_answers(run).name, "mine");
@@ -119,8 +122,8 @@ TEST(CompressedFiles, HoldMatricesAndRuns) {
 TEST(Npz, HasItsOnlyArray) {
   const TemporaryFolder folder;
   const auto path = folder.file("m.npz", zipped({{"readme.txt", "hello"}, {"distances.npy", npy_of(small_matrix())}}));
-  EXPECT_EQ(read_distance_matrix(path).distances, small_matrix());
-  EXPECT_EQ(read_number_table(path).numbers, small_matrix());
+  EXPECT_EQ(read_matrix(path, TableShape::square).numbers, small_matrix());
+  EXPECT_EQ(read_matrix(path, TableShape::any).numbers, small_matrix());
 }
 
 TEST(Npz, OtherwiseIsAnError) {

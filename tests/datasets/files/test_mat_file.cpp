@@ -45,9 +45,9 @@ TEST(MatFile, HoldsItsOnlyMatrixColumnByColumn) {
   MatFile(folder.path() / "c.mat").add<mat_uint8_t>("D", MAT_C_UINT8, MAT_T_UINT8, {1, 2, 3, 4, 5, 6});
   for (const char* name : {"a.mat", "b.mat", "c.mat"}) {
     EXPECT_EQ(read_mat(folder.path() / name), expected) << name;
-    EXPECT_EQ(read_number_table(folder.path() / name).numbers, expected) << name;
+    EXPECT_EQ(read_matrix(folder.path() / name, TableShape::any).numbers, expected) << name;
   }
-  EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "a.mat"); }),
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "a.mat", TableShape::square); }),
               AllOf(HasSubstr("a.mat"), HasSubstr("square"), HasSubstr("2 x 3")));
 }
 

@@ -31,26 +31,26 @@ TEST(NumberTable, TheCornerOfNumericIdsMayBeEmpty) {
   const test::TemporaryFolder folder;
   for (const char* corner : {"", "id"}) {
     test::write_text(folder.path() / "x.csv", std::string(corner) + ",1,2,3\n7,0,1,4\n5,2,0,6\n");
-    const LabelledTable table = read_number_table(folder.path() / "x.csv");
+    const LabelledTable table = read_matrix(folder.path() / "x.csv", TableShape::any);
     EXPECT_THAT(table.row_ids, ElementsAre("7", "5")) << corner;
     EXPECT_THAT(table.column_ids, ElementsAre("1", "2", "3")) << corner;
     EXPECT_EQ(table.numbers, (Eigen::Matrix<double, 2, 3>{{0, 1, 4}, {2, 0, 6}})) << corner;
   }
   test::write_text(folder.path() / "x.csv", "4,1,2\n7,0,1\n");
-  EXPECT_EQ(read_number_table(folder.path() / "x.csv").numbers.rows(), 2) << "no corner, no ids";
+  EXPECT_EQ(read_matrix(folder.path() / "x.csv", TableShape::any).numbers.rows(), 2) << "no corner, no ids";
 }
 
 TEST(CsvMatrix, ATableOfTabsMayBeATsvFile) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / "m.tsv", "\tT1\tT2\nT1\t0\t1.5\nT2\t-2.25\tinf\n");
-  EXPECT_EQ(read_distance_matrix(folder.path() / "m.tsv").distances, example());
+  EXPECT_EQ(read_matrix(folder.path() / "m.tsv", TableShape::square).numbers, example());
 }
 
 TEST(PsbMatrix, IsLittleEndianFloat32RowByRow) {
   using namespace std::string_literals;
   const TemporaryFolder folder;
   const auto bytes = "\0\0\0\0"s + "\0\0\xC0\x3F"s + "\0\0\x10\xC0"s + "\0\0\x80\x7F"s;
-  const DistanceMatrix matrix = read_psb_matrix(folder.file("m.matrix", bytes));
+  const DistanceMatrix matrix = read_matrix(folder.file("m.matrix", bytes), TableShape::square).numbers;
   DistanceMatrix expected(2, 2);
   expected << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
   EXPECT_EQ(matrix, expected);
@@ -59,14 +59,16 @@ TEST(PsbMatrix, IsLittleEndianFloat32RowByRow) {
 TEST(PsbMatrix, AnotherSizeIsAnErrorThatKnowsFloat64) {
   const TemporaryFolder folder;
   const auto error_for = [&](std::size_t bytes) {
-    return test::input_error_of([&] { read_psb_matrix(folder.file("m.matrix", std::string(bytes, '\0'))); });
+    return test::input_error_of(
+        [&] { read_matrix(folder.file("m.matrix", std::string(bytes, '\0')), TableShape::square); });
   };
   EXPECT_THAT(error_for(8 * 9), AllOf(HasSubstr("m.matrix: 72 bytes"), HasSubstr("float64 (3 x 3)")));
   EXPECT_THAT(error_for(4 * 9 - 1), AllOf(HasSubstr("m.matrix: 35 bytes"), HasSubstr("truncated")));
   EXPECT_THAT(error_for(4 * 10), HasSubstr("square matrix"));
   EXPECT_THAT(error_for(3), HasSubstr("square matrix"));
   EXPECT_THAT(error_for(0), HasSubstr("empty"));
-  EXPECT_THAT(test::input_error_of([&] { read_psb_matrix(folder.path() / "none.matrix"); }), HasSubstr("none.matrix"));
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "none.matrix", TableShape::square); }),
+              HasSubstr("none.matrix"));
 }
 
 TEST(PsbMatrix, EverySizeOfFileReadsOrIsAnError) {
@@ -76,7 +78,7 @@ TEST(PsbMatrix, EverySizeOfFileReadsOrIsAnError) {
     std::size_t size = 1;
     while (4 * size * size < bytes) ++size;
     const std::string error = test::input_error_of([&] {
-      EXPECT_EQ(read_psb_matrix(path),
+      EXPECT_EQ(read_matrix(path, TableShape::square).numbers,
                 DistanceMatrix::Zero(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size)));
     });
     EXPECT_EQ(error == "no error", 4 * size * size == bytes) << bytes;
@@ -87,28 +89,28 @@ RC_GTEST_PROP(PsbMatrix, ReadsBackWhatIsWritten, ()) {
   const TemporaryFolder folder;
   const DistanceMatrix matrix = *square_matrices();
   write_psb_matrix(folder.path() / "m.matrix", matrix);
-  RC_ASSERT(read_psb_matrix(folder.path() / "m.matrix") == matrix);
+  RC_ASSERT(read_matrix(folder.path() / "m.matrix", TableShape::square).numbers == matrix);
 }
 
 TEST(ReadDistanceMatrix, GoesByTheExtension) {
   const TemporaryFolder folder;
   write_npy(folder.path() / "m.npy", example());
   write_psb_matrix(folder.path() / "m.MATRIX", example());
-  write_csv_matrix(folder.path() / "m.Csv", {example(), {"a", "b"}});
+  write_csv_matrix(folder.path() / "m.Csv", example(), {"a", "b"});
   const std::string text = "0 1.5\n-2.25 inf\n";
   for (const auto& path :
        {folder.path() / "m.npy", folder.path() / "m.MATRIX", folder.file("m.txt", text), folder.file("m.dat", text)}) {
-    const LabelledDistances result = read_distance_matrix(path);
-    EXPECT_EQ(result.distances, example()) << path;
-    EXPECT_THAT(result.ids, IsEmpty()) << path;
+    const LabelledTable result = read_matrix(path, TableShape::square);
+    EXPECT_EQ(result.numbers, example()) << path;
+    EXPECT_THAT(result.row_ids, IsEmpty()) << path;
   }
-  EXPECT_EQ(read_distance_matrix(folder.path() / "m.Csv").distances, example());
-  EXPECT_THAT(read_distance_matrix(folder.path() / "m.Csv").ids, ElementsAre("a", "b"));
+  EXPECT_EQ(read_matrix(folder.path() / "m.Csv", TableShape::square).numbers, example());
+  EXPECT_THAT(read_matrix(folder.path() / "m.Csv", TableShape::square).row_ids, ElementsAre("a", "b"));
 }
 
 TEST(ReadDistanceMatrix, AnotherExtensionIsAnErrorThatSaysWhatIsKnown) {
   for (const char* const name : {"m.xyz", "m", "npy"}) {
-    EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(name); }),
+    EXPECT_THAT(test::input_error_of([&] { read_matrix(name, TableShape::square); }),
                 AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .npz, .mat, .csv, .tsv, .txt, .dat")));
   }
 }
@@ -119,19 +121,21 @@ TEST(ReadDistanceMatrix, NanIsAnErrorInEveryFormat) {
   matrix(2, 1) = std::numeric_limits<double>::quiet_NaN();
   write_npy(folder.path() / "m.npy", matrix);
   write_psb_matrix(folder.path() / "m.matrix", matrix);
-  write_csv_matrix(folder.path() / "m.csv", {matrix, {}});
+  write_csv_matrix(folder.path() / "m.csv", matrix);
   for (const auto& path : {folder.path() / "m.npy", folder.path() / "m.matrix", folder.path() / "m.csv",
                            folder.file("m.txt", "0 0 0\n0 0 0\n0 NaN 0\n")}) {
-    EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(path); }),
+    EXPECT_THAT(test::input_error_of([&] { read_matrix(path, TableShape::square); }),
                 AllOf(HasSubstr(path.string()), HasSubstr("row 2, column 1")));
   }
 }
 
 TEST(ReadDistanceMatrix, AMissingFileOrAFolderIsAnInputError) {
   const TemporaryFolder folder;
-  EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "none.npy"); }), HasSubstr("none.npy"));
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "none.npy", TableShape::square); }),
+              HasSubstr("none.npy"));
   std::filesystem::create_directory(folder.path() / "folder.npy");
-  EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "folder.npy"); }), HasSubstr("folder"));
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "folder.npy", TableShape::square); }),
+              HasSubstr("folder"));
 }
 
 }  // namespace

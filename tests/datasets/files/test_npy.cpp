@@ -50,7 +50,7 @@ TEST(NpyHeader, TakesShapesOfAnyDimension) {
 TEST(NpyHeader, ASizeThatOverflowsIsNoSize) {
   // 2^61 numbers of 8 bytes are 2^64 bytes, 0 as a 64-bit count.
   const std::string bytes = version_1("{'descr': '<f8', 'fortran_order': False, 'shape': (2305843009213693952, 1), }");
-  EXPECT_THAT(test::input_error_of([&] { parse_npy_table_header(bytes, bytes.size(), false, "x.npy"); }),
+  EXPECT_THAT(test::input_error_of([&] { parse_npy_table_header(bytes, bytes.size(), TableShape::any, "x.npy"); }),
               StartsWith("x.npy: 0 bytes of data"));
 }
 
@@ -120,22 +120,22 @@ std::string npy_replaced(std::string text, const std::string& from, const std::s
 }
 
 std::string npy_error_of(const std::string& bytes) {
-  return test::input_error_of([&] { parse_npy(bytes, "x.npy"); });
+  return test::input_error_of([&] { parse_npy(bytes, "x.npy", TableShape::square); });
 }
 
 TEST(Npy, ReadsWhatNumpyWrites) {
   const TemporaryFolder folder;
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2, float64_big_endian_version_3,
                                    float32_big_endian_fortran_version_1}) {
-    EXPECT_EQ(parse_npy(bytes, "x.npy"), npy_example());
+    EXPECT_EQ(parse_npy(bytes, "x.npy", TableShape::square), npy_example());
   }
 }
 
 // .npy file with one row, from the bytes of its numbers.
 DistanceMatrix row_of(const std::string& type, const std::string& bytes, std::size_t count) {
   const std::string shape = "(1, " + std::to_string(count) + ")";
-  return parse_npy_table(
-      version_1("{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }") + bytes, "x");
+  return parse_npy(version_1("{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }") + bytes,
+                   "x", TableShape::any);
 }
 
 TEST(Npy, ReadsIntegersAndBooleans) {
@@ -222,7 +222,7 @@ RC_GTEST_PROP(Npy, ReadsBackWhatIsWritten, ()) {
   // A third of a float32 needs the precision of float64.
   const DistanceMatrix matrix = *square_matrices() / 3;
   write_npy(folder.path() / "m.npy", matrix);
-  RC_ASSERT(parse_npy(test::bytes_of(folder.path() / "m.npy"), "m") == matrix);
+  RC_ASSERT(parse_npy(test::bytes_of(folder.path() / "m.npy"), "m", TableShape::square) == matrix);
 }
 
 }  // namespace

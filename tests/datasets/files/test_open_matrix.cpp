@@ -30,7 +30,7 @@ RC_GTEST_PROP(OpenMatrix, BlocksAreThoseOfTheWholeMatrix, ()) {
   const DistanceMatrix matrix = *square_matrices();
   write_npy(folder.path() / "m.npy", matrix);
   write_psb_matrix(folder.path() / "m.matrix", matrix);
-  write_csv_matrix(folder.path() / "m.csv", {matrix, {}});
+  write_csv_matrix(folder.path() / "m.csv", matrix);
   const auto size = matrix.rows();
   const auto row = *rc::gen::inRange<Eigen::Index>(0, size);
   const auto column = *rc::gen::inRange<Eigen::Index>(0, size);

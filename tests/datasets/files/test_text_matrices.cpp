@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/text_matrices.h"
 #include "tests/datasets/files/random_matrices.h"
 #include "tests/datasets/files/write_matrix.h"
@@ -23,9 +24,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-LabelledDistances read_csv(const std::string& text) {
+LabelledTable read_csv(const std::string& text) {
   const TemporaryFolder folder;
-  return read_csv_matrix(folder.file("m.csv", text));
+  return read_matrix(folder.file("m.csv", text), TableShape::square);
 }
 
 std::string csv_error(const std::string& text) {
@@ -41,27 +42,27 @@ DistanceMatrix text_example() {
 TEST(CsvMatrix, TakesIdsFromTheHeaderRowAndTheFirstColumn) {
   for (const char* const text :
        {"id,T1,T2\nT1,0,1.5\nT2,-2.25,inf\n", ",T1,T2\r\n\"T1\", 0 ,1.50\r\n\r\nT2,-2.25,inf"}) {
-    const LabelledDistances result = read_csv(text);
-    EXPECT_EQ(result.distances, text_example());
-    EXPECT_THAT(result.ids, ElementsAre("T1", "T2"));
+    const LabelledTable result = read_csv(text);
+    EXPECT_EQ(result.numbers, text_example());
+    EXPECT_THAT(result.row_ids, ElementsAre("T1", "T2"));
   }
 }
 
-TEST(CsvMatrix, IdsMayBeNumbers) { EXPECT_THAT(read_csv("id,7,5\n7,0,1\n5,1,0\n").ids, ElementsAre("7", "5")); }
+TEST(CsvMatrix, IdsMayBeNumbers) { EXPECT_THAT(read_csv("id,7,5\n7,0,1\n5,1,0\n").row_ids, ElementsAre("7", "5")); }
 
 TEST(CsvMatrix, TheCornerOfNumericIdsMayBeEmpty) {
-  const LabelledDistances matrix = read_csv(",7,5\n7,0,1\n5,2,0\n");
-  EXPECT_THAT(matrix.ids, ElementsAre("7", "5"));
-  EXPECT_EQ(matrix.distances, (Eigen::Matrix2d{{0, 1}, {2, 0}}));
+  const LabelledTable matrix = read_csv(",7,5\n7,0,1\n5,2,0\n");
+  EXPECT_THAT(matrix.row_ids, ElementsAre("7", "5"));
+  EXPECT_EQ(matrix.numbers, (Eigen::Matrix2d{{0, 1}, {2, 0}}));
 }
 
 TEST(CsvMatrix, MayHaveSemicolonsOrTabsForCommas) {
   for (const char* const text : {"0;1.5\n-2.25;inf\n", "0\t1.5\n-2.25\tinf\n", "0; 1.5\r\n-2.25; inf\r\n"}) {
-    EXPECT_EQ(read_csv(text).distances, text_example()) << text;
+    EXPECT_EQ(read_csv(text).numbers, text_example()) << text;
   }
-  EXPECT_THAT(read_csv("\tT1\tT2\nT1\t0\t1.5\nT2\t-2.25\tinf\n").ids, ElementsAre("T1", "T2"));
-  EXPECT_THAT(read_csv("id;\"T,1\";T2\n\"T,1\";0;1.5\nT2;-2.25;inf\n").ids, ElementsAre("T,1", "T2"));
-  EXPECT_THAT(read_csv("id,T;1,T2\nT;1,0,1.5\nT2,-2.25,inf\n").ids, ElementsAre("T;1", "T2")) << "commas as before";
+  EXPECT_THAT(read_csv("\tT1\tT2\nT1\t0\t1.5\nT2\t-2.25\tinf\n").row_ids, ElementsAre("T1", "T2"));
+  EXPECT_THAT(read_csv("id;\"T,1\";T2\n\"T,1\";0;1.5\nT2;-2.25;inf\n").row_ids, ElementsAre("T,1", "T2"));
+  EXPECT_THAT(read_csv("id,T;1,T2\nT;1,0,1.5\nT2,-2.25,inf\n").row_ids, ElementsAre("T;1", "T2")) << "commas as before";
 }
 
 TEST(CsvMatrix, DecimalCommasAreAnError) {
@@ -69,9 +70,9 @@ TEST(CsvMatrix, DecimalCommasAreAnError) {
 }
 
 TEST(CsvMatrix, WithoutHeaderThereAreNoIds) {
-  const LabelledDistances result = read_csv("0,1.5\n-2.25,inf\n");
-  EXPECT_EQ(result.distances, text_example());
-  EXPECT_THAT(result.ids, IsEmpty());
+  const LabelledTable result = read_csv("0,1.5\n-2.25,inf\n");
+  EXPECT_EQ(result.numbers, text_example());
+  EXPECT_THAT(result.row_ids, IsEmpty());
 }
 
 TEST(CsvMatrix, AFaultIsOneErrorWithItsLine) {
@@ -102,21 +103,21 @@ TEST(CsvMatrix, EveryPrefixReadsOrIsAnInputError) {
 
 RC_GTEST_PROP(CsvMatrix, ReadsBackWhatIsWritten, ()) {
   const TemporaryFolder folder;
-  LabelledDistances written;
-  written.distances = *square_matrices() / 3;
+  const DistanceMatrix written = *square_matrices() / 3;
   const auto id = rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::element('1', 'T', ',', '"', ' ', '\t')));
   std::set<std::string> ids;
-  while (static_cast<Eigen::Index>(ids.size()) < written.distances.rows()) ids.insert(*id + std::to_string(ids.size()));
-  written.ids.assign(ids.begin(), ids.end());
-  write_csv_matrix(folder.path() / "m.csv", written);
-  const LabelledDistances result = read_csv_matrix(folder.path() / "m.csv");
-  RC_ASSERT(result.distances == written.distances);
-  RC_ASSERT(result.ids == written.ids);
+  while (static_cast<Eigen::Index>(ids.size()) < written.rows()) ids.insert(*id + std::to_string(ids.size()));
+  const std::vector<std::string> listed(ids.begin(), ids.end());
+  write_csv_matrix(folder.path() / "m.csv", written, listed);
+  const LabelledTable result = read_matrix(folder.path() / "m.csv", TableShape::square);
+  RC_ASSERT(result.numbers == written);
+  RC_ASSERT(result.row_ids == listed);
+  RC_ASSERT(result.column_ids == listed);
 }
 
 DistanceMatrix read_text(const std::string& text) {
   const TemporaryFolder folder;
-  return read_text_matrix(folder.file("m.txt", text));
+  return read_matrix(folder.file("m.txt", text), TableShape::square).numbers;
 }
 
 std::string text_error(const std::string& text) {
@@ -125,9 +126,11 @@ std::string text_error(const std::string& text) {
 
 TEST(TextMatrix, MayHaveSemicolonsOrCommasBetweenTheNumbers) {
   for (const char* const text : {"0;1.5\n-2.25;inf\n", "# distances\n0, 1.5\n-2.25, inf\n", "0\t1.5\n-2.25\tinf\n"}) {
-    EXPECT_EQ(parse_text_matrix(text, "m.txt"), text_example()) << text;
+    EXPECT_EQ(parse_text_matrix(text, "m.txt", TableShape::square), text_example()) << text;
   }
-  const auto error = [](const char* text) { return test::input_error_of([&] { parse_text_matrix(text, "m.txt"); }); };
+  const auto error = [](const char* text) {
+    return test::input_error_of([&] { parse_text_matrix(text, "m.txt", TableShape::square); });
+  };
   EXPECT_THAT(error("0,,1\n1,0,1\n1,1,0\n"), HasSubstr("m.txt:1: \"\" is not a number")) << "none is passed over";
   EXPECT_THAT(error("0;1,5\n1,5;0\n"), AllOf(HasSubstr("m.txt:1: \"1,5\""), HasSubstr("decimal points")));
 }

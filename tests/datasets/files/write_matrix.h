@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/matrix_files.h"
@@ -14,16 +15,17 @@
 namespace shapegauge {
 
 /// Writes a matrix as CSV with full precision, and with ids if it has any.
-inline void write_csv_matrix(const std::filesystem::path& path, const LabelledDistances& matrix) {
+inline void write_csv_matrix(const std::filesystem::path& path, const DistanceMatrix& matrix,
+                             const std::vector<std::string>& ids = {}) {
   std::string text;
-  if (!matrix.ids.empty()) {
+  if (!ids.empty()) {
     text = "id";
-    for (const std::string& id : matrix.ids) text += ',' + csv_cell(id);
+    for (const std::string& id : ids) text += ',' + csv_cell(id);
     text += '\n';
   }
-  for (Eigen::Index row = 0; row < matrix.distances.rows(); ++row) {
-    if (!matrix.ids.empty()) text += csv_cell(matrix.ids[static_cast<std::size_t>(row)]) + ',';
-    const auto numbers = matrix.distances.row(row);
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    if (!ids.empty()) text += csv_cell(ids[static_cast<std::size_t>(row)]) + ',';
+    const auto numbers = matrix.row(row);
     fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(numbers.begin(), numbers.end(), ","));
   }
   std::ofstream(path, std::ios::binary) << text;

@@ -86,7 +86,7 @@ TEST_P(JudgedDistances, AreThoseOfTheWholeMatrixOnAnyNumberOfRanks) {
     EXPECT_EQ(found.overview->cells, overview.cells);
     EXPECT_EQ(found.overview->nearest, overview.nearest);
     EXPECT_EQ(found.overview->nearest_distances, overview.nearest_distances);
-    EXPECT_EQ(read_distance_matrix(file).distances, whole);
+    EXPECT_EQ(read_matrix(file, TableShape::square).numbers, whole);
   }
 }
 

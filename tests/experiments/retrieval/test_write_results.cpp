@@ -119,10 +119,11 @@ TEST_F(WriteResults, TablesByClassAndQueryHaveTheirScores) {
 
 TEST_F(WriteResults, DistancesAndFeaturesAreThoseOfTheMethods) {
   write();
-  EXPECT_EQ(parse_npy(test::text_of(out("distances/line.npy")), "distances/line.npy"), line_);
-  EXPECT_EQ(parse_npy(test::text_of(out("distances/perfect_2.npy")), "distances/perfect_2.npy"),
+  EXPECT_EQ(parse_npy(test::text_of(out("distances/line.npy")), "distances/line.npy", TableShape::square), line_);
+  EXPECT_EQ(parse_npy(test::text_of(out("distances/perfect_2.npy")), "distances/perfect_2.npy", TableShape::square),
             results_.methods[1].distances);
-  EXPECT_EQ(parse_npy_table(test::text_of(out("features/perfect_2.npy")), "features"), features_.cast<double>());
+  EXPECT_EQ(parse_npy(test::text_of(out("features/perfect_2.npy")), "features", TableShape::any),
+            features_.cast<double>());
   EXPECT_FALSE(std::filesystem::exists(out("features/line.npy"))) << "a histogram is no descriptor";
 }
 
