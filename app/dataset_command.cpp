@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/output_files.h"
+#include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
@@ -37,7 +38,8 @@ struct LabelsArguments {
 
 struct GenerateArguments {
   fs::path folder;
-  GeneratorOptions options;
+  ParameterTexts settings;
+  bool force = false;
   int threads = 0;
 };
 
@@ -124,17 +126,20 @@ int validate(const LookArguments& arguments) {
 }
 
 int generate(const GenerateArguments& arguments) {
+  GeneratorOptions options = options_from(
+      generator_table(), parameter_values(generator_parameters(), arguments.settings, "generated data sets"));
+  options.force = arguments.force;
   catch_interruption();
   ProgressLine progress;
   with_threads(arguments.threads, [&] {
-    generate_dataset(arguments.folder, arguments.options, [&](int done, int total) {
+    generate_dataset(arguments.folder, options, [&](int done, int total) {
       if (interrupted()) throw Interrupted();
       progress.show("models", static_cast<std::size_t>(done), static_cast<std::size_t>(total));
     });
   });
   progress.clear();
-  print_output("{} models of {} classes in {}\n", arguments.options.classes * arguments.options.models_per_class,
-               arguments.options.classes, printable(arguments.folder.string()));
+  print_output("{} models of {} classes in {}\n", options.classes * options.models_per_class, options.classes,
+               printable(arguments.folder.string()));
   return exit_success;
 }
 
@@ -188,14 +193,11 @@ void add_generate(CLI::App* dataset, int& status) {
       dataset->add_subcommand("generate", "Generate a data set of articulated shapes in the layout of SHREC'11");
   command->footer("Example: shapegauge dataset generate shapes --classes 12 --models-per-class 10 --seed 1");
   const auto arguments = std::make_shared<GenerateArguments>();
-  GeneratorOptions& options = arguments->options;
   command->add_option("folder", arguments->folder, "Folder, created if missing")->required();
-  command->add_option("--classes", options.classes, "Number of classes")->capture_default_str();
-  command->add_option("--models-per-class", options.models_per_class, "Number of models per class")
-      ->capture_default_str();
-  command->add_option("--faces", options.faces, "Approximate number of triangles per model")->capture_default_str();
-  add_seed_option(*command, options.seed);
-  command->add_flag("--force", options.force, "Overwrite a data set in the folder");
+  for (const Parameter& parameter : generator_parameters()) {
+    add_parameter_option(*command, parameter, arguments->settings[std::string(parameter.name)]);
+  }
+  command->add_flag("--force", arguments->force, "Overwrite a data set in the folder");
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = generate(*arguments); });
 }

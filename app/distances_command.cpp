@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 #include <string>
 
@@ -49,9 +50,9 @@ void add_distances_command(CLI::App& app, int& status) {
       "distance. CSV keeps the ids of the rows.\n'shapegauge rerank' and 'shapegauge evaluate' read the matrix.");
   const auto arguments = std::make_shared<DistancesArguments>();
   command
-      ->add_option(
-          "features", arguments->features,
-          "Features, one row per model: .npy, .npz, .mat, .csv, .txt or .dat; .npy and text also compressed (.gz)")
+      ->add_option("features", arguments->features,
+                   fmt::format("Features, one row per model: {}; .npy and text also compressed (.gz)",
+                               fmt::join(matrix_extensions(), ", ")))
       ->required();
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)")->required();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,6 +18,8 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
+#include "shapegauge/datasets/files/matrix_files.h"
+#include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_plots.h"
@@ -120,6 +123,14 @@ std::string_view sniffed_format(std::string_view bytes) {
   if (bytes.starts_with("\x93NUMPY")) return "npy";
   if (bytes.starts_with("PK\x03\x04")) return "npz";
   return bytes.starts_with("MATLAB 5.0") ? "mat" : "csv";
+}
+
+/// Returns the extensions of matrices and ranked lists without their dots.
+std::vector<std::string> input_formats() {
+  std::vector<std::string> formats;
+  for (const std::string_view extension : matrix_extensions()) formats.emplace_back(extension.substr(1));
+  for (const std::string_view extension : ranked_answers_extensions) formats.emplace_back(extension.substr(1));
+  return formats;
 }
 
 /// Evaluates standard input. Copies it to a file in the folder first, since matrices are read in blocks.
@@ -245,14 +256,15 @@ void add_evaluate_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<EvaluateCommandArguments>();
   command
       ->add_option("distances", arguments->distances,
-                   "Distances or features (.npy, .npz, .mat, .matrix, .csv, .txt or .dat) or ranked lists (.run, "
-                   ".trec, .txt, .lists); .npy and text also compressed (.gz); - for standard input")
+                   fmt::format("Distances or features ({}) or ranked lists ({}, .txt); .npy and text also compressed "
+                               "(.gz); - for standard input",
+                               fmt::join(matrix_extensions(), ", "), fmt::join(ranked_answers_extensions, ", ")))
       ->required();
   begin_option_group(*command, input_options);
   command
       ->add_option("--input-format", arguments->input_format,
                    "Format of standard input, as an extension without the dot (default: by contents, otherwise csv)")
-      ->check(CLI::IsMember({"npy", "npz", "mat", "matrix", "csv", "txt", "dat", "run", "trec", "lists"}));
+      ->check(CLI::IsMember(input_formats()));
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);

@@ -6,6 +6,7 @@
 
 #include "app/help_format.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
@@ -66,7 +67,7 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--measures", arguments.measures, "Measures, such as NN,FT,P@10 (default: those of the protocol)")
       ->delimiter(',');
   command.add_option("--min-class-size", arguments.minimum_class_size, "Minimum class size of queries")
-      ->check(CLI::Range(2, 1000000))
+      ->check(within<int>(parameter_named("minimum_class_size", evaluation_table).bounds))
       ->capture_default_str();
   add_threads_option(command, arguments.threads);
 }
@@ -93,12 +94,12 @@ ScoreStyle style_of(const ScoreFormat& arguments) {
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   begin_option_group(command, "Statistics");
   command.add_option("--confidence", arguments.confidence, "Confidence level of intervals, such as 0.95")
-      ->check(CLI::Range(0.5, 0.9999));
+      ->check(within<double>(confidence_bounds));
   command.add_option("--blocks", arguments.blocks, "Unit of resampling: classes, or queries as if independent")
       ->check(CLI::IsMember(resampling_unit_names()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")
-      ->check(CLI::Range(1, 10000000))
+      ->check(within<int>(parameter_named("resamples", resampling_table).bounds))
       ->capture_default_str();
   add_seed_option(command, arguments.resampling.seed);
 }

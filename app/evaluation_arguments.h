@@ -25,10 +25,10 @@ struct EvaluationArguments {
   std::string protocol;
   std::string missing_queries = "skip";
   int threads = 0;
-  std::string ties = "index";
+  std::string ties = name_of(EvaluationOptions{}.ties);
   std::string curve;
   std::vector<std::string> measures;
-  int minimum_class_size = 2;
+  int minimum_class_size = EvaluationOptions{}.minimum_class_size;
 };
 
 /// Options of resampling, as given.

@@ -77,7 +77,7 @@ long genus(const Shape& shape) {
 std::string winding(const ShapeDiagnostics& found, double volume) {
   if (found.triangles == 0) return "none";
   if (found.inconsistent_edges > 0 || found.non_manifold_edges > 0) return "inconsistent";
-  if (!found.watertight) return "consistent";
+  if (!found.closed) return "consistent";
   return volume > 0 ? "outward" : "inward";
 }
 
@@ -85,7 +85,7 @@ std::string winding(const ShapeDiagnostics& found, double volume) {
 /// oriented mesh with two triangles at every edge.
 OrderedJson geometry_json(const Shape& shape, const ShapeDiagnostics& found) {
   const Eigen::AlignedBox3d box = bounding_box(shape);
-  const bool solid = found.watertight && found.non_manifold_edges == 0 && found.inconsistent_edges == 0;
+  const bool solid = found.closed && found.non_manifold_edges == 0 && found.inconsistent_edges == 0;
   const double volume = solid ? signed_volume(shape) : 0;
   OrderedJson json{
       {"bounding_box",

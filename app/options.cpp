@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/help_format.h"
+#include "app/parameter_options.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/length.h"
 #include "shapegauge/core/base/parameter.h"
@@ -16,12 +17,13 @@
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
+#include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {
 
 void add_threads_option(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "Number of threads (default: all cores)")
-      ->check(CLI::Range(1, 1024))
+      ->check(within<int>(threads_bounds))
       ->group(computation_options);
 }
 

@@ -1,6 +1,5 @@
 #include "app/parameter_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <utility>

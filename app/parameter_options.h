@@ -1,16 +1,12 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <map>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "shapegauge/core/base/parameter.h"
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
 
 /// Options of a command generated from the parameters of registry entries, which define their names, meanings, valid
 /// values and defaults.
@@ -30,6 +26,12 @@ std::string meaning_of(const Parameter& parameter, bool with_default = true);
 
 /// Returns a description of a registry entry in the form of --help, without its full stop.
 std::string without_full_stop(std::string_view sentence);
+
+/// Returns a check of an option's number by closed bounds.
+template <typename Number>
+CLI::Range within(const Bounds& bounds) {
+  return {static_cast<Number>(bounds.low), static_cast<Number>(bounds.high)};
+}
 
 /// Adds an option, or a flag for a boolean, that fills `given`. `names` as in CLI11; if empty, `--` and the parameter's
 /// name. `meaning` is meaning_of() if empty.

@@ -5,10 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "app/commands.h"
@@ -20,7 +18,6 @@
 #include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 
 namespace shapegauge {
@@ -92,20 +89,19 @@ void add_step_options(CLI::App& command, const StepOptions& options, AskedStep& 
 }
 
 /// Returns the requested steps.
-nlohmann::json steps_of(const PerturbArguments& arguments) {
-  nlohmann::json steps = nlohmann::json::array();
+std::vector<Perturbation> steps_of(const PerturbArguments& arguments) {
+  std::vector<Perturbation> steps;
   for (const AskedStep& step : arguments.steps) {
     if (!step.wanted) continue;
-    nlohmann::json settings = to_json(parameter_values(step.kind->parameters, step.settings, step.kind->name));
-    settings["type"] = step.kind->name;
-    steps.push_back(std::move(settings));
+    steps.push_back(
+        make_perturbation(*step.kind, parameter_values(step.kind->parameters, step.settings, step.kind->name)));
   }
   return steps;
 }
 
 int run(const PerturbArguments& arguments) {
   const ShapeWriter write = shape_writer(output_name(arguments.files));
-  const std::vector<Perturbation> steps = make_perturbations(steps_of(arguments));
+  const std::vector<Perturbation> steps = steps_of(arguments);
   if (steps.empty()) throw InputError("no perturbation given; see 'shapegauge perturb --help'");
   return for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& /*remarks*/) {
     write(job.output, perturb_model(shape, steps, arguments.seed, "", 0).shape);

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -141,7 +142,7 @@ void add_rerank_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<RerankArguments>();
   command
       ->add_option("distances", arguments->distances,
-                   "Square matrix of distances: .npy, .npz, .mat, .matrix (PSB), .csv, .txt or .dat")
+                   fmt::format("Square matrix of distances: {}", fmt::join(matrix_extensions(), ", ")))
       ->required();
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)")->required();

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -21,6 +23,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/results/field_files.h"
 #include "shapegauge/experiments/results/thickness_summary.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
@@ -33,13 +36,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> methods{"offset_sdf", "cone_sdf", "inscribed_ball"};
+/// Returns the fields of thickness.
+std::vector<std::reference_wrapper<const FieldType>> methods() {
+  std::vector<std::reference_wrapper<const FieldType>> types = field_types().entries();
+  std::erase_if(types, [](const FieldType& type) { return !type.is_thickness; });
+  return types;
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const FieldType& type : methods()) names.push_back(type.name);
+  return names;
+}
+
+/// Describes the methods for --help: "offset_sdf: ...; cone_sdf: ...".
+std::string descriptions_of_methods() {
+  std::vector<std::string> texts;
+  for (const FieldType& type : methods()) {
+    std::string text = without_full_stop(type.description);
+    text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+    texts.push_back(fmt::format("{}: {}", type.name, text));
+  }
+  return fmt::format("{}; ball is short for inscribed_ball", fmt::join(texts, "; "));
+}
 
 struct SdfArguments {
   ShapeFiles files{.output_format = "csv"};
   std::string method;
   std::string site = "faces";
-  OffsetArguments offset{.offset = "0.05"};
+  OffsetArguments offset{.offset = fmt::format("{}", OffsetSdfOptions{}.offset)};
   ParameterTexts settings;  ///< of the method, without the offset
   bool denoise = false;
   fs::path timings;
@@ -170,11 +195,11 @@ void add_former_options(CLI::App& command, SdfArguments& arguments) {
 
 /// Adds an option for each parameter of the methods.
 void add_settings(CLI::App& command, SdfArguments& arguments) {
-  for (const std::string_view method : methods) {
-    for (const Parameter& parameter : field_types().at(method).parameters) {
+  for (const FieldType& method : methods()) {
+    for (const Parameter& parameter : method.parameters) {
       if (parameter.name == "offset") continue;
       add_parameter_option(command, parameter, arguments.settings[std::string(parameter.name)], "",
-                           fmt::format("{}: {}", method, meaning_of(parameter)));
+                           fmt::format("{}: {}", method.name, meaning_of(parameter)));
     }
   }
 }
@@ -320,12 +345,9 @@ void add_sdf_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<SdfArguments>();
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, "Method");
-  command
-      ->add_option("--method", arguments->method,
-                   "offset_sdf: SDF of the offset surface; cone_sdf: conventional SDF; inscribed_ball (or ball): "
-                   "diameter of the largest inscribed ball")
+  command->add_option("--method", arguments->method, descriptions_of_methods())
       ->required()
-      ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "inscribed_ball"}))
+      ->check(CLI::IsMember(method_names()))
       ->transform(with_method_name);
   add_outputs(*command, *arguments);
   begin_option_group(*command, "Method");

@@ -12,6 +12,7 @@
 #include "app/help_format.h"
 #include "app/options.h"
 #include "app/output_files.h"
+#include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
@@ -232,7 +233,7 @@ void add_search_command(CLI::App& app, int& status) {
       ->required();
   begin_option_group(*command, output_options);
   command->add_option("-k,--count", arguments->count, "Number of results per query")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+      ->check(within<std::size_t>(parameter_named("count", search_table).bounds))
       ->capture_default_str();
   command->add_flag("--rerank", arguments->rerank, "Re-rank by diffusion over the collection");
   command->add_option("--format", arguments->format, "Format of the results")

@@ -3,21 +3,23 @@
 #include <fmt/format.h>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"
-#include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
 #include "shapegauge/segmentation/segment_labels.h"
+#include "shapegauge/segmentation/segment_shape.h"
 
 namespace shapegauge {
 
@@ -29,10 +31,9 @@ using Labels = std::vector<std::int32_t>;
 
 struct SegmentArguments {
   ShapeFiles files{.output_format = "seg"};
-  std::string method = "best";
-  int parts = 0;
-  std::string field = "offset";
-  OffsetArguments offset{.offset = "0.05"};
+  std::string method{word_of(SegmentationOptions{}.method)};
+  ParameterTexts settings;  ///< of segmentation_table, without the method and the offset
+  OffsetArguments offset{.offset = fmt::format("{}", SegmentationOptions{}.offset)};
   bool denoise = false;
 };
 
@@ -62,24 +63,35 @@ LabelWriter label_writer(const fs::path& name) {
   throw InputError(fmt::format("cannot write {}: parts are written as .seg, .ply or .png", name.string()));
 }
 
-SegmentationMethod method_for(const Shape& shape, const SegmentArguments& arguments, Remarks& remarks) {
-  SegmentationMethod method;
-  method.paper = arguments.method == "paper";
-  method.parts = arguments.parts;
-  method.offset_field = arguments.field == "offset";
-  if (method.paper && method.offset_field) {
-    const ChosenOffset chosen = choose_offset(parse_offset(arguments.offset).fraction_of(shape), shape);
-    method.offset = chosen.offset;
-    remark_on(chosen, remarks);
+constexpr auto parameters = parameters_of(segmentation_table);
+
+/// Returns the options without the offset. Throws InputError for a setting of the other method.
+SegmentationOptions options_of(const SegmentArguments& arguments) {
+  for (const auto& [name, given] : arguments.settings) {
+    const std::optional<SegmentationAlgorithm> only = algorithm_with(name);
+    if (given.text.empty() || !only || word_of(*only) == arguments.method) continue;
+    throw InputError(fmt::format("{} requires --method {}", given.option, word_of(*only)));
   }
-  return method;
+  SegmentationOptions options =
+      options_from(segmentation_table, parameter_values(parameters, arguments.settings, "segment"));
+  options.method = value_of_word<SegmentationAlgorithm>(arguments.method).value();
+  return options;
 }
 
-void segment(const SegmentArguments& arguments, LabelWriter write, const Shape& given, const ShapeJob& job,
-             Remarks& remarks) {
+/// Chooses the offset for a shape, if the options have a use for it.
+void set_offset(const OffsetArguments& arguments, const Shape& shape, SegmentationOptions& options, Remarks& remarks) {
+  if (options.method != SegmentationAlgorithm::paper || options.field != SegmentedSdf::offset) return;
+  const ChosenOffset chosen = choose_offset(parse_offset(arguments).fraction_of(shape), shape);
+  options.offset = chosen.offset;
+  remark_on(chosen, remarks);
+}
+
+void segment(const SegmentArguments& arguments, SegmentationOptions options, LabelWriter write, const Shape& given,
+             const ShapeJob& job, Remarks& remarks) {
   try {
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
-    const Labels labels = segment_by_method(shape, method_for(shape, arguments, remarks));
+    set_offset(arguments.offset, shape, options, remarks);
+    const Labels labels = segment_shape(shape, options);
     write(job.output, shape, labels);
     if (const auto polygons = polygon_note(shape)) {
       remarks.notes.push_back(
@@ -106,26 +118,22 @@ void add_segment_command(CLI::App& app, int& status) {
   command
       ->add_option("--method", arguments->method,
                    "best: parts as people choose them; paper: clusters of patches by their SDF")
-      ->check(CLI::IsMember({"best", "paper"}))
+      ->check(CLI::IsMember(list_of_words<SegmentationAlgorithm>()))
       ->capture_default_str();
-  command->add_option("--parts", arguments->parts, "Number of parts (paper: of clusters, 5 for 0); 0 for automatic")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  CLI::Option* field =
-      command->add_option("--field", arguments->field, "paper: SDF of the offset surface, or conventional SDF")
-          ->check(CLI::IsMember({"offset", "cone"}))
-          ->capture_default_str();
+  for (const Parameter& parameter : parameters) {
+    if (parameter.name == "method" || parameter.name == "offset") continue;
+    add_parameter_option(*command, parameter, arguments->settings[std::string(parameter.name)]);
+  }
   CLI::Option* offset = add_offset_option(*command, arguments->offset);
   add_denoise_option(*command, arguments->denoise);
-  command->callback([arguments, &status, field, offset] {
-    for (const CLI::Option* option : {field, offset}) {
-      if (arguments->method != "paper" && option->count() > 0) {
-        throw InputError(option->get_name() + " requires --method paper");
-      }
+  command->callback([arguments, &status, offset] {
+    const SegmentationOptions options = options_of(*arguments);
+    if (options.method != SegmentationAlgorithm::paper && offset->count() > 0) {
+      throw InputError("--offset requires --method paper");
     }
     const LabelWriter write = label_writer(output_name(arguments->files));
     status = for_each_shape(arguments->files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
-      segment(*arguments, write, shape, job, remarks);
+      segment(*arguments, options, write, shape, job, remarks);
     });
   });
 }

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 struct SegmentationEvaluationArguments {
   std::vector<fs::path> folders;
   fs::path benchmark;
-  std::string weights = "faces";
+  std::string weights{word_of(SegmentationScoring{}.by)};
   bool no_cuts = false;
   std::string format = "table";
   fs::path per_mesh;
@@ -88,8 +88,9 @@ int run(const SegmentationEvaluationArguments& arguments) {
   const SegmentationBenchmark benchmark = find_segmentation_benchmark(arguments.benchmark);
   SegmentationScores scores;
   with_threads(arguments.threads, [&] {
-    scores = score_segmentations(benchmark, arguments.folders,
-                                 {.by_area = arguments.weights == "area", .cuts = !arguments.no_cuts});
+    scores = score_segmentations(
+        benchmark, arguments.folders,
+        {.by = value_of_word<TriangleWeights>(arguments.weights).value(), .cuts = !arguments.no_cuts});
   });
   if (!benchmark.without_people.empty()) {
     warn(fmt::format("{} meshes without human segmentations ({}, ...) are omitted", benchmark.without_people.size(),
@@ -117,7 +118,7 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       ->required();
   begin_option_group(*command, "Evaluation");
   command->add_option("--by", arguments->weights, "Weight per triangle")
-      ->check(CLI::IsMember({"faces", "area"}))
+      ->check(CLI::IsMember(list_of_words<TriangleWeights>()))
       ->capture_default_str();
   command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, which takes the longest");
   begin_option_group(*command, output_options);

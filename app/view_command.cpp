@@ -14,6 +14,7 @@
 #include "app/help_format.h"
 #include "app/options.h"
 #include "app/output_files.h"
+#include "app/parameter_options.h"
 #include "app/shape_files.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
@@ -271,7 +272,7 @@ void add_view_command(CLI::App& app, int& status) {
       ->type_name(fmt::format("{{{}}}", fmt::join(field_types().names(), ",")));
   const CLI::Option* offset = add_offset_option(*command, arguments->offset);
   CLI::Option* parts = command->add_option("--parts", arguments->parts, "Number of parts; 0 for automatic")
-                           ->check(CLI::NonNegativeNumber)
+                           ->check(within<int>(parameter_named("parts", part_segmentation_table).bounds))
                            ->capture_default_str();
   command->add_flag("--no-parts", arguments->no_parts, "Do not segment the shapes")->excludes(parts);
   begin_option_group(*command, "Display");

@@ -10,17 +10,12 @@
 #include <string>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/names.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge {
 
 namespace {
-
-constexpr std::array resampling_units = {Named<ResamplingUnit>{ResamplingUnit::classes, "classes"},
-                                         Named<ResamplingUnit>{ResamplingUnit::queries, "queries"}};
-constexpr std::array all_averages = {Named<Average>{Average::micro, "micro"}, Named<Average>{Average::macro, "macro"}};
 
 std::map<int, double> sizes_of(std::span<const int> classes) {
   std::map<int, double> sizes;
@@ -57,14 +52,12 @@ UnitValues class_units(const Eigen::MatrixXd& per_query, std::span<const int> cl
 
 }  // namespace
 
-std::string name_of(ResamplingUnit unit) { return name_in<ResamplingUnit>(resampling_units, unit); }
-std::optional<ResamplingUnit> resampling_unit_of(std::string_view name) {
-  return value_in<ResamplingUnit>(resampling_units, name);
-}
-std::vector<std::string> resampling_unit_names() { return names_in<ResamplingUnit>(resampling_units); }
-std::string name_of(Average average) { return name_in<Average>(all_averages, average); }
-std::optional<Average> average_of(std::string_view name) { return value_in<Average>(all_averages, name); }
-std::vector<std::string> average_names() { return names_in<Average>(all_averages); }
+std::string name_of(ResamplingUnit unit) { return std::string(word_of(unit)); }
+std::optional<ResamplingUnit> resampling_unit_of(std::string_view name) { return value_of_word<ResamplingUnit>(name); }
+std::vector<std::string> resampling_unit_names() { return list_of_words<ResamplingUnit>(); }
+std::string name_of(Average average) { return std::string(word_of(average)); }
+std::optional<Average> average_of(std::string_view name) { return value_of_word<Average>(name); }
+std::vector<std::string> average_names() { return list_of_words<Average>(); }
 
 UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit unit,
                     Average average) {
@@ -107,9 +100,7 @@ double quantile(const Eigen::VectorXd& sorted, double fraction) {
 }  // namespace
 
 Eigen::MatrixXd bootstrap_averages(const UnitValues& units, const ResamplingOptions& options) {
-  if (options.resamples < 1) {
-    throw ArgumentError("a bootstrap needs at least one resample, not " + std::to_string(options.resamples));
-  }
+  check_options("bootstrap", resampling_table, options);
   const auto count = static_cast<std::uint64_t>(units.values.rows());
   Eigen::MatrixXd averages(options.resamples, units.values.cols());
   parallel_for(0, options.resamples, [&](int resample) {
@@ -132,8 +123,9 @@ std::vector<ConfidenceInterval> percentile_intervals(const Eigen::MatrixXd& resa
     throw ArgumentError("a confidence interval needs at least two classes or queries to draw from, there is " +
                         std::to_string(units));
   }
-  if (!(confidence > 0 && confidence < 1)) {
-    throw ArgumentError("the confidence must be between 0 and 1, not " + std::to_string(confidence));
+  if (!confidence_bounds.contains(confidence)) {
+    throw ArgumentError("the confidence must be " + to_string(confidence_bounds) + ", not " +
+                        std::to_string(confidence));
   }
   const double tail = tail_of(confidence, units);
   std::vector<ConfidenceInterval> intervals;

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge {
 
@@ -17,9 +21,13 @@ namespace shapegauge {
 /// queries: each query separately, as if they were independent. Intervals are then too narrow and tests too liberal;
 /// for comparison with published scores only.
 enum class ResamplingUnit { classes, queries };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<ResamplingUnit>{"classes", "queries"};
 
 /// Averaging over queries (micro) or over the means of classes (macro).
 enum class Average { micro, macro };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<Average>{"micro", "macro"};
 
 /// Conversion to and from names in files and options: "classes", "queries"; "micro", "macro".
 /// @{
@@ -36,6 +44,15 @@ struct ResamplingOptions {
   int resamples = 10000;
   std::uint64_t seed = 1;
 };
+
+/// Parameters of ResamplingOptions.
+inline constexpr std::array resampling_table = {
+    option_of<&ResamplingOptions::resamples>("resamples", {.low = 1, .high = 10'000'000}, "Number of resamples."),
+    option_of<&ResamplingOptions::seed>("seed", seed_bounds, "Seed of random numbers."),
+};
+
+/// Valid confidence levels of intervals.
+inline constexpr Bounds confidence_bounds{.low = 0.5, .high = 0.9999};
 
 /// Values of methods by independent unit, a class or a query.
 struct UnitValues {
@@ -70,8 +87,8 @@ Eigen::MatrixXd bootstrap_averages(const UnitValues& units, const ResamplingOpti
 /// Computes two-sided bootstrap confidence intervals of the averages, by method: percentiles of bootstrap_averages(),
 /// widened by sqrt(n / (n - 1)) and Student's t for the small number of units n (Hesterberg, "What teachers should know
 /// about the bootstrap", The American Statistician 69, 2015, section 3.2). If all units have the same value the
-/// interval has no width: the data then do not show any variation. Throws ArgumentError for fewer than two units, no
-/// resamples, and a confidence that is not between 0 and 1.
+/// interval has no width: the data then do not show any variation. Throws ArgumentError for fewer than two units, and
+/// for a confidence or options out of range.
 std::vector<ConfidenceInterval> bootstrap_intervals(const UnitValues& units, double confidence = 0.95,
                                                     const ResamplingOptions& options = {});
 

@@ -35,10 +35,7 @@ void check_task(std::size_t rows, std::size_t columns, const RetrievalTask& task
                         std::to_string(task.target_classes.size()) + " targets, the distance matrix is " +
                         std::to_string(rows) + " x " + std::to_string(columns));
   }
-  if (options.minimum_class_size < 2) {
-    throw ArgumentError("the minimum class size must be at least 2, not " + std::to_string(options.minimum_class_size) +
-                        ": a class of one model has no relevant answer");
-  }
+  check_options("evaluation", evaluation_table, options);
 }
 
 // The first row is the matrix's row `first`.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/precision_recall.h"
 #include "shapegauge/metrics/protocol.h"
@@ -22,9 +24,19 @@ struct EvaluationOptions {
   Ties ties = Ties::index;
   std::vector<Measure> measures{};   ///< default_measures(protocol) if empty
   std::optional<CurveKind> curve{};  ///< usual_curve(protocol) if not set
-  /// Models of smaller classes are not queries. At least 2, including the query (psbTable: 3). Every query then has at
+  /// Models of smaller classes are not queries. The size includes the query (psbTable: 3). Every query then has at
   /// least one relevant model less, whether or not it is itself a target.
   int minimum_class_size = 2;
+};
+
+/// Parameters of EvaluationOptions other than the protocol, the measures and the curve.
+inline constexpr std::array evaluation_table = {
+    option_of<&EvaluationOptions::ties>("ties",
+                                        "Order of models at equal distance: by index, relevant models first or last, "
+                                        "or the mean over all orders."),
+    option_of<&EvaluationOptions::minimum_class_size>(
+        "minimum_class_size", {.low = 2, .high = 1'000'000},
+        "Minimum class size of queries (psbTable of the Princeton Shape Benchmark: 3)."),
 };
 
 /// Mean first tier (FT) over the queries with tied relevant models ranked last (pessimistic) and first (optimistic).
@@ -59,7 +71,7 @@ struct Evaluation {
 /// be infinite (ranked_list()); the diagonal is ignored. Models that are not queries stay in the others' lists.
 /// Parallel over queries, with the same bytes for any number of threads. Throws ArgumentError for a matrix that is
 /// empty, not square or of another size than labels, a distance that is NaN (the message has row and column, counted
-/// from 0), a minimum class size below 2, and if no class is large enough.
+/// from 0), a minimum class size out of range, and if no class is large enough.
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options);
 
 /// Evaluates a matrix whose rows and columns are described by a task. Throws ArgumentError as above, and for a matrix

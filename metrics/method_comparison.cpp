@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/names.h"
 #include "shapegauge/metrics/significance_tests.h"
 
 namespace shapegauge {
@@ -14,12 +13,6 @@ namespace shapegauge {
 namespace {
 
 constexpr double rounding = 1e-12;
-
-constexpr std::array tests = {
-    Named<PairTest>{PairTest::randomisation, "randomization"},
-    Named<PairTest>{PairTest::t, "t"},
-    Named<PairTest>{PairTest::bootstrap, "bootstrap"},
-};
 
 void check(const Eigen::MatrixXd& per_query, const UnitValues& units, const ComparisonOptions& options) {
   if (per_query.cols() < 2) throw ArgumentError("a comparison needs at least two methods");
@@ -65,9 +58,9 @@ double p_value(const Eigen::VectorXd& differences, const UnitValues& units, cons
 
 }  // namespace
 
-std::string name_of(PairTest test) { return name_in<PairTest>(tests, test); }
-std::optional<PairTest> pair_test_of(std::string_view name) { return value_in<PairTest>(tests, name); }
-std::vector<std::string> pair_test_names() { return names_in<PairTest>(tests); }
+std::string name_of(PairTest test) { return std::string(word_of(test)); }
+std::optional<PairTest> pair_test_of(std::string_view name) { return value_of_word<PairTest>(name); }
+std::vector<std::string> pair_test_names() { return list_of_words<PairTest>(); }
 
 double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
   const double of_resamples = 1.0 / (1.0 + options.resampling.resamples);
@@ -85,6 +78,7 @@ double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
 MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<const int> classes,
                                  const ComparisonOptions& options) {
   const UnitValues units = units_of(per_query, classes, options.blocks, options.average);
+  check_options("comparison", comparison_table, options);
   check(per_query, units, options);
   const Eigen::MatrixXd resampled = bootstrap_averages(units, options.resampling);
   const Eigen::MatrixXd tukey = tukey_hsd_p_values(units, options.resampling);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -17,6 +18,8 @@ namespace shapegauge {
 /// differs from the observed difference by at least as much as that differs from 0 (Efron and Tibshirani 1993, section
 /// 16.4).
 enum class PairTest { randomisation, t, bootstrap };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<PairTest>{"randomization", "t", "bootstrap"};
 
 /// Conversion to and from names in files and options: "randomization", "t" or "bootstrap".
 /// @{
@@ -33,6 +36,16 @@ struct ComparisonOptions {
   double confidence = 0.95;
   std::optional<std::size_t> reference{};  ///< method that is compared with each other one; all pairs if not set
   ResamplingOptions resampling{};
+};
+
+/// Parameters of ComparisonOptions.
+inline constexpr std::array comparison_table = {
+    option_of<&ComparisonOptions::test>("test", "Significance test of each pair."),
+    option_of<&ComparisonOptions::blocks>("blocks", "Unit of resampling: classes, or queries as if independent."),
+    option_of<&ComparisonOptions::average>("average", "Average over queries (micro) or over classes (macro)."),
+    option_of<&ComparisonOptions::confidence>("confidence", confidence_bounds, "Confidence level of intervals."),
+    option_within<&ComparisonOptions::resampling, resampling_table, 0>(),
+    option_within<&ComparisonOptions::resampling, resampling_table, 1>(),
 };
 
 /// Difference between two methods, first minus second, with its significance.
@@ -62,8 +75,8 @@ struct MethodComparison {
 double smallest_p_value(const ComparisonOptions& options, Eigen::Index units);
 
 /// Compares methods by their values on the same queries: per_query is queries x methods, classes[i] the class of query
-/// i. Throws ArgumentError for fewer than two methods or two units, a value that is not finite, and a reference out of
-/// range.
+/// i. Throws ArgumentError for fewer than two methods or two units, a value that is not finite, and a reference or an
+/// option out of range.
 MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<const int> classes,
                                  const ComparisonOptions& options = {});
 

@@ -14,13 +14,6 @@ constexpr std::array protocols = {
     Named<Protocol>{Protocol::trec, "trec"},
 };
 
-constexpr std::array all_ties = {
-    Named<Ties>{Ties::index, "index"},
-    Named<Ties>{Ties::optimistic, "optimistic"},
-    Named<Ties>{Ties::pessimistic, "pessimistic"},
-    Named<Ties>{Ties::expected, "expected"},
-};
-
 }  // namespace
 
 std::string name_of(Protocol protocol) { return name_in<Protocol>(protocols, protocol); }
@@ -29,10 +22,10 @@ std::optional<Protocol> protocol_of(std::string_view name) { return value_in<Pro
 
 std::vector<std::string> protocol_names() { return names_in<Protocol>(protocols); }
 
-std::string name_of(Ties ties) { return name_in<Ties>(all_ties, ties); }
+std::string name_of(Ties ties) { return std::string(word_of(ties)); }
 
-std::optional<Ties> ties_of(std::string_view name) { return value_in<Ties>(all_ties, name); }
+std::optional<Ties> ties_of(std::string_view name) { return value_of_word<Ties>(name); }
 
-std::vector<std::string> ties_names() { return names_in<Ties>(all_ties); }
+std::vector<std::string> ties_names() { return list_of_words<Ties>(); }
 
 }  // namespace shapegauge

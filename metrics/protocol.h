@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "shapegauge/core/base/words.h"
 
 namespace shapegauge {
 
@@ -27,6 +30,8 @@ std::vector<std::string> protocol_names();
 /// - optimistic, pessimistic: relevant models first, or last: the best and worst case of any order.
 /// - expected: the exact mean of every measure over all orders of the tied models.
 enum class Ties { index, optimistic, pessimistic, expected };
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<Ties>{"index", "optimistic", "pessimistic", "expected"};
 
 /// Returns the name in files and options: "index", "optimistic", "pessimistic" or "expected".
 std::string name_of(Ties ties);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/words.h"
+
 namespace shapegauge {
 
 /// Errors between two segmentations of the same surface (Chen, Golovinskiy, Funkhouser: "A benchmark for 3D mesh
@@ -47,6 +49,11 @@ const std::array<SegmentationErrorEntry, 7>& segmentation_error_entries();
 /// and without a positive weight.
 SegmentationErrors segmentation_errors(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth,
                                        std::span<const double> weights = {});
+
+/// Weight of a triangle in the errors: equal, as in the benchmark's own tables, or its area.
+enum class TriangleWeights { faces, area };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<TriangleWeights>{"faces", "area"};
 
 /// Edge of a mesh and its two adjacent triangles.
 struct MeshEdge {

@@ -47,13 +47,7 @@ py::array rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::s
                  const std::string& settings, int threads) {
   return array_of(compute(threads, [&] {
     const RerankMethod& chosen = rerank_methods().at(method);
-    const Json json = Json::parse(settings);
-    for (const auto& [name, value] : json.items()) {
-      if (std::ranges::find(chosen.parameters, name, &Parameter::name) == chosen.parameters.end()) {
-        throw InputError("the method " + method + " has no setting \"" + name + "\"");
-      }
-    }
-    return chosen.rerank(distances, read_parameters(chosen.parameters, json));
+    return chosen.rerank(distances, read_only_parameters(chosen.parameters, Json::parse(settings)));
   }));
 }
 

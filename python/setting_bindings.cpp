@@ -1,14 +1,19 @@
 // Settings of registries and tables of options, for defaults and docstrings of the Python package.
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "python/native.h"
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/kinds/experiment_kinds.h"
+#include "shapegauge/experiments/search/search.h"
 #include "shapegauge/metrics/method_comparison.h"
 
 namespace py = pybind11;
@@ -19,7 +24,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// Each parameter's meaning, legal values and default (null: required), by its name.
+/// Each parameter's meaning, legal values, bounds (of numbers) and default (null: required), by its name.
 OrderedJson listed_parameters(std::span<const Parameter> parameters) {
   const nlohmann::json defaults = to_json(ParameterValues(parameters));
   OrderedJson listed = OrderedJson::object();
@@ -28,6 +33,8 @@ OrderedJson listed_parameters(std::span<const Parameter> parameters) {
     listed[name] = {{"meaning", parameter.description},
                     {"values", legal_values(parameter)},
                     {"default", OrderedJson::parse(defaults.at(name).dump())}};
+    const Bounds& bounds = parameter.bounds;
+    if (std::isfinite(bounds.low) && std::isfinite(bounds.high)) listed[name]["bounds"] = {bounds.low, bounds.high};
   }
   return listed;
 }
@@ -41,27 +48,31 @@ OrderedJson listed_groups(const std::vector<ParameterGroup>& groups) {
   return listed;
 }
 
-/// Defaults of options that no registry has, by function and argument.
-OrderedJson other_defaults() {
-  const ComparisonOptions comparison;
-  return {{"sdf", {{"offset", OffsetSdfOptions{}.offset}}},
-          {"compare",
-           {{"test", name_of(comparison.test)},
-            {"blocks", name_of(comparison.blocks)},
-            {"confidence", comparison.confidence},
-            {"resamples", comparison.resampling.resamples},
-            {"seed", comparison.resampling.seed}}}};
+/// Options that configurations do not have, by function.
+OrderedJson other_options() {
+  return {{"sdf", listed_parameters(parameters_of(offset_sdf_table))},
+          {"compare", listed_parameters(parameters_of(comparison_table))},
+          {"search", listed_parameters(parameters_of(search_table))}};
+}
+
+/// Names and descriptions of the kinds of experiments.
+OrderedJson listed_experiments() {
+  OrderedJson listed = OrderedJson::object();
+  for (const ExperimentKind& kind : experiment_kinds().entries()) listed[std::string(kind.name)] = kind.description;
+  return listed;
 }
 
 }  // namespace
 
 void bind_settings(py::module_& module) {
+  module.attr("most_threads") = static_cast<int>(threads_bounds.high);
   module.def("settings", [] {
     return OrderedJson{{"fields", listed_groups(field_groups())},
                        {"descriptors", listed_groups(descriptor_groups())},
                        {"rerank", listed_groups(rerank_groups())},
                        {"sections", listed_groups(section_groups())},
-                       {"defaults", other_defaults()}}
+                       {"options", other_options()},
+                       {"experiments", listed_experiments()}}
         .dump();
   });
 }

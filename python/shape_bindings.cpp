@@ -16,7 +16,7 @@
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
-#include "shapegauge/experiments/segmentation/run_segmentation.h"
+#include "shapegauge/segmentation/segment_shape.h"
 
 namespace py = pybind11;
 
@@ -103,12 +103,13 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
     if (json.contains("perturbations")) throw InputError("perturbations are of an experiment: use run()");
     const SegmentationMethod method = segmentation_method(json);
     const Shape shape = shape_of(vertices, faces, normals);
-    const std::vector<std::int32_t> labels = segment_by_method(shape, method);
+    const std::vector<std::int32_t> labels = segment_shape(shape, method.options);
     Computed result;
     result.labels =
         Eigen::Map<const Eigen::VectorX<std::int32_t>>(labels.data(), static_cast<Eigen::Index>(labels.size()));
-    if (method.paper && method.offset_field) {
-      const auto leak = leak_warning(choose_offset(method.offset, shape), Audience::python);
+    const SegmentationOptions& options = method.options;
+    if (options.method == SegmentationAlgorithm::paper && options.field == SegmentedSdf::offset) {
+      const auto leak = leak_warning(choose_offset(options.offset, shape), Audience::python);
       if (leak) result.warnings.push_back(*leak);
     }
     return result;

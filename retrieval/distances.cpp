@@ -108,13 +108,13 @@ double jensen_shannon_distance(std::span<const float> a, std::span<const float> 
 // Returns the library's distances, in the order of listings.
 std::vector<NamedDistance> own_distances() {
   return {
-      {"l1", l1_distance, DistanceDomain::any, l1_distances},
-      {"l2", l2_distance},
-      {"cosine", cosine_distance, DistanceDomain::not_zero},
-      {"chi2", chi2_distance, DistanceDomain::not_negative},
-      {"hellinger", hellinger_distance, DistanceDomain::histograms},
-      {"jensen-shannon", jensen_shannon_distance, DistanceDomain::histograms},
-      {"emd", earth_movers_distance, DistanceDomain::histograms},
+      {"l1", l1_distance, DistanceDomain::any, l1_distances, "sum of absolute differences"},
+      {"l2", l2_distance, DistanceDomain::any, nullptr, "Euclidean"},
+      {"cosine", cosine_distance, DistanceDomain::not_zero, nullptr, "1 - cosine of the angle"},
+      {"chi2", chi2_distance, DistanceDomain::not_negative, nullptr, "half the sum of (a - b)² / (a + b)"},
+      {"hellinger", hellinger_distance, DistanceDomain::histograms, nullptr, "Hellinger, from 0 to 1"},
+      {"jensen-shannon", jensen_shannon_distance, DistanceDomain::histograms, nullptr, "Jensen-Shannon, from 0 to 1"},
+      {"emd", earth_movers_distance, DistanceDomain::histograms, nullptr, "earth mover's distance in bins"},
   };
 }
 

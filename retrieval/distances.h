@@ -30,6 +30,7 @@ struct NamedDistance {
   DistanceFunction function = nullptr;
   DistanceDomain domain = DistanceDomain::any;
   BatchDistanceFunction batch = nullptr;  ///< faster batch version; may be null
+  std::string description{};              ///< definition, in a phrase
 };
 
 /// Returns the registry of distances: those of the library (distances.cpp), followed by those added. An entry must have

@@ -17,10 +17,7 @@ void check_sizes(const ScalarField& field) {
   }
 }
 
-void check_histogram_options(const Interval& range, const HistogramOptions& options) {
-  if (options.bins < 1) {
-    throw ArgumentError("a histogram needs at least one bin, not " + std::to_string(options.bins));
-  }
+void check_range(const Interval& range) {
   if (!(range.low <= range.high) || !std::isfinite(range.high - range.low)) {
     throw ArgumentError("the range of a histogram must be finite and ascending, not [" + std::to_string(range.low) +
                         ", " + std::to_string(range.high) + "]");
@@ -62,7 +59,8 @@ Interval enclosing_interval(std::span<const Interval> intervals) {
 
 Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const HistogramOptions& options) {
   check_sizes(field);
-  check_histogram_options(range, options);
+  check_options("histogram", histogram_table, options);
+  check_range(range);
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(options.bins);
   double total = 0;
   for (Eigen::Index i = 0; i < field.values.size(); ++i) {

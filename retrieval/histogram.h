@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <span>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -23,6 +25,15 @@ struct HistogramOptions {
   int bins = 80;
   double smoothing_bins =
       0;  ///< standard deviation of Gaussian smoothing (smooth_gaussian()), in bins, at most `bins`; 0 for none
+};
+
+/// Parameters of HistogramOptions.
+inline constexpr std::array histogram_table = {
+    option_of<&HistogramOptions::bins>("bins", {.low = 1, .high = 100'000}, "Number of bins."),
+    measured_in("bins", option_of<&HistogramOptions::smoothing_bins>(
+                            "smoothing_bins", {.low = 0, .high = 1000},
+                            "Standard deviation of a Gaussian that smooths the histogram; at most the number of bins; "
+                            "0: none.")),
 };
 
 /// Returns the smallest and largest finite value of positive weight, if any.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fmt/format.h>
 #include <map>
 #include <queue>
 #include <set>
@@ -127,12 +126,7 @@ Band band_of(const ThickSurface& surface, std::span<const std::int32_t> labels, 
 
 std::vector<std::int32_t> smoothed_boundaries(const ThickSurface& surface, std::span<const std::int32_t> labels,
                                               const BoundarySmoothingOptions& options) {
-  if (!(options.width >= 0 && options.strength >= 0 && options.concavity > 0)) {
-    throw InputError(
-        fmt::format("smoothing boundaries takes a width ({}) and a strength ({}) of at least 0 and a "
-                    "concavity ({}) above 0",
-                    options.width, options.strength, options.concavity));
-  }
+  check_options("smoothing of boundaries", boundary_smoothing_table, options);
   if (std::ssize(labels) != surface.graph.size()) throw ArgumentError("a surface needs one label a node");
   if (std::ranges::any_of(labels, [](std::int32_t label) { return label < 0; })) {
     throw ArgumentError("labels must not be negative");

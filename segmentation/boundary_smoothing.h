@@ -1,18 +1,30 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/segmentation/thick_surface.h"
 
 namespace shapegauge {
 
 /// Options of boundary smoothing. Lengths are in square roots of the surface's area.
 struct BoundarySmoothingOptions {
-  double width = 0.03;     ///< maximum distance by which a border may move; at least 0
-  double strength = 0.03;  ///< cost of a border per length; at least 0
-  double concavity = 10;   ///< curvature of a concavity, in 1 / length, that halves the cost of a border; above 0
+  double width = 0.03;     ///< maximum distance by which a border may move
+  double strength = 0.03;  ///< cost of a border per length
+  double concavity = 10;   ///< curvature of a concavity, in 1 / length, that halves the cost of a border
+};
+
+/// Parameters of BoundarySmoothingOptions.
+inline constexpr std::array boundary_smoothing_table = {
+    measured_in("square roots of the area",
+                option_of<&BoundarySmoothingOptions::width>("border_width", {.low = 0, .high = 1},
+                                                            "Largest distance that smoothing may move borders.")),
+    option_of<&BoundarySmoothingOptions::strength>("strength", {.low = 0}, "Cost of a border per length."),
+    option_of<&BoundarySmoothingOptions::concavity>("concavity", {.low = 0, .low_open = true},
+                                                    "Curvature of a concavity that halves the cost of a border."),
 };
 
 /// Smooths the borders between parts: makes them shorter and aligns them with concavities. Only nodes near borders

@@ -26,14 +26,12 @@ constexpr Eigen::Index triangles_per_part = 20;
 constexpr std::int32_t most_regions = 600;
 
 void check(const PartSegmentationOptions& options, std::int32_t nodes) {
-  if (options.parts < 0 || options.parts > nodes) {
+  check_options("segmentation into parts", part_segmentation_table, options);
+  if (options.parts > nodes) {
     throw InputError(
         fmt::format("a shape of {} triangles or points cannot be segmented into {} parts", nodes, options.parts));
   }
   if (options.samples < 1) throw InputError(fmt::format("at least 1 sample is needed, not {}", options.samples));
-  if (!(options.least_probability >= 0 && options.least_probability <= 1)) {
-    throw InputError(fmt::format("the least probability must be from 0 to 1, not {}", options.least_probability));
-  }
 }
 
 /// Numbers the patches by decreasing area, or -1 beyond a maximum. Only components increase the number of patches;

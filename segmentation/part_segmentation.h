@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/segmentation/boundary_smoothing.h"
 #include "shapegauge/segmentation/part_model.h"
@@ -15,12 +17,22 @@ inline constexpr int part_segmentation_version = 5;
 
 /// Options of part_segmentation().
 struct PartSegmentationOptions {
-  int parts = 0;                   ///< number of parts, at least 0; 0 for automatic
-  int patches = 150;               ///< number of initial patches, at least 1; more if more parts are requested
+  int parts = 0;                   ///< number of parts; 0 for automatic
+  int patches = 150;               ///< number of initial patches; more if more parts are requested
   int samples = 1000;              ///< number of surface samples for mutual visibility, at least 1
-  double least_probability = 0.5;  ///< regions with a lower probability of being one part stay apart; 0 to 1
+  double least_probability = 0.5;  ///< regions with a lower probability of being one part stay apart
   BoundarySmoothingOptions smoothing{};
   std::uint64_t seed = 1;
+};
+
+/// Parameters of PartSegmentationOptions.
+inline constexpr std::array part_segmentation_table = {
+    option_of<&PartSegmentationOptions::parts>("parts", {.low = 0, .high = 1'000'000},
+                                               "Number of parts; 0 for automatic."),
+    option_of<&PartSegmentationOptions::patches>("patches", {.low = 1, .high = 100'000}, "Number of initial patches."),
+    option_of<&PartSegmentationOptions::least_probability>("least_probability", {.low = 0, .high = 1},
+                                                           "Least probability at which two regions are merged."),
+    option_within<&PartSegmentationOptions::smoothing, boundary_smoothing_table, 0>(),
 };
 
 /// Segments a shape into parts as people would: returns a part number for each triangle, or point of a cloud, from 0 on

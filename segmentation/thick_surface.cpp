@@ -121,8 +121,7 @@ Points smoothed_normals(const SurfaceGraph& graph, double unit) {
 }  // namespace
 
 Shape facing_outward(Shape shape) {
-  if (is_watertight_and_oriented(shape) && signed_volume(shape) < 0)
-    shape.triangles.col(1).swap(shape.triangles.col(2));
+  if (is_closed_and_oriented(shape) && signed_volume(shape) < 0) shape.triangles.col(1).swap(shape.triangles.col(2));
   return shape;
 }
 

@@ -22,7 +22,7 @@ struct ThickSurface {
   [[nodiscard]] double turn(std::int32_t node, const SurfaceLink& link) const;
 };
 
-/// Reverses a watertight mesh whose triangles face inwards; returns any other shape unchanged.
+/// Reverses a closed mesh whose triangles face inwards; returns any other shape unchanged.
 Shape facing_outward(Shape shape);
 
 /// Computes the thickness of a shape at every triangle or point.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +10,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/base/words.h"
 
 /// Tables of options: each entry names a member of an options struct, its bounds and its meaning. Defaults are those of
 /// the struct. Each option is thus specified in one place.
@@ -34,10 +34,6 @@ struct MemberOf<ValueOf OptionsOf::*> {
   using Value = ValueOf;
 };
 
-/// Names of the values 0, 1, 2, ... of an enumeration. Specialised beside each enumeration that options use.
-template <typename Enumeration>
-inline constexpr std::array<std::string_view, 0> words_of{};
-
 /// True for integer types other than bool; parameters store these in 64 bits.
 template <typename Value>
 inline constexpr bool is_integer = std::is_integral_v<Value> && !std::is_same_v<Value, bool>;
@@ -51,9 +47,9 @@ using HeldValue = std::conditional_t<is_integer<Value>, std::int64_t,
 template <typename Value>
 constexpr HeldValue<Value> held_value(const Value& value) {
   if constexpr (std::is_enum_v<Value>) {
-    return words_of<Value>.at(static_cast<std::size_t>(value));
+    return word_of(value);
   } else {
-    return HeldValue<Value>{value};
+    return static_cast<HeldValue<Value>>(value);
   }
 }
 
@@ -65,8 +61,7 @@ Value member_value(const ParameterValue& value) {
     const auto* const list = std::get_if<IntegerList>(&value);
     return list != nullptr ? *list : IntegerList{};
   } else if constexpr (std::is_enum_v<Value>) {
-    const auto word = std::ranges::find(words_of<Value>, std::get<std::string_view>(value));
-    return static_cast<Value>(word - words_of<Value>.begin());
+    return value_of_word<Value>(std::get<std::string_view>(value)).value();
   } else {
     return static_cast<Value>(std::get<HeldValue<Value>>(value));
   }
@@ -122,6 +117,13 @@ constexpr OptionParameter<Options> measured_in(std::string_view unit, OptionPara
   return option;
 }
 
+/// Replaces the description of an option, for a table in which it needs another one.
+template <typename Options>
+constexpr OptionParameter<Options> described(std::string_view description, OptionParameter<Options> option) {
+  option.parameter.description = description;
+  return option;
+}
+
 /// Makes an OptionParameter for an option of a nested options struct. `table` is the table of the nested struct.
 template <auto member, const auto& table, std::size_t index>
 constexpr auto option_within() {
@@ -141,7 +143,16 @@ constexpr std::array<Parameter, count> parameters_of(const std::array<OptionPara
   (std::make_index_sequence<count>());
 }
 
-/// Validates options against the bounds of their table. Throws InputError, prefixed by `what`.
+/// Returns the parameter of that name. The table must contain it.
+template <typename Options, std::size_t count>
+constexpr const Parameter& parameter_named(std::string_view name,
+                                           const std::array<OptionParameter<Options>, count>& table) {
+  std::size_t index = 0;
+  while (table.at(index).parameter.name != name) ++index;
+  return table.at(index).parameter;
+}
+
+/// Validates options against the bounds of their table. Throws ArgumentError, prefixed by `what`.
 template <typename Options, std::size_t count>
 void check_options(std::string_view what, const std::array<OptionParameter<Options>, count>& table,
                    const Options& options) {
@@ -149,9 +160,19 @@ void check_options(std::string_view what, const std::array<OptionParameter<Optio
     try {
       checked_value(option.parameter, option.value(options));
     } catch (const InputError& error) {
-      throw InputError(std::string(what) + ": " + error.what());
+      throw ArgumentError(std::string(what) + ": " + error.what());
     }
   }
+}
+
+/// Returns the values of options. `parameters` are parameters_of() the table and must outlive the result. Throws
+/// InputError for a value out of bounds.
+template <typename Options, std::size_t count>
+ParameterValues values_of(const std::array<Parameter, count>& parameters,
+                          const std::array<OptionParameter<Options>, count>& table, const Options& options) {
+  ParameterValues values(parameters);
+  for (const auto& option : table) values.set(option.parameter.name, option.value(options));
+  return values;
 }
 
 /// Returns the options with the given parameter values.

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/base/text.h"
 
 namespace shapegauge {
@@ -188,9 +189,9 @@ ParameterValues::ParameterValues(std::span<const Parameter> parameters) : parame
 void ParameterValues::set(std::string_view name, const ParameterValue& value) {
   const auto found = std::ranges::find(parameters_, name, &Parameter::name);
   if (found == parameters_.end()) {
-    std::vector<std::string_view> names;
-    std::ranges::transform(parameters_, std::back_inserter(names), &Parameter::name);
-    throw InputError(fmt::format("there is no parameter {}; known are {}", quoted_word(name), fmt::join(names, ", ")));
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters_) names.emplace_back(parameter.name);
+    throw InputError(fmt::format("there is no setting {}{}", quoted_word(name), suggestion(name, names)));
   }
   values_[static_cast<std::size_t>(found - parameters_.begin())] = checked_value(*found, value);
 }

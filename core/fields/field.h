@@ -115,6 +115,7 @@ struct FieldType {
   std::vector<Parameter> parameters;
   /// Makes the computation for the given settings. Throws InputError if settings contradict each other.
   std::function<FieldComputation(const ParameterValues& values, const SamplePlan& samples)> make;
+  bool is_thickness = false;  ///< the values are thicknesses, in the shape's units: a method of `sdf`
 };
 
 /// Returns the registry of field types: those of this folder (docs/developer/extending.md), followed by those added. An

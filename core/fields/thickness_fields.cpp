@@ -20,13 +20,11 @@ constexpr std::array<std::string_view, 1> automatic{"auto"};
 
 /// Returns the parameters of an offset SDF: the offset is mandatory and may be automatic.
 std::vector<Parameter> offset_sdf_parameters() {
-  constexpr auto options = parameters_of(offset_sdf_table);
-  std::vector<Parameter> parameters(options.begin(), options.end());
-  parameters[0].default_value = {};
-  parameters[0].choices = automatic;
-  parameters[0].description =
-      "Offset distance; auto: between 1 and 5 %, chosen for each shape from its gaps and noise.";
-  return parameters;
+  Parameter offset = parameter_named("offset", offset_sdf_table);
+  offset.default_value = {};
+  offset.choices = automatic;
+  offset.description = "Offset distance; auto: between 1 and 5 %, chosen for each shape from its gaps and noise.";
+  return {offset, parameter_named("accuracy", offset_sdf_table)};
 }
 
 FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
@@ -91,7 +89,8 @@ FieldComputation inscribed_ball_field(const ParameterValues& values, const Sampl
 }  // namespace
 
 FieldType offset_sdf_type() {
-  return {"offset_sdf", "Shape diameter function of the offset surface.", offset_sdf_parameters(), offset_sdf_field};
+  return {"offset_sdf", "Shape diameter function of the offset surface.", offset_sdf_parameters(), offset_sdf_field,
+          true};
 }
 
 FieldType cone_sdf_type() {
@@ -99,7 +98,8 @@ FieldType cone_sdf_type() {
   return {"cone_sdf",
           "Conventional shape diameter function: a cone of rays about the inward normal.",
           {parameters.begin(), parameters.end()},
-          cone_sdf_field};
+          cone_sdf_field,
+          true};
 }
 
 FieldType inscribed_ball_type() {
@@ -107,7 +107,8 @@ FieldType inscribed_ball_type() {
   return {"inscribed_ball",
           "Diameter of the largest ball inside the shape that touches its surface at the sample.",
           {parameters.begin(), parameters.end()},
-          inscribed_ball_field};
+          inscribed_ball_field,
+          true};
 }
 
 }  // namespace shapegauge

@@ -48,7 +48,7 @@ std::vector<ClosedPart> closed_parts(const Shape& shape) {
 std::size_t cavity_count(const Shape& given) {
   require_usable(given);
   const Shape shape = without_duplicates(given);
-  if (is_cloud(shape) || !is_watertight_and_oriented(shape)) return 0;
+  if (is_cloud(shape) || !is_closed_and_oriented(shape)) return 0;
   const std::vector<ClosedPart> parts = closed_parts(shape);
   const auto size = [](const ClosedPart& part) { return std::abs(part.volume); };
   const double largest = std::ranges::max_element(parts, {}, size)->volume;

@@ -8,7 +8,7 @@ namespace shapegauge {
 
 /// Counts the inner surfaces of a hollow body: closed components with the opposite orientation to the largest one,
 /// inside the box of a larger component that is oriented like it. Returns 0 for a cloud, and for a mesh that is not
-/// watertight and consistently oriented. Throws InputError for an unusable shape (require_usable()).
+/// closed and consistently oriented. Throws InputError for an unusable shape (require_usable()).
 std::size_t cavity_count(const Shape& shape);
 
 }  // namespace shapegauge

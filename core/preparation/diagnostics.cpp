@@ -77,10 +77,10 @@ std::size_t count_components(const std::vector<CornerIndices>& corners, std::siz
 void diagnose_edges(const Shape& shape, const Welding& welding, ShapeDiagnostics& found) {
   const std::vector<HalfEdge> uses = half_edges(shape.triangles, welding);
   std::vector<double> boundary;
-  found.watertight = !uses.empty();
+  found.closed = !uses.empty();
   for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
     ++found.edges;
-    if (edge.size() % 2 != 0) found.watertight = false;
+    if (edge.size() % 2 != 0) found.closed = false;
     if (edge.size() == 1)
       boundary.push_back((shape.vertices.row(edge[0].low) - shape.vertices.row(edge[0].high)).norm());
     if (edge.size() > 2) ++found.non_manifold_edges;

@@ -7,7 +7,7 @@
 namespace shapegauge {
 
 /// Cache version of diagnose(); see docs/manual/cache.md.
-inline constexpr int diagnostics_version = 2;
+inline constexpr int diagnostics_version = 3;
 
 /// Defects and properties of a shape before it is measured. Edges and components are those of the welded mesh; a
 /// triangle with fewer than three distinct corners has no edges. Duplicate triangles are counted and otherwise ignored
@@ -24,7 +24,7 @@ struct ShapeDiagnostics {
   std::size_t duplicate_triangles = 0;   ///< triangles with the same corners as an earlier one, in any order
   std::size_t components = 0;            ///< of a mesh: components connected through vertices
 
-  bool watertight = false;  ///< every edge has an even number of triangles (is_watertight())
+  bool closed = false;  ///< every edge has an even number of triangles (is_closed())
   std::size_t edges = 0;
   std::size_t boundary_edges = 0;      ///< edges with one triangle
   double boundary_length = 0;          ///< total length of the boundary edges, in the shape's units
@@ -41,7 +41,7 @@ struct ShapeDiagnostics {
 /// (require_usable()).
 ShapeDiagnostics diagnose(const Shape& shape);
 
-/// Computes the volume enclosed by a watertight, consistently oriented mesh; negative if its triangles face inwards. Of
+/// Computes the volume enclosed by a closed, consistently oriented mesh; negative if its triangles face inwards. Of
 /// duplicate triangles the first counts.
 double signed_volume(const Shape& shape);
 

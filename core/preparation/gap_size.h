@@ -24,7 +24,7 @@ struct BoundaryLoop {
 
 /// Extracts the boundary loops of a mesh with coincident vertices welded. A boundary edge has one triangle. Loops that
 /// touch at a vertex are separated there. Open paths, which non-manifold edges can cause, are closed by joining their
-/// ends. Independent of orientation. Empty for a watertight mesh and for a cloud. Throws InputError for an unusable
+/// ends. Independent of orientation. Empty for a closed mesh and for a cloud. Throws InputError for an unusable
 /// shape (require_usable()).
 std::vector<BoundaryLoop> boundary_loops(const Shape& shape);
 
@@ -45,7 +45,7 @@ GapSizes gap_sizes(const Shape& shape, double limit);
 /// Computes the radius of the widest gap of a shape, in the shape's units. A larger offset closes all gaps.
 ///
 /// For a mesh: the radius of the largest circle that fits into a hole; each hole is a boundary loop projected along its
-/// vector area. Holes wider than `limit` are ignored: the mouth of a vase is not treated as a gap. 0 for a watertight
+/// vector area. Holes wider than `limit` are ignored: the mouth of a vase is not treated as a gap. 0 for a closed
 /// mesh.
 ///
 /// For a cloud, whatever the limit: the distance within which 999 of 1000 points have their sixth neighbour (or their

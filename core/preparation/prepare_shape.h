@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -18,10 +22,23 @@ enum class ScaleEstimate {
   tube_area,  ///< unit tube_area(): robust to noise, cracks and sampling
 };
 
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<ScaleEstimate>{"area", "tube_area"};
+
 /// Options of prepare_shape().
 struct PreparationOptions {
   bool denoise = false;  ///< see denoised()
   ScaleEstimate scale = ScaleEstimate::area;
+};
+
+/// Parameters of PreparationOptions.
+inline constexpr std::array preparation_table = {
+    option_of<&PreparationOptions::denoise>(
+        "denoise", "Smooth clearly noisy meshes, in proportion to their noise; clean meshes and clouds are unchanged."),
+    option_of<&PreparationOptions::scale>(
+        "scale",
+        "area: to unit surface area (clouds: estimated area); tube_area: to unit area, estimated from the volume of a "
+        "tube about the surface, which is robust to noise, cracks and sampling."),
 };
 
 /// Normalised shape and the quantities estimated for it.

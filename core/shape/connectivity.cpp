@@ -138,11 +138,11 @@ std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std
   return half_edges(triangles, {{merged.begin(), merged.end()}, first_duplicates(triangles, merged)});
 }
 
-bool is_watertight(const Shape& shape) {
+bool is_closed(const Shape& shape) {
   return all_edges(shape, [](std::span<const HalfEdge> edge) { return edge.size() % 2 == 0; });
 }
 
-bool is_watertight_and_oriented(const Shape& shape) {
+bool is_closed_and_oriented(const Shape& shape) {
   return all_edges(shape, [](std::span<const HalfEdge> edge) {
     return 2 * std::ranges::count(edge, true, &HalfEdge::forward) == std::ssize(edge);
   });

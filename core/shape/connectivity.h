@@ -106,13 +106,13 @@ void for_each_edge(std::span<const HalfEdge> uses, Visit visit) {
   }
 }
 
-/// Returns true if ray parity separates inside from outside: every edge has an even number of triangles. Coincident
-/// vertices are welded; triangles of zero area and duplicates are ignored. Independent of orientation. False without
-/// triangles. Throws InputError for an unusable shape (require_usable()).
-bool is_watertight(const Shape& shape);
+/// Returns true if the shape is closed, so that ray parity separates inside from outside: every edge has an even number
+/// of triangles. Coincident vertices are welded; triangles of zero area and duplicates are ignored. Independent of
+/// orientation. False without triangles. Throws InputError for an unusable shape (require_usable()).
+bool is_closed(const Shape& shape);
 
-/// Returns true if the shape is watertight and every edge is traversed equally often in both directions. Any ray from
+/// Returns true if the shape is closed and every edge is traversed equally often in both directions. Any ray from
 /// outside then crosses the surface inwards as often as outwards, even if parts overlap.
-bool is_watertight_and_oriented(const Shape& shape);
+bool is_closed_and_oriented(const Shape& shape);
 
 }  // namespace shapegauge

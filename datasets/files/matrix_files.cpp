@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -96,15 +97,22 @@ constexpr std::array formats = {
     Format{".csv", read_csv},    Format{".tsv", read_csv}, Format{".txt", read_text}, Format{".dat", read_text},
 };
 
+constexpr auto extensions = [] {
+  std::array<std::string_view, formats.size()> all{};
+  std::ranges::transform(formats, all.begin(), &Format::extension);
+  return all;
+}();
+
 const Format& format_of(const std::filesystem::path& path) {
   const auto* const found = std::ranges::find(formats, format_extension(path), &Format::extension);
   if (found != formats.end()) return *found;
-  std::string known;
-  for (const Format& format : formats) known.append(known.empty() ? "" : ", ").append(format.extension);
-  throw InputError(fmt::format("{}: unknown extension of a distance matrix; known are {}", path.string(), known));
+  throw InputError(fmt::format("{}: unknown extension of a distance matrix; known are {}", path.string(),
+                               fmt::join(extensions, ", ")));
 }
 
 }  // namespace
+
+std::span<const std::string_view> matrix_extensions() { return extensions; }
 
 void refuse_nan(const DistanceMatrix& numbers, const MatrixPlace& first, std::string_view what,
                 const std::filesystem::path& path) {

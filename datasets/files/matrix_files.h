@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& sourc
 
 /// Returns N of a `.matrix` file of that many bytes. Throws InputError as parse_psb_matrix() does.
 Eigen::Index psb_matrix_size(std::size_t bytes, const std::string& source);
+
+/// Returns the extensions of the formats that read_matrix() reads, with their dots.
+std::span<const std::string_view> matrix_extensions();
 
 /// Reads a matrix of distances or features; the name's extension (any case) selects the format: `.matrix` (Princeton
 /// Shape Benchmark), `.npy` or `.npz` (NumPy), `.mat` (MATLAB), `.csv` or `.tsv` (parse_csv_matrix(),

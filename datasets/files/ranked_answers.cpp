@@ -182,7 +182,7 @@ bool is_ranked_answers_file(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return true;
   const std::string extension = format_extension(path);
-  if (extension == ".run" || extension == ".trec" || extension == ".lists") return true;
+  if (std::ranges::find(ranked_answers_extensions, extension) != ranked_answers_extensions.end()) return true;
   return extension == ".txt" && begins_like_a_run(read_plain_bytes(path));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -48,6 +49,9 @@ RankedAnswers::Answer parse_ranked_list(std::string_view text, const std::string
 /// InputError, with the line, for a wrong number of words, a grade that is not an integer, a model judged twice for a
 /// query, and no lines.
 Judgements parse_qrels(std::string_view text, const std::string& source);
+
+/// Extensions of TREC runs and ranked lists.
+inline constexpr std::array<std::string_view, 3> ranked_answers_extensions{".run", ".trec", ".lists"};
 
 /// Returns true for a TREC run (.run, .trec, or .txt with a matching first line) or ranked lists (.lists), also
 /// compressed with `.gz`, and for a folder, which has a list for each query.

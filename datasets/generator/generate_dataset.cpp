@@ -30,17 +30,10 @@ namespace shapegauge {
 
 namespace {
 
-constexpr Parameter seed_parameter{.name = "seed",
-                                   .kind = ParameterKind::integer,
-                                   .default_value = std::int64_t{1},
-                                   .bounds = seed_bounds,
-                                   .description = "Random seed; the same seed gives the same shapes."};
-
-constexpr Parameter faces_parameter{.name = "faces",
-                                    .kind = ParameterKind::integer,
-                                    .default_value = std::int64_t{GeneratorOptions{}.faces},
-                                    .bounds = {.low = 1000, .high = 100'000},
-                                    .description = "Approximate number of triangles per model."};
+constexpr auto faces_option = option_of<&GeneratorOptions::faces>("faces", {.low = 1000, .high = 100'000},
+                                                                  "Approximate number of triangles per model.");
+constexpr auto seed_option =
+    option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Random seed; the same seed gives the same shapes.");
 
 constexpr int most_models = 1000;
 
@@ -106,13 +99,6 @@ class ClassModels {
   std::uint64_t seed_;
   std::function<SolidMesh(RandomNumbers&)> draw_;
 };
-
-void check_generator_options(const GeneratorOptions& options) {
-  require_in_bounds("the number of classes", options.classes,
-                    {.low = 1, .high = static_cast<double>(generated_classes().size())});
-  require_in_bounds("the number of models of each class", options.models_per_class, {.low = 1, .high = most_models});
-  require_in_bounds("the number of faces", options.faces, faces_parameter.bounds);
-}
 
 bool belongs_to_dataset(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
@@ -215,21 +201,18 @@ Classification classification_of(const std::vector<int>& numbers, const Generato
 
 }  // namespace
 
+const std::array<OptionParameter<GeneratorOptions>, 4>& generator_table() {
+  static const std::array table{
+      option_of<&GeneratorOptions::classes>(
+          "classes", {.low = 1, .high = static_cast<double>(generated_classes().size())}, "Number of classes."),
+      option_of<&GeneratorOptions::models_per_class>("models_per_class", {.low = 1, .high = most_models},
+                                                     "Number of models per class."),
+      faces_option, seed_option};
+  return table;
+}
+
 std::span<const Parameter> generator_parameters() {
-  const GeneratorOptions usual;
-  static const std::vector<Parameter> parameters{
-      {.name = "classes",
-       .kind = ParameterKind::integer,
-       .default_value = std::int64_t{usual.classes},
-       .bounds = {.low = 1, .high = static_cast<double>(generated_classes().size())},
-       .description = "Number of classes."},
-      {.name = "models_per_class",
-       .kind = ParameterKind::integer,
-       .default_value = std::int64_t{usual.models_per_class},
-       .bounds = {.low = 1, .high = most_models},
-       .description = "Number of models per class."},
-      faces_parameter,
-      seed_parameter};
+  static const auto parameters = parameters_of(generator_table());
   return parameters;
 }
 
@@ -246,8 +229,8 @@ std::span<const Parameter> generated_model_parameters() {
        .default_value = std::int64_t{0},
        .bounds = {.low = 0, .high = most_models - 1},
        .description = "Index of the model in its class, from 0."},
-      faces_parameter,
-      seed_parameter};
+      faces_option.parameter,
+      seed_option.parameter};
   return parameters;
 }
 
@@ -259,14 +242,14 @@ Shape generate_model(const GeneratedModel& wanted) {
     throw InputError(no_such_word("generated class", wanted.model_class, names));
   }
   require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = most_models - 1});
-  require_in_bounds("the number of faces", wanted.faces, faces_parameter.bounds);
+  require_in_bounds("the number of faces", wanted.faces, faces_option.parameter.bounds);
   const auto class_index = static_cast<std::size_t>(found - generated_classes().begin());
   return ClassModels(class_index, wanted.faces, wanted.seed).draw(static_cast<std::size_t>(wanted.model)).mesh;
 }
 
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,
                       const GeneratorProgress& progress) {
-  check_generator_options(options);
+  check_options("generate", generator_table(), options);
   prepare_folder(folder, options.force);
   const Models models{scattered_numbers(options), folder};
   const auto classes = static_cast<std::size_t>(options.classes);

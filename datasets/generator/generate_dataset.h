@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -32,10 +34,15 @@ struct GeneratorOptions {
   bool force = false;        ///< replace a data set already in the folder
 };
 
-/// Return the options as parameters with their valid values: those of GeneratorOptions except `force`, and those of
-/// GeneratedModel, whose class is called `class`.
+/// Returns the table of GeneratorOptions, without `force`.
+const std::array<OptionParameter<GeneratorOptions>, 4>& generator_table();
+
+/// Return the parameters of GeneratorOptions, without `force`, and those of GeneratedModel, whose class is called
+/// `class`.
+/// @{
 std::span<const Parameter> generator_parameters();
 std::span<const Parameter> generated_model_parameters();
+/// @}
 
 /// Called after every model with the numbers of models written so far and in total; serialised, from any thread.
 using GeneratorProgress = std::function<void(int done, int total)>;

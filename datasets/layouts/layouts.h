@@ -14,6 +14,7 @@ namespace shapegauge {
 /// Layout of a data set in a folder.
 struct DatasetLayout {
   std::string_view name;
+  std::string_view description{};  ///< phrase: the files and where the classes are
   Dataset (*find)(const DatasetLocation&) = nullptr;
   std::string_view usual_classification{};  ///< default file beside the models with their classes; empty for none
   bool has_splits = false;                  ///< DatasetLocation::split selects models

@@ -64,7 +64,7 @@ std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull)
 
 std::optional<std::string> two_sided_warning(const Shape& shape, const Eigen::VectorXd& values, double offset) {
   const Eigen::Index count = (values.array() < 0.5 * offset * bounding_box_diagonal(shape)).count();
-  if (count == 0 || is_watertight(shape)) return std::nullopt;
+  if (count == 0 || is_closed(shape)) return std::nullopt;
   return fmt::format(
       "{} of {} samples are about equally far from the outside on both sides; the direction of their normals depends "
       "on the input's orientation or on chance",

@@ -7,6 +7,7 @@
 
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
 
 namespace shapegauge {
 
@@ -53,13 +54,11 @@ Json report_to_json(const Configuration& configuration) {
 Json evaluation_to_json(const Configuration& configuration) {
   Json measures = Json::array();
   for (const Measure& measure : configuration.measures) measures.push_back(measure.name);
-  return {{"measures", std::move(measures)},
-          {"ties", name_of(configuration.ties)},
-          {"minimum_class_size", configuration.minimum_class_size}};
+  Json json = options_json(evaluation_table, EvaluationOptions{.ties = configuration.ties,
+                                                               .minimum_class_size = configuration.minimum_class_size});
+  json["measures"] = std::move(measures);
+  return json;
 }
-
-constexpr std::array<std::string_view, 2> reactions{"stop", "skip"};
-constexpr std::array<std::string_view, 2> scales{"area", "tube_area"};
 
 }  // namespace
 
@@ -73,62 +72,25 @@ std::span<const Parameter> experiment_parameters() {
                                "comparisons, the shape's name)."},
       Parameter{.name = "on_error",
                 .kind = ParameterKind::choice,
-                .default_value = reactions[0],
-                .choices = reactions,
+                .default_value = word_of(OnError::stop),
+                .choices = words_of<OnError>,
                 .description = "Action for an unusable model or shape: stop the run, or skip it and list it at the "
                                "end. A model that is unusable for some methods only is kept for the others."}};
   return parameters;
 }
 
 std::span<const Parameter> histogram_parameters() {
-  static const std::array parameters{
-      Parameter{.name = "bins",
-                .kind = ParameterKind::integer,
-                .default_value = std::int64_t{HistogramOptions{}.bins},
-                .bounds = {.low = 1, .high = 100'000},
-                .description = "Number of bins."},
-      Parameter{.name = "smoothing_bins",
-                .default_value = HistogramOptions{}.smoothing_bins,
-                .bounds = {.low = 0, .high = 1000},
-                .description = "Standard deviation of a Gaussian that smooths the histogram; at most the number of "
-                               "bins; 0: none.",
-                .unit = "bins"}};
+  static constexpr auto parameters = parameters_of(histogram_table);
   return parameters;
 }
 
 std::span<const Parameter> evaluation_parameters() {
-  static const std::vector<std::string> names = ties_names();
-  static const std::vector<std::string_view> ties(names.begin(), names.end());
-  static const std::array parameters{
-      Parameter{.name = "ties",
-                .kind = ParameterKind::choice,
-                .default_value = ties[0],
-                .choices = ties,
-                .description = "Order of models at equal distance: by index, relevant models first or last, or the "
-                               "mean over all orders."},
-      Parameter{.name = "minimum_class_size",
-                .kind = ParameterKind::integer,
-                .default_value = std::int64_t{2},
-                .bounds = {.low = 2, .high = 1'000'000},
-                .description = "Minimum class size of queries (psbTable of the Princeton Shape Benchmark: 3)."}};
+  static constexpr auto parameters = parameters_of(evaluation_table);
   return parameters;
 }
 
 std::span<const Parameter> preparation_parameters() {
-  static const std::array parameters{
-      Parameter{
-          .name = "denoise",
-          .kind = ParameterKind::boolean,
-          .default_value = PreparationOptions{}.denoise,
-          .description =
-              "Smooth clearly noisy meshes, in proportion to their noise; clean meshes and clouds are unchanged."},
-      Parameter{.name = "scale",
-                .kind = ParameterKind::choice,
-                .default_value = scales[0],
-                .choices = scales,
-                .description =
-                    "area: to unit surface area (clouds: estimated area); tube_area: to unit area, estimated from "
-                    "the volume of a tube about the surface, which is robust to noise, cracks and sampling."}};
+  static constexpr auto parameters = parameters_of(preparation_table);
   return parameters;
 }
 
@@ -155,11 +117,12 @@ std::vector<std::size_t> computation_order(const std::vector<SignatureConfigurat
 }
 
 Json to_json(const HistogramConfiguration& histogram) {
-  Json json{{"bins", histogram.options.bins}, {"smoothing_bins", histogram.options.smoothing_bins}};
+  Json json = options_json(histogram_table, histogram.options);
+  const std::string_view range = word_of(histogram.range);
   if (histogram.range == HistogramRange::fixed) {
-    json["range"] = {{"fixed", {histogram.fixed.low, histogram.fixed.high}}};
+    json["range"][std::string(range)] = {histogram.fixed.low, histogram.fixed.high};
   } else {
-    json["range"] = histogram.range == HistogramRange::per_shape ? "per-shape" : "dataset";
+    json["range"] = range;
   }
   return json;
 }
@@ -183,12 +146,7 @@ Json to_json(const std::vector<SignatureConfiguration>& signatures) {
   return list;
 }
 
-Json to_json(const GeneratorOptions& generator) {
-  return {{"classes", generator.classes},
-          {"models_per_class", generator.models_per_class},
-          {"faces", generator.faces},
-          {"seed", generator.seed}};
-}
+Json to_json(const GeneratorOptions& generator) { return options_json(generator_table(), generator); }
 
 Json to_json(const Configuration& configuration) {
   Json json{{"name", configuration.name},
@@ -197,7 +155,7 @@ Json to_json(const Configuration& configuration) {
             {"seed", configuration.seed},
             {"preparation", to_json(configuration.preparation)},
             {"evaluation", evaluation_to_json(configuration)},
-            {"on_error", configuration.on_error == OnError::stop ? "stop" : "skip"},
+            {"on_error", word_of(configuration.on_error)},
             {"signatures", to_json(configuration.signatures)},
             {"distance", configuration.distance},
             {"keep_distances", configuration.keep_distances},
@@ -216,8 +174,6 @@ Json to_json(const DatasetLocation& location) {
   return json;
 }
 
-Json to_json(const PreparationOptions& preparation) {
-  return {{"denoise", preparation.denoise}, {"scale", preparation.scale == ScaleEstimate::area ? "area" : "tube_area"}};
-}
+Json to_json(const PreparationOptions& preparation) { return options_json(preparation_table, preparation); }
 
 }  // namespace shapegauge

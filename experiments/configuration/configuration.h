@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
@@ -15,6 +18,7 @@
 #include "shapegauge/experiments/configuration/derived_distances.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
+#include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/histogram.h"
@@ -23,6 +27,8 @@ namespace shapegauge {
 
 /// Source of the range of a histogram (docs/reference/definitions.md#histograms).
 enum class HistogramRange { per_shape, dataset, fixed };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<HistogramRange>{"per-shape", "dataset", "fixed"};
 
 /// Options of the histogram of a field.
 struct HistogramConfiguration {
@@ -45,6 +51,8 @@ struct SignatureConfiguration {
 
 /// Handling of models that cannot be used.
 enum class OnError { stop, skip };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<OnError>{"stop", "skip"};
 
 /// Rendering options of the report's pictures, common to all models.
 struct PictureOptions {
@@ -75,8 +83,8 @@ struct Configuration {
   PreparationOptions preparation;             ///< of every model, after the perturbations
   std::vector<Protocol> protocols{Protocol::psb};
   std::vector<Measure> measures;  ///< those of the protocols by default
-  Ties ties = Ties::index;
-  int minimum_class_size = 2;
+  Ties ties = EvaluationOptions{}.ties;
+  int minimum_class_size = EvaluationOptions{}.minimum_class_size;
   OnError on_error = OnError::stop;
   std::vector<SignatureConfiguration> signatures;
   std::string distance = "l1";

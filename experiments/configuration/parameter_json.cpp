@@ -119,6 +119,13 @@ ParameterValues read_parameters(std::span<const Parameter> parameters, const Jso
   return values;
 }
 
+ParameterValues read_only_parameters(std::span<const Parameter> parameters, const Json& settings) {
+  ParameterValues values(parameters);
+  for (const auto& [name, value] : settings.items()) values.set(name, parameter_value(value));
+  values.require_complete();
+  return values;
+}
+
 Json to_json(const ParameterValues& values) {
   Json json = Json::object();
   for (const Parameter& parameter : values.parameters()) {

@@ -1,9 +1,12 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <array>
+#include <cstddef>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parameter.h"
 
 namespace shapegauge {
@@ -12,8 +15,27 @@ namespace shapegauge {
 /// Throws InputError for an invalid value and for a missing mandatory one.
 ParameterValues read_parameters(std::span<const Parameter> parameters, const nlohmann::json& settings);
 
+/// Reads the values of parameters from an object without other keys. Throws InputError as read_parameters() does, and
+/// for another key.
+ParameterValues read_only_parameters(std::span<const Parameter> parameters, const nlohmann::json& settings);
+
 /// Formats the values by name, as read_parameters() takes them.
 nlohmann::json to_json(const ParameterValues& values);
+
+/// Reads options by the names of their table, with defaults for missing ones. Throws InputError as read_parameters()
+/// does.
+template <typename Options, std::size_t count>
+Options read_options(const std::array<OptionParameter<Options>, count>& table, const nlohmann::json& settings) {
+  const std::array<Parameter, count> parameters = parameters_of(table);
+  return options_from(table, read_parameters(parameters, settings));
+}
+
+/// Formats options by the names of their table, as read_options() takes them.
+template <typename Options, std::size_t count>
+nlohmann::json options_json(const std::array<OptionParameter<Options>, count>& table, const Options& options) {
+  const std::array<Parameter, count> parameters = parameters_of(table);
+  return to_json(values_of(parameters, table, options));
+}
 
 /// Returns the JSON Schema (draft 7) of a parameter's value.
 nlohmann::ordered_json schema_of(const Parameter& parameter);

@@ -35,6 +35,7 @@ Perturbation one_of(const Json& settings) {
   const bool in_turn = values.word("assign") == "in_turn";
   std::vector<std::vector<Perturbation>> choices;
   Perturbation step{.settings = to_json(values), .versions = {{one_of_type.name, 1}}, .apply = {}};
+  step.settings["type"] = one_of_type.name;
   step.settings["choices"] = Json::array();
   for (const Json& choice : settings.at("choices")) {
     choices.push_back(make_perturbations(choice));
@@ -48,15 +49,6 @@ Perturbation one_of(const Json& settings) {
     return apply_perturbations(std::move(shape), choices[choice], context);
   };
   return step;
-}
-
-Perturbation of_shape(const ShapePerturbation& type, const Json& settings) {
-  const ParameterValues values = read_parameters(type.parameters, settings);
-  return {.settings = to_json(values),
-          .versions = {{type.name, type.version}},
-          .apply = [apply = type.apply, values](Shape shape, PerturbationContext& context) {
-            return apply(std::move(shape), values, context.random);
-          }};
 }
 
 /// 64-bit FNV-1a hash, which is the same on every platform, unlike std::hash.
@@ -106,8 +98,16 @@ Perturbation make_perturbation(const Json& settings) {
     for (const PerturbationType& any : perturbation_types()) names.emplace_back(any.name);
     throw InputError(no_such_word("perturbation", name, names));
   }
-  Perturbation step = type == nullptr ? one_of(settings) : of_shape(*type, settings);
-  step.settings["type"] = name;
+  return type == nullptr ? one_of(settings) : make_perturbation(*type, read_parameters(type->parameters, settings));
+}
+
+Perturbation make_perturbation(const ShapePerturbation& type, const ParameterValues& values) {
+  Perturbation step{.settings = to_json(values),
+                    .versions = {{type.name, type.version}},
+                    .apply = [apply = type.apply, values](Shape shape, PerturbationContext& context) {
+                      return apply(std::move(shape), values, context.random);
+                    }};
+  step.settings["type"] = type.name;
   return step;
 }
 

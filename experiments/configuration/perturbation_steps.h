@@ -10,6 +10,7 @@
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -57,6 +58,9 @@ std::vector<PerturbationType> perturbation_types();
 /// Makes the step with the given settings, by their "type". Throws InputError for a type that is not in
 /// perturbation_types(), and for invalid settings.
 Perturbation make_perturbation(const nlohmann::json& settings);
+
+/// Makes the step of a registered type with the given values of its parameters.
+Perturbation make_perturbation(const ShapePerturbation& type, const ParameterValues& values);
 
 /// Makes the steps of a list.
 std::vector<Perturbation> make_perturbations(const nlohmann::json& list);

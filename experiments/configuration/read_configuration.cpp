@@ -69,9 +69,7 @@ ReportConfiguration read_report(const Json& setting, const std::vector<Signature
 
 HistogramConfiguration histogram_of(const Json& settings) {
   HistogramConfiguration histogram;
-  const ParameterValues values = read_parameters(histogram_parameters(), settings);
-  histogram.options.bins = static_cast<int>(values.integer("bins"));
-  histogram.options.smoothing_bins = values.number("smoothing_bins");
+  histogram.options = read_options(histogram_table, settings);
   if (histogram.options.smoothing_bins > histogram.options.bins) {
     throw ConfigurationError{"smoothing_bins",
                              fmt::format("the smoothing must not exceed the number of bins ({}), not {}",
@@ -90,7 +88,7 @@ HistogramConfiguration histogram_of(const Json& settings) {
                                fmt::format("the values are too far apart: {}", range.at("fixed").dump())};
     }
   } else {
-    histogram.range = range == "dataset" ? HistogramRange::dataset : HistogramRange::per_shape;
+    histogram.range = value_of_word<HistogramRange>(range.get<std::string>()).value();
   }
   return histogram;
 }
@@ -208,9 +206,9 @@ std::vector<Protocol> protocols_of(const Json& setting) {
 }
 
 void read_evaluation(const Json& setting, Configuration& configuration) {
-  const ParameterValues values = read_parameters(evaluation_parameters(), setting);
-  configuration.minimum_class_size = static_cast<int>(values.integer("minimum_class_size"));
-  configuration.ties = ties_of(values.word("ties")).value();
+  const EvaluationOptions options = read_options(evaluation_table, setting);
+  configuration.minimum_class_size = options.minimum_class_size;
+  configuration.ties = options.ties;
   if (!setting.contains("measures")) return;
   try {
     configuration.measures = measures_of(setting["measures"].get<std::vector<std::string>>());
@@ -263,11 +261,7 @@ std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
   return signatures;
 }
 
-PreparationOptions read_preparation(const Json& settings) {
-  const ParameterValues values = read_parameters(preparation_parameters(), settings);
-  return {.denoise = values.boolean("denoise"),
-          .scale = values.word("scale") == "tube_area" ? ScaleEstimate::tube_area : ScaleEstimate::area};
-}
+PreparationOptions read_preparation(const Json& settings) { return read_options(preparation_table, settings); }
 
 DatasetLocation read_location(const Json& dataset, const fs::path& folder) {
   DatasetLocation location;
@@ -297,18 +291,11 @@ GeneratorOptions read_generator(const Json& dataset) {
       throw ConfigurationError{key, "cannot be combined with \"generate\"; remove one of the two"};
     }
   }
-  return at_key("generate", [&] {
-    const ParameterValues values = read_parameters(generator_parameters(), dataset.at("generate"));
-    return GeneratorOptions{.classes = static_cast<int>(values.integer("classes")),
-                            .models_per_class = static_cast<int>(values.integer("models_per_class")),
-                            .faces = static_cast<int>(values.integer("faces")),
-                            .seed = static_cast<std::uint64_t>(values.integer("seed"))};
-  });
+  return at_key("generate", [&] { return read_options(generator_table(), dataset.at("generate")); });
 }
 
 OnError read_on_error(const Json& experiment) {
-  return read_parameters(experiment_parameters(), experiment).word("on_error") == "skip" ? OnError::skip
-                                                                                         : OnError::stop;
+  return member_value<OnError>(read_parameters(experiment_parameters(), experiment).value("on_error"));
 }
 
 std::uint64_t read_seed(const Json& experiment) {

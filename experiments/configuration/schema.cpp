@@ -49,6 +49,17 @@ std::vector<std::string> names_of(const Types& types) {
   return names;
 }
 
+/// Describes a choice of registered entries: "Sentence. name: description; name: description."
+template <typename Entry>
+std::string described_entries(std::string sentence, const Registry<Entry>& registry) {
+  std::vector<std::string> entries;
+  for (const Entry& entry : registry.entries()) {
+    entries.push_back(entry.description.empty() ? std::string(entry.name)
+                                                : fmt::format("{}: {}", entry.name, entry.description));
+  }
+  return fmt::format("{} {}.", sentence, fmt::join(entries, "; "));
+}
+
 /// Adds the parameters to the schema of an object.
 void add_parameters(std::span<const Parameter> parameters, OrderedJson& object) {
   for (const Parameter& parameter : parameters) {
@@ -175,11 +186,13 @@ std::string experiment_schema() {
   add_perturbations(definitions["perturbation"]);
   add_descriptors(definitions["descriptor"]);
   add_rerank_methods(definitions["rerank"]);
+  definitions["layout"]["description"] = described_entries("Layout of the files.", dataset_layouts());
   definitions["layout"]["enum"] = dataset_layouts().names();
   OrderedJson& segmented_layouts = definitions["segmented_dataset"]["properties"]["layout"]["enum"];
   segmented_layouts = dataset_layouts().names();
   segmented_layouts.insert(segmented_layouts.begin(), segmentation_layout);
   definitions["protocol"]["enum"] = protocol_names();
+  definitions["distance"]["description"] = described_entries("Distance between signatures.", distances());
   definitions["distance"]["enum"] = distances().names();
   definitions["evaluation"]["properties"]["measures"]["description"] =
       fmt::format("Measures, such as NN or P@10 (default: those of the protocols). Available: {}.",

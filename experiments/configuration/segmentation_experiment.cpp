@@ -1,14 +1,13 @@
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
@@ -21,11 +20,12 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 2> algorithms{"best", "paper"};
-constexpr std::array<std::string_view, 2> fields{"offset", "cone"};
-constexpr std::array<std::string_view, 2> weights{"faces", "area"};
-constexpr std::array<std::string_view, 3> settings_of_best{"patches", "least_probability", "border_width"};
-constexpr std::array<std::string_view, 2> settings_of_paper{"field", "offset"};
+/// Returns true if the parameter of segmentation_table has an effect with the options.
+bool applies(std::string_view parameter, const SegmentationOptions& options) {
+  const std::optional<SegmentationAlgorithm> only = algorithm_with(parameter);
+  if (only && *only != options.method) return false;
+  return parameter != "offset" || options.field == SegmentedSdf::offset;
+}
 
 std::vector<SegmentationMethod> methods_of(const Json& settings) {
   std::vector<SegmentationMethod> methods;
@@ -65,7 +65,7 @@ SegmentationExperiment checked_experiment(const Json& document, const fs::path& 
     experiment.location = at_key("dataset", [&] { return location_of(dataset, folder); });
   }
   const ParameterValues values = read_parameters(segmentation_experiment_parameters(), document);
-  experiment.by_area = values.word("by") == "area";
+  experiment.by = member_value<TriangleWeights>(values.value("by"));
   experiment.cuts = values.boolean("cuts");
   experiment.pictures = values.boolean("pictures");
   experiment.on_error = read_on_error(document);
@@ -77,43 +77,7 @@ SegmentationExperiment checked_experiment(const Json& document, const fs::path& 
 }  // namespace
 
 std::span<const Parameter> segmentation_method_parameters() {
-  const SegmentationMethod usual;
-  static const std::array parameters{
-      Parameter{.name = "method",
-                .kind = ParameterKind::choice,
-                .default_value = algorithms[0],
-                .choices = algorithms,
-                .description =
-                    "best: parts as people choose them; paper: clusters of patches by their SDF, as in the paper."},
-      Parameter{.name = "parts",
-                .kind = ParameterKind::integer,
-                .default_value = std::int64_t{usual.parts},
-                .bounds = {.low = 0, .high = 1'000'000},
-                .description = "Number of parts (paper: of clusters); 0 for automatic (paper: 5 clusters)."},
-      Parameter{.name = "patches",
-                .kind = ParameterKind::integer,
-                .default_value = std::int64_t{usual.patches},
-                .bounds = {.low = 1, .high = 100'000},
-                .description = "best: number of initial patches."},
-      Parameter{.name = "least_probability",
-                .default_value = usual.least_probability,
-                .bounds = {.low = 0, .high = 1},
-                .description = "best: least probability at which two regions are merged."},
-      Parameter{.name = "border_width",
-                .default_value = usual.border_width,
-                .bounds = {.low = 0, .high = 1},
-                .description = "best: largest distance that smoothing may move borders.",
-                .unit = "square roots of the area"},
-      Parameter{.name = "field",
-                .kind = ParameterKind::choice,
-                .default_value = fields[0],
-                .choices = fields,
-                .description = "paper: SDF of the offset surface, or conventional SDF."},
-      Parameter{.name = "offset",
-                .default_value = usual.offset,
-                .bounds = OffsetSdfOptions::offset_bounds,
-                .description = "paper: offset distance.",
-                .unit = bounding_box_diagonals}};
+  static constexpr auto parameters = parameters_of(segmentation_table);
   return parameters;
 }
 
@@ -121,8 +85,8 @@ std::span<const Parameter> segmentation_experiment_parameters() {
   static const std::vector<Parameter> parameters = [] {
     std::vector<Parameter> all{Parameter{.name = "by",
                                          .kind = ParameterKind::choice,
-                                         .default_value = weights[0],
-                                         .choices = weights,
+                                         .default_value = word_of(TriangleWeights::faces),
+                                         .choices = words_of<TriangleWeights>,
                                          .description = "Weight per triangle: equal, as in the benchmark, or by area."},
                                Parameter{.name = "cuts",
                                          .kind = ParameterKind::boolean,
@@ -139,26 +103,16 @@ std::span<const Parameter> segmentation_experiment_parameters() {
 }
 
 SegmentationMethod segmentation_method(const Json& settings) {
-  const ParameterValues values = read_parameters(segmentation_method_parameters(), settings);
-  SegmentationMethod method;
-  method.name = settings.at("name");
-  method.paper = values.word("method") == "paper";
-  method.parts = static_cast<int>(values.integer("parts"));
-  using Names = std::span<const std::string_view>;
-  const Names foreign = method.paper ? Names(settings_of_best) : Names(settings_of_paper);
-  for (const std::string_view key : foreign) {
-    if (!settings.contains(key)) continue;
-    throw ConfigurationError{std::string(key),
-                             fmt::format("requires the method \"{}\"; remove it", algorithms.at(method.paper ? 0 : 1))};
+  SegmentationMethod method{
+      .name = settings.at("name"), .options = read_options(segmentation_table, settings), .perturbations = {}};
+  for (const Parameter& parameter : segmentation_method_parameters()) {
+    if (!settings.contains(parameter.name) || applies(parameter.name, method.options)) continue;
+    const std::optional<SegmentationAlgorithm> only = algorithm_with(parameter.name);
+    const std::string reason = only && *only != method.options.method
+                                   ? fmt::format("requires the method \"{}\"", word_of(*only))
+                                   : "cannot be combined with the field \"cone\"";
+    throw ConfigurationError{std::string(parameter.name), reason + "; remove it"};
   }
-  method.patches = static_cast<int>(values.integer("patches"));
-  method.least_probability = values.number("least_probability");
-  method.border_width = values.number("border_width");
-  method.offset_field = values.word("field") == "offset";
-  if (!method.offset_field && settings.contains("offset")) {
-    throw ConfigurationError{"offset", "cannot be combined with the field \"cone\"; remove it"};
-  }
-  method.offset = values.number("offset");
   if (settings.contains("perturbations")) method.perturbations = make_perturbations(settings["perturbations"]);
   return method;
 }
@@ -166,23 +120,19 @@ SegmentationMethod segmentation_method(const Json& settings) {
 bool is_segmentation(const Json& document) { return document.is_object() && document.contains("segmentation"); }
 
 Json to_json(const SegmentationMethod& method) {
-  Json json{{"name", method.name}, {"method", algorithms.at(method.paper ? 1 : 0)}, {"parts", method.parts}};
-  if (!method.perturbations.empty()) json["perturbations"] = to_json(method.perturbations);
-  if (!method.paper) {
-    json["patches"] = method.patches;
-    json["least_probability"] = method.least_probability;
-    json["border_width"] = method.border_width;
-    return json;
+  Json json = options_json(segmentation_table, method.options);
+  for (const Parameter& parameter : segmentation_method_parameters()) {
+    if (!applies(parameter.name, method.options)) json.erase(std::string(parameter.name));
   }
-  json["field"] = fields.at(method.offset_field ? 0 : 1);
-  if (method.offset_field) json["offset"] = method.offset;
+  json["name"] = method.name;
+  if (!method.perturbations.empty()) json["perturbations"] = to_json(method.perturbations);
   return json;
 }
 
 Json to_json(const SegmentationExperiment& experiment) {
-  Json json{{"name", experiment.name}, {"by", weights.at(experiment.by_area ? 1 : 0)},
+  Json json{{"name", experiment.name}, {"by", word_of(experiment.by)},
             {"cuts", experiment.cuts}, {"pictures", experiment.pictures},
-            {"seed", experiment.seed}, {"on_error", experiment.on_error == OnError::stop ? "stop" : "skip"}};
+            {"seed", experiment.seed}, {"on_error", word_of(experiment.on_error)}};
   if (!experiment.description.empty()) json["description"] = experiment.description;
   if (experiment.generator) {
     json["dataset"]["generate"] = to_json(*experiment.generator);

@@ -14,22 +14,18 @@
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
+#include "shapegauge/metrics/segmentation_errors.h"
+#include "shapegauge/segmentation/segment_shape.h"
 
 namespace shapegauge {
 
 /// Layout of data sets with human segmentations (find_segmentation_benchmark()).
 inline constexpr std::string_view segmentation_layout = "psb_segmentation";
 
-/// Segmentation method with its settings (segmentation/).
+/// Segmentation method with its settings.
 struct SegmentationMethod {
   std::string name;
-  bool paper = false;  ///< the paper's pipeline; otherwise part_segmentation()
-  int parts = 0;       ///< number of parts; 0 for automatic (paper: clusters as in PaperSegmentationOptions)
-  int patches = 150;   ///< part_segmentation(): PartSegmentationOptions::patches
-  double least_probability = 0.5;           ///< part_segmentation(): PartSegmentationOptions::least_probability
-  double border_width = 0.03;               ///< part_segmentation(): BoundarySmoothingOptions::width
-  bool offset_field = true;                 ///< paper: SDF of the offset surface; otherwise the conventional one
-  double offset = 0.05;                     ///< paper: offset, as a fraction of the diagonal
+  SegmentationOptions options;
   std::vector<Perturbation> perturbations;  ///< of a shape before it is segmented
 };
 
@@ -41,10 +37,10 @@ struct SegmentationExperiment {
   DatasetLocation location;                   ///< on disk: segmentation_layout or a layout of retrieval data sets, or
   std::optional<GeneratorOptions> generator;  ///< generated shapes, whose parts are the ground truth
   std::vector<SegmentationMethod> methods;    ///< at least one
-  bool by_area = false;                       ///< weight triangles by area; otherwise equally
-  bool cuts = false;                          ///< also compute the cut discrepancy
-  bool pictures = true;                       ///< in the report
-  std::uint64_t seed = 1;                     ///< seed of the perturbations
+  TriangleWeights by = TriangleWeights::faces;
+  bool cuts = false;       ///< also compute the cut discrepancy
+  bool pictures = true;    ///< in the report
+  std::uint64_t seed = 1;  ///< seed of the perturbations
   OnError on_error = OnError::stop;
 };
 

@@ -110,7 +110,7 @@ Json to_json(const ShapeComparison& comparison) {
   Json json{{"name", comparison.name},
             {"seed", comparison.seed},
             {"preparation", to_json(comparison.preparation)},
-            {"on_error", comparison.on_error == OnError::stop ? "stop" : "skip"},
+            {"on_error", word_of(comparison.on_error)},
             {"signatures", to_json(comparison.signatures)},
             {"distance", comparison.distance}};
   for (const ComparedShape& shape : comparison.shapes) json["shapes"].push_back(to_json(shape));

@@ -8,11 +8,15 @@
 #include <vector>
 
 #include "shapegauge/core/base/interruption.h"
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 
 namespace shapegauge {
+
+/// Valid numbers of threads that users request.
+inline constexpr Bounds threads_bounds{.low = 1, .high = 1024};
 
 /// Control of a run by its caller: threads, cancellation, progress.
 struct RunControl {

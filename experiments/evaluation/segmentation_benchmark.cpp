@@ -125,7 +125,7 @@ SegmentationBenchmark find_generated_parts(const fs::path& root) {
 SegmentationScorer::SegmentationScorer(const Shape& mesh, const SegmentationScoring& scoring) {
   if (is_cloud(mesh)) throw InputError("segmentations of point clouds cannot be compared by faces");
   const Samples samples = sample_shape(mesh, SampleSite::faces);
-  if (scoring.by_area) {
+  if (scoring.by == TriangleWeights::area) {
     weights_.assign(samples.weights.begin(), samples.weights.end());
   } else if (has_polygons(mesh)) {
     weights_ = polygon_shares(mesh);

@@ -37,8 +37,8 @@ SegmentationBenchmark find_generated_parts(const std::filesystem::path& root);
 
 /// Options of scoring segmentations.
 struct SegmentationScoring {
-  bool by_area = false;  ///< weight triangles by area; otherwise equally, as in the benchmark's own tables
-  bool cuts = true;      ///< also compute the cut discrepancy, which takes the longest
+  TriangleWeights by = TriangleWeights::faces;
+  bool cuts = true;  ///< also compute the cut discrepancy, which takes the longest
 };
 
 /// Scores segmentations of one mesh.

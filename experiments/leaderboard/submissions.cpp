@@ -1,11 +1,11 @@
 #include "shapegauge/experiments/leaderboard/submissions.h"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -14,7 +14,9 @@
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
@@ -24,8 +26,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 10> submission_extensions{".npy", ".npz", ".mat", ".matrix", ".csv",
-                                                                 ".txt", ".dat", ".run", ".trec",   ".lists"};
+/// Returns the extensions of matrices, followed by those of ranked lists.
+std::vector<std::string_view> submission_extensions() {
+  const std::span<const std::string_view> matrices = matrix_extensions();
+  std::vector<std::string_view> all(matrices.begin(), matrices.end());
+  all.insert(all.end(), ranked_answers_extensions.begin(), ranked_answers_extensions.end());
+  return all;
+}
+
 const std::vector<std::string> description_keys{"name", "authors", "paper", "url", "similarity", "distance", "ids"};
 
 fs::path uncompressed_name(const fs::path& path) {
@@ -135,7 +143,7 @@ void add_folder(const fs::path& folder, std::span<const fs::path> others, FoundS
   }
   if (found.submissions.size() + found.refused.size() == before) {
     throw InputError(fmt::format("{}: no submissions in this folder; expected files {}, optionally with .gz",
-                                 folder.string(), fmt::join(submission_extensions, ", ")));
+                                 folder.string(), fmt::join(submission_extensions(), ", ")));
   }
   for (const fs::path& file : files_in(folder)) {
     if (is_submission_file(file) || described.contains(file) || is_one_of(file, others)) continue;
@@ -163,7 +171,8 @@ fs::path description_of(const fs::path& submission) { return uncompressed_name(s
 
 bool is_submission_file(const fs::path& path) {
   const std::string extension = lower_case(uncompressed_name(path).extension().string());
-  return std::ranges::find(submission_extensions, extension) != submission_extensions.end();
+  const std::vector<std::string_view> known = submission_extensions();
+  return std::ranges::find(known, extension) != known.end();
 }
 
 FoundSubmissions find_submissions(std::span<const fs::path> paths, std::span<const fs::path> others) {

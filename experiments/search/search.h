@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/engine/run_control.h"
@@ -58,6 +60,12 @@ struct SearchQuery {
 struct SearchOptions {
   std::size_t count = 10;
   bool rerank = false;  ///< re-rank by diffusion over the collection and the query
+};
+
+/// Parameters of SearchOptions.
+inline constexpr std::array search_table = {
+    option_of<&SearchOptions::count>("count", {.low = 1, .high = 1'000'000}, "Number of results per query."),
+    option_of<&SearchOptions::rerank>("rerank", "Re-rank by diffusion over the collection."),
 };
 
 /// Answer to one query.

@@ -84,7 +84,7 @@ class SegmentationJob {
       result.people_sha256.push_back(sha256_of_file(file));
     }
     for (const SegmentationMethod& method : experiment.methods) result.labels.push_back(cached_labels(method));
-    const SegmentationScorer scorer(mesh_, {.by_area = experiment.by_area, .cuts = experiment.cuts});
+    const SegmentationScorer scorer(mesh_, {.by = experiment.by, .cuts = experiment.cuts});
     for (const Labels& labels : result.labels) errors.push_back(scorer.errors_against(labels, people_));
     errors.push_back(scorer.errors_among(people_));
     const Eigen::VectorXd areas = sample_shape(mesh_, SampleSite::faces).weights;
@@ -120,9 +120,9 @@ class SegmentationJob {
   }
 
   [[nodiscard]] Labels computed_labels(const SegmentationMethod& method) const {
-    if (method.perturbations.empty()) return segment_by_method(mesh_, method);
+    if (method.perturbations.empty()) return segment_shape(mesh_, method.options);
     const Shape changed = perturb_model(mesh_, method.perturbations, experiment_.seed, model_.id, index_).shape;
-    return renumbered(carried_over(segment_by_method(changed, method), changed, mesh_));
+    return renumbered(carried_over(segment_shape(changed, method.options), changed, mesh_));
   }
 
   /// Measures how much the perturbations of a method change its parts.
@@ -316,25 +316,13 @@ nlohmann::json versions_of(const SegmentationMethod& method) {
                           {"offset_sdf", offset_sdf_version},
                           {"automatic_offset", automatic_offset_version},
                           {"samples", samples_version}};
-  if (method.paper) {
+  if (method.options.method == SegmentationAlgorithm::paper) {
     versions["paper_segmentation"] = paper_segmentation_version;
   } else {
     versions["part_segmentation"] = part_segmentation_version;
     versions["part_model"] = part_model_version;
   }
   return versions;
-}
-
-Labels segment_by_method(const Shape& shape, const SegmentationMethod& method) {
-  if (!method.paper) {
-    PartSegmentationOptions options{.parts = method.parts, .patches = method.patches};
-    options.least_probability = method.least_probability;
-    options.smoothing.width = method.border_width;
-    return part_segmentation(shape, options);
-  }
-  PaperSegmentationOptions options;
-  if (method.parts > 0) options.mixture.components = method.parts;
-  return paper_segmentation(shape, method.offset_field ? std::optional(method.offset) : std::nullopt, options);
 }
 
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const RunContext& context) {

@@ -41,10 +41,6 @@ struct SegmentationResults {
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage
 };
 
-/// Segments a shape by a method of the experiment, ignoring its perturbations. Throws InputError as the method's
-/// function does.
-std::vector<std::int32_t> segment_by_method(const Shape& shape, const SegmentationMethod& method);
-
 /// Returns the versions, by name, of the algorithms that a method's parts depend on.
 nlohmann::json versions_of(const SegmentationMethod& method);
 

@@ -13,11 +13,12 @@ namespace {
 
 SegmentationPageErrors page_errors(const SegmentationResults& results) {
   const SegmentationScores& scores = results.scores;
-  SegmentationPageErrors errors{.triangle_weights = results.experiment.by_area ? "by area" : "alike",
-                                .tables = {mean_table(scores)},
-                                .methods = scores.methods,
-                                .classes = {},
-                                .class_table = class_table(scores)};
+  SegmentationPageErrors errors{
+      .triangle_weights = results.experiment.by == TriangleWeights::area ? "by area" : "alike",
+      .tables = {mean_table(scores)},
+      .methods = scores.methods,
+      .classes = {},
+      .class_table = class_table(scores)};
   if (const std::optional<MethodComparison> comparison = rand_comparison(scores)) {
     errors.tables.push_back(interval_table(scores, *comparison));
     errors.tables.push_back(pair_table(scores, *comparison));

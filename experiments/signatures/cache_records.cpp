@@ -172,7 +172,7 @@ std::string distances_key(const Signatures& signatures, const std::string& dista
 
 // All members by name: one missing here would be restored from the cache as zero.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShapeDiagnostics, vertices, unreferenced_vertices, coincident_vertices, diagonal,
-                                   triangles, area, degenerate_triangles, duplicate_triangles, components, watertight,
+                                   triangles, area, degenerate_triangles, duplicate_triangles, components, closed,
                                    edges, boundary_edges, boundary_length, non_manifold_edges, inconsistent_edges,
                                    gap_size, point_spacing, noise_deviation, noisy)
 

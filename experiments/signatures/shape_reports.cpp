@@ -73,7 +73,7 @@ std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
 nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics) {
   // A positive length implies a positive diagonal.
   const auto fraction = [&](double length) { return length > 0 ? length / diagnostics.diagonal : 0; };
-  return {{"closed", diagnostics.watertight},
+  return {{"closed", diagnostics.closed},
           {"vertices", diagnostics.vertices},
           {"unreferenced_vertices", diagnostics.unreferenced_vertices},
           {"coincident_vertices", diagnostics.coincident_vertices},

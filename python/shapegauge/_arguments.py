@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, Tuple, Unio
 
 import numpy as _numpy
 
+from . import _native
 from ._native import InputError
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def path_of(path: Any, name: str) -> str:
 
 def number_of_threads(threads: Any) -> int:
     """Returns the number of threads; 0 means all cores."""
-    return whole_number(threads, "threads", 0, 1024)
+    return whole_number(threads, "threads", 0, _native.most_threads)
 
 
 def whole_number(value: Any, name: str, low: int, high: int) -> int:

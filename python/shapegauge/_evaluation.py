@@ -11,9 +11,9 @@ import numpy as _numpy
 
 from . import _native
 from ._arguments import (array_of, finite_number, matrix_of, number_of_threads, ordered, plain, square_matrix, switch, warn,
-                         whole_number, with_article, word, words)
+                         with_article, word, words)
 from ._native import InputError
-from ._settings import listing_of_all, with_settings
+from ._settings import REGISTERED, listing_of_all, number_of, settings_of, with_settings
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -203,9 +203,9 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
                        threads, word(name, "name"), "", distance=distance, targets=targets, subclasses=subclasses, relevance=relevance,
                        curve=curve)
     if confidence is not None:
-        low_and_high = _native.intervals(scores._native, _confidence(confidence), word(blocks, "blocks"),
-                                         whole_number(resamples, "resamples", 1, 10000000),
-                                         whole_number(seed, "seed", 0, 2**53 - 1), number_of_threads(threads))
+        low_and_high = _native.intervals(scores._native, _number(confidence, "confidence"), word(blocks, "blocks"),
+                                         _number(resamples, "resamples"), _number(seed, "seed"),
+                                         number_of_threads(threads))
         if not low_and_high[0]:
             warn([f"no intervals: fewer than two {blocks}"])
         scores.intervals = {average: dict(zip(scores.measures, ends))
@@ -213,11 +213,9 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
     return scores
 
 
-def _confidence(confidence: Any) -> float:
-    value = finite_number(confidence, "confidence")
-    if not 0.5 <= value <= 0.9999:
-        raise InputError(f"confidence is {value}; it must be from 0.5 to 0.9999")
-    return value
+def _number(value: Any, name: str) -> Any:
+    """Returns a number within the bounds of an option of comparisons."""
+    return number_of(value, name, REGISTERED["options"]["compare"][name])
 
 
 def _distances_of(distances: Any, distance: Optional[str], rectangular: bool, threads: int) -> _numpy.ndarray:
@@ -279,7 +277,8 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
                                         _subclass_numbers(subclasses, labels), grades,
                                         word(protocol, "protocol"), word(ties, "ties"), words(measures, "measures"),
                                         word(curve, "curve"),
-                                        whole_number(minimum_class_size, "minimum_class_size", 2, 1000000), similarity,
+                                        number_of(minimum_class_size, "minimum_class_size",
+                                                  settings_of("sections", "evaluation")["minimum_class_size"]), similarity,
                                         number_of_threads(threads))
     warn(warnings, prefix)
     return Scores(native, names or ["all"], name)
@@ -348,8 +347,8 @@ def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
     native = _native.compare(list(methods), [one._native for one in scores], word(test, "test"),
-                             word(blocks, "blocks"), finite_number(confidence, "confidence"),
-                             whole_number(resamples, "resamples", 1, 10000000), whole_number(seed, "seed", 0, 2**53 - 1),
+                             word(blocks, "blocks"), _number(confidence, "confidence"),
+                             _number(resamples, "resamples"), _number(seed, "seed"),
                              number_of_threads(threads))
     warn(native.warnings)
     return Comparison(native)

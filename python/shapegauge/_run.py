@@ -8,6 +8,7 @@ from typing import Any, Iterable, Mapping, NamedTuple, Optional, Union
 
 from . import _native
 from ._arguments import PathLike, Progress, number_of_threads, path_of, plain, progress_of, switch, warn, words
+from ._settings import REGISTERED, with_settings
 
 
 class Run(NamedTuple):
@@ -21,10 +22,12 @@ class Run(NamedTuple):
         return f"{self.summary}\nResults in {self.folder}"
 
 
+@with_settings([("Kinds of experiments",
+                 "\n".join(f"{kind}: {meaning}" for kind, meaning in REGISTERED["experiments"].items()))])
 def run(configuration: Union[PathLike, Mapping[str, Any]], output: Optional[PathLike] = None, *,
         settings: Union[str, Iterable[str]] = (), replace: bool = False, cache: Optional[PathLike] = None,
         threads: int = 0, on_progress: Optional[Progress] = None) -> Run:
-    """Runs an experiment from its configuration, as `shapegauge run`: retrieval, comparison or segmentation.
+    """Runs an experiment from its configuration, as `shapegauge run`. Kinds of experiments: below.
 
     configuration: path of the file, or a dict, whose paths are relative to the working directory. output: folder for the
     results (default: results/<name of the file, or of the experiment>). settings: overrides such as

@@ -11,8 +11,9 @@ import numpy as _numpy
 
 from . import _native
 from ._arguments import (Progress, is_shape_object, number_of_threads, path_of, plain, progress_of, shape_arrays, switch,
-                         warn, whole_number, word)
+                         warn, word)
 from ._native import InputError
+from ._settings import REGISTERED, number_of
 
 if TYPE_CHECKING:
     import pandas
@@ -140,7 +141,7 @@ class Index:
         several = isinstance(query, list)
         given = [_query(one) for one in (query if several else [query])]
         title = f"{len(given)} {'query' if len(given) == 1 else 'queries'}"
-        answers, html = self._native.search(given, whole_number(k, "k", 1, 10**6), switch(rerank, "rerank"),
+        answers, html = self._native.search(given, number_of(k, "k", REGISTERED["options"]["search"]["count"]), switch(rerank, "rerank"),
                                             None if page is None else title, self._threads, progress_of(on_progress))
         found = [self._answer(*answer) for answer in answers]
         warn(self._native.notes)

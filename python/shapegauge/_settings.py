@@ -7,10 +7,23 @@ import textwrap as _textwrap
 from typing import Any, Callable, Iterable, Mapping, Optional, TypeVar
 
 from . import _native
+from ._arguments import finite_number, whole_number
+from ._native import InputError
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 REGISTERED: Mapping[str, Any] = _json.loads(_native.settings())
+
+
+def number_of(value: Any, name: str, setting: Mapping[str, Any]) -> Any:
+    """Returns a number within the bounds of a setting: a whole one if its default is."""
+    low, high = setting["bounds"]
+    if isinstance(setting["default"], int):
+        return whole_number(value, name, int(low), int(high))
+    number = finite_number(value, name)
+    if not low <= number <= high:
+        raise InputError(f"{name} is {number}; it must be from {low} to {high}")
+    return number
 
 
 def settings_of(kind: str, name: str, names: Optional[Mapping[str, str]] = None) -> dict[str, dict[str, Any]]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json as _json
-import re as _re
 from typing import Any, Mapping, NamedTuple, Optional, Union
 
 import numpy as _numpy
@@ -102,59 +101,70 @@ def _scalar_field(found: dict[str, Any]) -> ScalarField:
                        found["points"])
 
 
-# The field and the settings of each method: the argument's name, and that in configurations.
-_SDF_FIELDS = {"offset": "offset_sdf", "cone": "cone_sdf", "inscribed_ball": "inscribed_ball"}
+# The settings of each field of thickness that sdf() takes, and older names of fields and settings.
 _SDF_SETTINGS = {
-    "offset": {"offset": "offset", "accuracy": "accuracy"},
-    "cone": {"rays": "rays", "opening_angle": "opening_angle_degrees", "engine": "engine"},
-    "inscribed_ball": {"separation_angle": "separation_angle_degrees"},
+    "offset_sdf": ("offset", "accuracy"),
+    "cone_sdf": ("rays", "opening_angle_degrees", "engine"),
+    "inscribed_ball": ("separation_angle_degrees",),
 }
-_SDF_DEFAULTS = REGISTERED["defaults"]["sdf"]
+_OLDER_METHODS = {"offset": "offset_sdf", "cone": "cone_sdf"}
+_OLDER_SETTINGS = {"opening_angle": "opening_angle_degrees", "separation_angle": "separation_angle_degrees"}
+_SDF_DEFAULTS = {"offset": REGISTERED["options"]["sdf"]["offset"]["default"]}
 
 
 def _sdf_method(method: Any) -> str:
-    names = {**{name: name for name in _SDF_FIELDS}, **{field: name for name, field in _SDF_FIELDS.items()}}
-    if isinstance(method, str) and method in names:
-        return names[method]
+    if isinstance(method, str) and _OLDER_METHODS.get(method, method) in _SDF_SETTINGS:
+        return _OLDER_METHODS.get(method, method)
     shown = repr(method) if isinstance(method, str) else with_article(type(method).__name__)
-    raise InputError(f'method must be "offset", "cone" or "inscribed_ball", not {shown}')
+    raise InputError(f'method must be "offset_sdf", "cone_sdf" or "inscribed_ball", not {shown}')
+
+
+def _registered_settings(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Returns the settings that are given, by their registered names."""
+    registered: dict[str, Any] = {}
+    for name, value in given.items():
+        if value is None:
+            continue
+        own = _OLDER_SETTINGS.get(name, name)
+        if own in registered:
+            raise InputError(f"{name} is the older name of {own}; give one of them")
+        registered[own] = value
+    return registered
 
 
 @with_settings([(f'Settings of method="{method}"',
-                 listing(settings_of("fields", _SDF_FIELDS[method], names), _SDF_DEFAULTS))
+                 listing(settings_of("fields", method, {name: name for name in names}), _SDF_DEFAULTS))
                 for method, names in _SDF_SETTINGS.items()])
 @shape_function
-def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, str] = None, *,
+def sdf(shape: ShapeArrays, method: str = "offset_sdf", offset: Union[None, float, str] = None, *,
         accuracy: Optional[str] = None, at: Sites = "faces", rays: Optional[int] = None,
-        opening_angle: Optional[float] = None, engine: Optional[str] = None, separation_angle: Optional[float] = None,
-        normals: Any = None, threads: int = 0) -> ScalarField:
+        opening_angle_degrees: Optional[float] = None, engine: Optional[str] = None,
+        separation_angle_degrees: Optional[float] = None, opening_angle: Optional[float] = None,
+        separation_angle: Optional[float] = None, normals: Any = None, threads: int = 0) -> ScalarField:
     """The thickness of a shape by the shape diameter function or inscribed balls, in the units of the input.
 
-    method: "offset" (SDF of the offset surface, robust to noise and cracks, also for point clouds), "cone" (the
-    conventional SDF, for closed meshes) or "inscribed_ball" (diameter of the largest inscribed ball); "offset_sdf" and
-    "cone_sdf", the names in configurations, are the same. Each method has its own settings, below. Returns a ScalarField, which unpacks as values and weights; its
-    `offset` is the one that "auto" chose.
+    method: "offset_sdf" (SDF of the offset surface, robust to noise and cracks, also for point clouds), "cone_sdf" (the
+    conventional SDF, for closed meshes) or "inscribed_ball" (diameter of the largest inscribed ball). Each method has its
+    own settings, below. The older names "offset", "cone", opening_angle and separation_angle mean the same. Returns a
+    ScalarField, which unpacks as values and weights; its `offset` is the one that "auto" chose.
 
-    >>> values, weights = sg.sdf(vertices, faces, method="offset", offset=0.05, at="faces")
+    >>> values, weights = sg.sdf(vertices, faces, method="offset_sdf", offset=0.05, at="faces")
     >>> sg.sdf(points, offset="auto").offset
     0.0125
-    >>> values, weights = sg.sdf(mesh, "cone")
+    >>> values, weights = sg.sdf(mesh, "cone_sdf")
     """
     method = _sdf_method(method)
-    given: dict[str, Any] = {"offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle": opening_angle,
-                             "engine": engine, "separation_angle": separation_angle}
-    given = {name: value for name, value in given.items() if value is not None}
-    own = _SDF_SETTINGS[method]
+    given = _registered_settings({
+        "offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle_degrees": opening_angle_degrees,
+        "engine": engine, "separation_angle_degrees": separation_angle_degrees, "opening_angle": opening_angle,
+        "separation_angle": separation_angle})
     for name in given:
-        if name not in own:
+        if name not in _SDF_SETTINGS[method]:
             other = next(other for other, settings in _SDF_SETTINGS.items() if name in settings)
             raise InputError(f'{name} requires method="{other}", not "{method}"')
-    if method == "offset":
+    if method == "offset_sdf":
         given = {**_SDF_DEFAULTS, **given}
-    try:
-        found = _field(shape, _SDF_FIELDS[method], at, {own[name]: value for name, value in given.items()}, threads)
-    except InputError as error:
-        raise InputError(_re.sub("(opening|separation)_angle_degrees", r"\1_angle", str(error))) from None
+    found = _field(shape, method, at, given, threads)
     warn(found["leaks"] + found["hollow"] + found["without_value"])
     return _scalar_field(found)
 

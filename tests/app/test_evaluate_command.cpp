@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "tests/app/program.h"
 #include "tests/datasets/files/write_matrix.h"
@@ -69,6 +71,18 @@ TEST_F(EvaluateCommand, StandardInputIsAsGoodAsAFile) {
       {{"evaluate - --labels '" + at("toy.cla") + "' < /dev/null", "standard input is empty"},
        {"evaluate - --labels '" + at("toy.cla") + "' < '" + at("toy.cla") + "'", "standard input:2: "},
        {"evaluate '" + at("toy.npy") + "' --labels '" + at("toy.cla") + "' --input-format npy", "standard input (-)"}});
+}
+
+TEST_F(EvaluateCommand, StandardInputHasEveryFormatOfFiles) {
+  std::string tabs = text_of(at("toy.txt"));
+  std::ranges::replace(tabs, ' ', '\t');
+  write_text(at("toy.tsv"), tabs);
+  const Outcome piped = run_executable("evaluate - --labels '" + at("toy.cla") +
+                                       "' --format json --input-format tsv < '" + at("toy.tsv") + "'");
+  ASSERT_EQ(piped.status, 0) << piped.errors;
+  EXPECT_NEAR(nlohmann::json::parse(piped.output)["micro"]["FT"], .428571, 1e-6);
+  const std::string help = run_executable("evaluate --help").output;
+  for (const std::string_view extension : matrix_extensions()) EXPECT_THAT(help, HasSubstr(extension));
 }
 
 TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {

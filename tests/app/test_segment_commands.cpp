@@ -64,6 +64,19 @@ TEST_F(SegmentCommands, SegmentWritesALineAFace) {
   }
 }
 
+TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
+  const Shape tree = test::joined(
+      {test::sphere(1, 2), test::transformed(test::sphere(1, 2), 0.3, Eigen::Matrix3d::Identity(), {1.1, 0, 0})});
+  write_off(folder_.path() / "tree.off", tree);
+  for (const char* settings : {"--patches 40 --least-probability 0.9 --border-width 0", "--parts 7"}) {
+    const Outcome outcome =
+        run_executable(fmt::format("segment '{}' {} --replace -o '{}'", at("tree.off"), settings, at("x.seg")));
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  }
+  EXPECT_THAT(run_executable("segment --help").output,
+              testing::AllOf(HasSubstr("--patches"), HasSubstr("from 1 to 100000; default: 150")));
+}
+
 TEST_F(SegmentCommands, SegmentDrawsAndColours) {
   EXPECT_EQ(run_executable(fmt::format("segment '{}' -o '{}'", at("psb/off/1.off"), at("x.png"))).status, 0);
   EXPECT_THAT(text_of(at("x.png")), StartsWith("\x89PNG"));
@@ -84,11 +97,16 @@ TEST_F(SegmentCommands, SeveralShapesGoIntoAFolder) {
 
 TEST_F(SegmentCommands, UnusableCallsOfSegment) {
   const std::string shape = "'" + at("psb/off/1.off") + "'";
-  expect_error_lines({{"segment " + shape + " -o x.obj", ".obj"},
-                      {"segment " + shape + " -o x.seg --parts 641", "641"},
-                      {"segment " + shape + " -o x.seg --parts -1", "--parts"},
-                      {"segment " + shape + " -o x.seg --field cone", "--method paper"},
-                      {"segment " + at("absent.off") + " -o x.seg", "absent.off"}});
+  expect_error_lines(
+      {{"segment " + shape + " -o x.obj", ".obj"},
+       {"segment " + shape + " -o x.seg --parts 641", "641"},
+       {"segment " + shape + " -o x.seg --parts -1", "--parts"},
+       {"segment " + shape + " -o x.seg --parts 1000001", "--parts is 1000001; it must be a whole"},
+       {"segment " + shape + " -o x.seg --patches 0", "--patches is 0; it must be a whole number from 1"},
+       {"segment " + shape + " -o x.seg --field cone", "--method paper"},
+       {"segment " + shape + " -o x.seg --offset 0.1", "--method paper"},
+       {"segment " + shape + " -o x.seg --method paper --border-width 0", "--method best"},
+       {"segment " + at("absent.off") + " -o x.seg", "absent.off"}});
 }
 
 TEST_F(SegmentCommands, EvaluateSegmentationTellsMethodsFromPeople) {

@@ -42,7 +42,7 @@ bool shape_sdf(std::string_view bytes) {
   const Measurement measurement = measurement_from_bytes(bytes);
   Samples samples;
   const bool usable = is_accepted("", [&] {
-    is_watertight(measurement.shape);
+    is_closed(measurement.shape);
     samples = sample_shape(measurement.shape, measurement.site);
   });
   if (!usable) return false;

@@ -270,7 +270,8 @@ TEST(Evaluation, RefusesWhatDoesNotFit) {
   EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 0}, {}), HasSubstr("3 models, but 2"));
   EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 1, 2}, {}), HasSubstr("no class has 2"));
   EXPECT_THAT(error_of(naive::Matrix(0, 0), {}, {}), HasSubstr("no class has 2"));
-  EXPECT_THAT(error_of(naive::Matrix::Ones(2, 2), {0, 0}, under(Protocol::psb, 1)), HasSubstr("at least 2, not 1"));
+  EXPECT_THAT(error_of(naive::Matrix::Ones(2, 2), {0, 0}, under(Protocol::psb, 1)),
+              HasSubstr("minimum_class_size is 1"));
 }
 
 TEST(Evaluation, GradedGainUnderThePaperProtocolHasTheQueryInFront) {

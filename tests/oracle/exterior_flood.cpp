@@ -167,7 +167,7 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, std::in
   for (int axis = 0; axis < 3; ++axis) std::ranges::for_each(graph.pairs(axis), join_or_keep);
   // Only a closed surface has another way to decide what becomes of a pocket. Neighbouring centres are less than 2r
   // apart.
-  if (exterior.is_watertight() && exterior.resolution() <= exterior.r())
+  if (exterior.is_closed() && exterior.resolution() <= exterior.r())
     uncertain = with_dead_ends_joined(nodes, uncertain, parts);
   std::vector<Way> together;
   for (const FacePair& pair : uncertain) {
@@ -347,9 +347,9 @@ void ExteriorFlood::label(const OffsetExterior& exterior, std::vector<ExteriorNo
     leads_nowhere_[i] = leads_nowhere_[part];
   }
   spread_to_mixed(graph_, exterior.resolution(), nodes);
-  if (exterior.is_watertight()) doubt_large_leaves(graph_, reliable_edge * exterior.r(), nodes);
+  if (exterior.is_closed()) doubt_large_leaves(graph_, reliable_edge * exterior.r(), nodes);
   settle_by_crossings(exterior, graph_, nodes);
-  if (!exterior.is_watertight()) enclose_dead_ends(graph_, nodes);
+  if (!exterior.is_closed()) enclose_dead_ends(graph_, nodes);
 }
 
 std::vector<ExteriorCell> ExteriorFlood::possible_passages(const OffsetExterior& exterior) const {

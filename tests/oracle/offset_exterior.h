@@ -63,7 +63,7 @@ class OffsetExterior {
   [[nodiscard]] const std::vector<ExteriorNode>& nodes() const { return nodes_; }
 
   /// Whether the surface is closed, so that the crossings of a ray tell inside from outside.
-  [[nodiscard]] bool is_watertight() const { return closed_; }
+  [[nodiscard]] bool is_closed() const { return closed_; }
 
   /// The cube that everything lies in; all beyond it is exterior.
   [[nodiscard]] ExteriorCell root() const { return {root_centre_, root_half_, 0}; }

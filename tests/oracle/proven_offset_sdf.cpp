@@ -7,7 +7,7 @@ namespace shapegauge {
 ProvenOffsetSdf::ProvenOffsetSdf(const Shape& shape, double r)
     : r_(r),
       tree_(shape),
-      exterior_(tree_, bounding_box(shape), r, is_watertight_and_oriented(shape)),
+      exterior_(tree_, bounding_box(shape), r, is_closed_and_oriented(shape)),
       nearest_(exterior_),
       entry_(exterior_) {}
 

@@ -68,7 +68,7 @@ TEST(OffsetExterior, SeesTheOverlapOfTwoPartsAsEnclosed) {
   second.vertices.col(0).array() += 0.3;
   const Shape both = test::joined({test::sphere(0.3, 3), second});
   const SurfaceTree tree(both);
-  const OffsetExterior exterior(tree, bounding_box(both), 0.05, is_watertight(both));
+  const OffsetExterior exterior(tree, bounding_box(both), 0.05, is_closed(both));
   EXPECT_EQ(exterior.contains({0.15, 0, 0}), false);
   EXPECT_EQ(exterior.is_outside_by_crossings({0.15, 0, 0}), false);
   EXPECT_EQ(exterior.is_outside_by_crossings({0.15, 0.5, 0}), true);
@@ -84,7 +84,7 @@ TEST(OffsetExterior, ClosesAGapThatIsNarrowerThanTwiceTheOffset) {
     if (corner.z() < 0 || corner.head<2>().norm() > 0.1) kept.row(count++) = sphere.triangles.row(f);
   }
   sphere.triangles = kept.topRows(count);
-  ASSERT_FALSE(is_watertight(sphere));
+  ASSERT_FALSE(is_closed(sphere));
   const SurfaceTree tree(sphere);
   const OffsetExterior shut(tree, bounding_box(sphere), 0.15, false);
   EXPECT_EQ(shut.contains({0, 0, 0}), false);

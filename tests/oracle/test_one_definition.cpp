@@ -88,7 +88,7 @@ RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
   for (int i = 0; i < count; ++i) parts.push_back(random_part());
   const double offset = *rc::gen::inRange(6, 60) / 1000.0;
   const Shape joined = test::joined(parts);
-  RC_ASSERT(is_watertight_and_oriented(joined));
+  RC_ASSERT(is_closed_and_oriented(joined));
   const Shape shape = in_unit_frame(joined, unit_frame(joined));
   const Samples samples = sample_shape(shape, SampleSite::faces);
   const Disputes disputes = disputes_about(shape, samples, offset);
@@ -98,7 +98,7 @@ RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
 }
 
 void expect_no_dispute(const Shape& given, double offset) {
-  ASSERT_TRUE(is_watertight_and_oriented(given));
+  ASSERT_TRUE(is_closed_and_oriented(given));
   const Shape shape = in_unit_frame(given, unit_frame(given));
   const Disputes disputes = disputes_about(shape, sample_shape(shape, SampleSite::faces), offset);
   EXPECT_EQ(disputes.invented, 0) << offset;

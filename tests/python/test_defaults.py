@@ -17,10 +17,12 @@ def section(name):
     return {key: setting["default"] for key, setting in REGISTERED["sections"][name]["settings"].items()}
 
 
+COMPARISON = {key: setting["default"] for key, setting in REGISTERED["options"]["compare"].items() if key != "average"}
+
+
 @pytest.mark.parametrize("function, registered", [
-    (sg.evaluate, {**section("evaluation"), **{key: REGISTERED["defaults"]["compare"][key]
-                                               for key in ("blocks", "resamples", "seed")}}),
-    (sg.compare, {**section("evaluation"), **REGISTERED["defaults"]["compare"]}),
+    (sg.evaluate, {**section("evaluation"), **{key: COMPARISON[key] for key in ("blocks", "resamples", "seed")}}),
+    (sg.compare, {**section("evaluation"), **COMPARISON}),
     (sg.fuse, {key: value for key, value in section("signature").items() if key != "score"}),
     (sg.segment, {"method": section("segmentation_method")["method"]}),
     (sg.rerank, {"method": next(iter(REGISTERED["rerank"]))}),
@@ -44,7 +46,7 @@ def test_sdf_takes_the_registered_defaults():
     given = sg.sdf(vertices, faces, "cone", rays=cone["rays"], opening_angle=cone["opening_angle_degrees"],
                    engine=cone["engine"])
     assert (given.values == sg.sdf(vertices, faces, "cone").values).all()
-    offset = REGISTERED["defaults"]["sdf"]["offset"]
+    offset = REGISTERED["options"]["sdf"]["offset"]["default"]
     assert sg.sdf(vertices, faces).offset == offset
     accuracy = REGISTERED["fields"]["offset_sdf"]["settings"]["accuracy"]["default"]
     assert (sg.sdf(vertices, faces).values == sg.sdf(vertices, faces, offset=offset, accuracy=accuracy).values).all()
@@ -54,6 +56,7 @@ def test_sdf_computes_the_field_of_each_method_by_either_name():
     vertices, faces = bumpy_torus()
     ball = sg.field(vertices, faces, "inscribed_ball", separation_angle_degrees=30).values
     assert (sg.sdf(vertices, faces, "inscribed_ball", separation_angle=30).values == ball).all()
+    assert (sg.sdf(vertices, faces, "inscribed_ball", separation_angle_degrees=30).values == ball).all()
     assert (ball != sg.sdf(vertices, faces, "inscribed_ball").values).any()
     for method in ["offset", "cone"]:
         assert (sg.sdf(vertices, faces, method).values == sg.sdf(vertices, faces, f"{method}_sdf").values).all()
@@ -75,6 +78,12 @@ def test_docstrings_list_every_entry_with_its_settings(function, kind):
 def test_the_docstring_of_sdf_has_its_own_names_and_the_offset():
     text = inspect.getdoc(sg.sdf)
     cone = REGISTERED["fields"]["cone_sdf"]["settings"]
-    assert f"opening_angle: {cone['opening_angle_degrees']['meaning'].rstrip('.')}" in text
-    assert f"default: {json.dumps(REGISTERED['defaults']['sdf']['offset'])}" in text
-    assert "opening_angle_degrees" not in text and "postprocess" not in text
+    assert f"opening_angle_degrees: {cone['opening_angle_degrees']['meaning'].rstrip('.')}" in text
+    assert f"default: {json.dumps(REGISTERED['options']['sdf']['offset']['default'])}" in text
+    assert "postprocess" not in text
+
+
+def test_the_docstring_of_run_lists_the_kinds_of_experiments():
+    text = inspect.getdoc(sg.run)
+    for kind, meaning in REGISTERED["experiments"].items():
+        assert f"{kind}: {meaning}" in text

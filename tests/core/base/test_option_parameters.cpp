@@ -108,6 +108,25 @@ TEST(OptionParameters, ListsAreOfOneNumberOfSeveralOrAutomatic) {
   EXPECT_THROW(IntegerList(std::vector<std::int64_t>(17, 1)), ArgumentError);
 }
 
+TEST(OptionParameters, AreFoundByNameAndMayBeDescribedAnew) {
+  EXPECT_EQ(parameter_named("share", sample_table).bounds.high, 1);
+  EXPECT_EQ(parameter_named("sizes", sample_table).kind, ParameterKind::integers);
+  constexpr auto count = described("Another one.", sample_table[0]);
+  EXPECT_EQ(count.parameter.description, "Another one.");
+  EXPECT_EQ(count.parameter.bounds.high, 9);
+}
+
+TEST(OptionParameters, ValuesOfOptionsMakeTheSameOptions) {
+  const SampleOptions options{.count = 4, .share = 0.25, .wanted = false, .sizes = {5}};
+  const ParameterValues values = values_of(sample_parameters, sample_table, options);
+  EXPECT_EQ(values.integer("count"), 4);
+  const SampleOptions again = options_from(sample_table, values);
+  EXPECT_EQ(again.share, 0.25);
+  EXPECT_FALSE(again.wanted);
+  EXPECT_EQ(again.sizes, IntegerList(5));
+  EXPECT_THROW(values_of(sample_parameters, sample_table, {.count = 0}), InputError);
+}
+
 TEST(OptionParameters, BoundsHoldForOptionsToo) {
   EXPECT_NO_THROW(check_options("x", sample_table, SampleOptions{}));
   EXPECT_THROW(check_options("x", sample_table, {.count = 0}), InputError);

@@ -27,7 +27,7 @@ TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
   expect_valid(coarse);
   EXPECT_LE(coarse.triangles.rows(), 1000);
   EXPECT_GE(coarse.triangles.rows(), 998);
-  EXPECT_TRUE(is_watertight(coarse));
+  EXPECT_TRUE(is_closed(coarse));
   // A polyhedron of n similar triangles inscribed in the unit sphere loses at least about 4 pi / (n sqrt(3)) of its
   // volume.
   EXPECT_NEAR(signed_volume(coarse) / signed_volume(sphere), 1, 0.015);
@@ -41,7 +41,7 @@ TEST(Decimate, ABoxLosesNothing) {
   const Shape box = test::box({1, 2, 3}, 8);
   const Shape coarse = decimate(box, 40);
   expect_valid(coarse);
-  EXPECT_TRUE(is_watertight(coarse));
+  EXPECT_TRUE(is_closed(coarse));
   EXPECT_LE(coarse.triangles.rows(), 40);
   EXPECT_NEAR(signed_volume(coarse), 6, 1e-12);
   EXPECT_NEAR(surface_area(coarse), 22, 1e-12);
@@ -63,7 +63,7 @@ TEST(Decimate, AnOpenPlateKeepsItsRim) {
 TEST(Decimate, TakesASoupForTheMeshItIs) {
   const Shape sphere = test::sphere(1, 3);
   const Shape coarse = decimate(test::soup(sphere), 200);
-  EXPECT_TRUE(is_watertight(coarse));
+  EXPECT_TRUE(is_closed(coarse));
   EXPECT_LE(coarse.triangles.rows(), 200);
   EXPECT_LE(coarse.vertices.rows(), 102);
 }
@@ -73,7 +73,7 @@ TEST(Decimate, KeepsTheOrientationOfEveryFace) {
   RandomNumbers random(1);
   const Shape mixed = decimate(flip_orientation(sphere, 0.5, random), 500);
   EXPECT_LE(mixed.triangles.rows(), 500);
-  EXPECT_TRUE(is_watertight(mixed));
+  EXPECT_TRUE(is_closed(mixed));
   const Samples faces = sample_shape(mixed, SampleSite::faces);
   const Eigen::VectorXd cosines = faces.points.cwiseProduct(faces.normals).rowwise().sum();
   const auto outward = static_cast<double>((cosines.array() > 0).count());
@@ -86,7 +86,7 @@ TEST(Decimate, StaysClosedWhereSurfacesMeet) {
   const Shape pair = test::joined({box, test::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
   const Shape coarse = decimate(pair, 200);
   expect_valid(coarse);
-  EXPECT_TRUE(is_watertight(coarse));
+  EXPECT_TRUE(is_closed(coarse));
   EXPECT_LE(coarse.triangles.rows(), 200);
   EXPECT_NEAR(signed_volume(coarse), 2, 1e-12);
 }

@@ -49,7 +49,7 @@ Shape moebius_strip(int n) {
 
 TEST(Diagnose, ACubeIsSound) {
   const ShapeDiagnostics found = diagnose(cube());
-  EXPECT_TRUE(found.watertight);
+  EXPECT_TRUE(found.closed);
   EXPECT_EQ(found.vertices, 8U);
   EXPECT_EQ(found.triangles, 12U);
   EXPECT_EQ(found.edges, 18U);
@@ -66,7 +66,7 @@ TEST(Diagnose, ACubeWithoutASideHasItsRimAsBoundary) {
   Shape open = cube();
   open.triangles = open.triangles.bottomRows(10).eval();
   const ShapeDiagnostics found = diagnose(open);
-  EXPECT_FALSE(found.watertight);
+  EXPECT_FALSE(found.closed);
   EXPECT_EQ(found.boundary_edges, 4U);
   EXPECT_DOUBLE_EQ(found.boundary_length, 4);
   EXPECT_EQ(found.unreferenced_vertices, 0U);
@@ -79,7 +79,7 @@ TEST(Diagnose, ATriangleTurnedOverMakesItsEdgesInconsistent) {
   Shape shape = cube();
   std::swap(shape.triangles(3, 0), shape.triangles(3, 1));
   EXPECT_EQ(diagnose(shape).inconsistent_edges, 3U);
-  EXPECT_TRUE(diagnose(shape).watertight);
+  EXPECT_TRUE(diagnose(shape).closed);
   EXPECT_EQ(diagnose(test::flipped(cube())).inconsistent_edges, 0U);
 }
 
@@ -93,7 +93,7 @@ TEST(Diagnose, CountsComponentsThroughVerticesAtTheSamePlace) {
   EXPECT_EQ(touching.components, 1U);
   EXPECT_EQ(touching.coincident_vertices, 2U);
   EXPECT_EQ(touching.non_manifold_edges, 1U) << "the common edge has four triangles";
-  EXPECT_TRUE(touching.watertight);
+  EXPECT_TRUE(touching.closed);
 }
 
 TEST(Diagnose, ABookOfThreePagesHasANonManifoldSpine) {
@@ -104,7 +104,7 @@ TEST(Diagnose, ABookOfThreePagesHasANonManifoldSpine) {
   EXPECT_EQ(found.edges, 7U);
   EXPECT_EQ(found.non_manifold_edges, 1U);
   EXPECT_EQ(found.boundary_edges, 6U);
-  EXPECT_FALSE(found.watertight);
+  EXPECT_FALSE(found.closed);
   EXPECT_EQ(found.components, 1U);
 }
 
@@ -121,21 +121,21 @@ TEST(Diagnose, AClosedMeshWithAnInnerWallHasNoInsideByParity) {
   Shape pair;
   pair.vertices = Points{{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   pair.triangles = Triangles{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
-  EXPECT_TRUE(diagnose(pair).watertight);
-  EXPECT_TRUE(is_watertight(pair));
+  EXPECT_TRUE(diagnose(pair).closed);
+  EXPECT_TRUE(is_closed(pair));
   const Shape walled = with_triangle(pair, 0, 1, 2);
   const ShapeDiagnostics found = diagnose(walled);
-  EXPECT_FALSE(found.watertight);
-  EXPECT_FALSE(is_watertight(walled));
-  EXPECT_FALSE(is_watertight_and_oriented(walled));
+  EXPECT_FALSE(found.closed);
+  EXPECT_FALSE(is_closed(walled));
+  EXPECT_FALSE(is_closed_and_oriented(walled));
   EXPECT_EQ(found.boundary_edges, 0U);
   EXPECT_EQ(found.non_manifold_edges, 3U);
-  EXPECT_FALSE(diagnose(with_triangle(walled, 2, 1, 0)).watertight) << "a double does not make the number even";
+  EXPECT_FALSE(diagnose(with_triangle(walled, 2, 1, 0)).closed) << "a double does not make the number even";
 }
 
 TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
   EXPECT_EQ(diagnose(with_triangle(cube(), 0, 0, 1)).degenerate_triangles, 1U);
-  EXPECT_TRUE(diagnose(with_triangle(cube(), 0, 0, 1)).watertight);
+  EXPECT_TRUE(diagnose(with_triangle(cube(), 0, 0, 1)).closed);
   Shape needle = cube();
   needle.vertices.conservativeResize(9, Eigen::NoChange);
   needle.vertices.row(8) << 0.5, 0, 0;
@@ -145,14 +145,14 @@ TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
   const Shape twice = with_triangle(with_triangle(cube(), 2, 1, 0), 4, 5, 6);
   EXPECT_EQ(diagnose(twice).duplicate_triangles, 2U);
   EXPECT_EQ(diagnose(twice).non_manifold_edges, 0U) << "doubles have no edges of their own";
-  EXPECT_TRUE(diagnose(twice).watertight);
+  EXPECT_TRUE(diagnose(twice).closed);
 }
 
 TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
   const Shape broken = with_triangle(
       with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), moebius_strip(9)}), 0, 1, 2), 5, 5, 9);
   const ShapeDiagnostics found = diagnose(broken);
-  EXPECT_EQ(found.watertight, is_watertight(broken));
+  EXPECT_EQ(found.closed, is_closed(broken));
   for (unsigned seed = 0; seed < 10; ++seed) {
     Shape other = test::permuted(broken, seed).shape;
     other.vertices *= 0x1p100;
@@ -165,7 +165,7 @@ TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
     EXPECT_EQ(again.inconsistent_edges, found.inconsistent_edges);
     EXPECT_EQ(again.degenerate_triangles, found.degenerate_triangles);
     EXPECT_EQ(again.duplicate_triangles, found.duplicate_triangles);
-    EXPECT_EQ(again.watertight, found.watertight);
+    EXPECT_EQ(again.closed, found.closed);
   }
 }
 
@@ -178,7 +178,7 @@ TEST(Diagnose, ACloudHasPointsOnly) {
   EXPECT_EQ(found.unreferenced_vertices, 0U);
   EXPECT_DOUBLE_EQ(found.diagonal, 5);
   EXPECT_EQ(found.triangles + found.components + found.edges, 0U);
-  EXPECT_FALSE(found.watertight);
+  EXPECT_FALSE(found.closed);
   EXPECT_EQ(diagnose(Shape{}).vertices, 0U);
 }
 

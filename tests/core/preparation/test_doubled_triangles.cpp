@@ -34,7 +34,7 @@ TEST(DoubledTriangles, PlayNoPartInTheDiagnosis) {
     EXPECT_EQ(found.duplicate_triangles, doubled.triangles.size() - expected.triangles);
     EXPECT_EQ(found.area, expected.area);
     EXPECT_EQ(found.components, expected.components);
-    EXPECT_EQ(found.watertight, expected.watertight);
+    EXPECT_EQ(found.closed, expected.closed);
     EXPECT_EQ(found.edges, expected.edges);
     EXPECT_EQ(found.boundary_edges, expected.boundary_edges);
     EXPECT_EQ(found.boundary_length, expected.boundary_length);
@@ -48,8 +48,8 @@ TEST(DoubledTriangles, PlayNoPartInTheDiagnosis) {
 
 TEST(DoubledTriangles, LeaveAClosedMeshClosedAndAnOpenOneOpen) {
   for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
-    EXPECT_EQ(is_watertight(doubled.shape), is_watertight(shape));
-    EXPECT_EQ(is_watertight_and_oriented(doubled.shape), is_watertight_and_oriented(shape));
+    EXPECT_EQ(is_closed(doubled.shape), is_closed(shape));
+    EXPECT_EQ(is_closed_and_oriented(doubled.shape), is_closed_and_oriented(shape));
     EXPECT_EQ(gap_size(doubled.shape), gap_size(shape));
     EXPECT_EQ(boundary_loops(doubled.shape).size(), boundary_loops(shape).size());
   });

@@ -103,7 +103,7 @@ TEST(HostileShapes, ANeedleIsMeasuredAlongItsLengthOrNotAtAll) {
 TEST(HostileShapes, WhatHasNoExtentIsAnInputError) {
   Shape point = test::box({0, 0, 0}, 2);
   point.vertices.array() += 3;
-  EXPECT_FALSE(is_watertight(point));
+  EXPECT_FALSE(is_closed(point));
   EXPECT_TRUE((sample_shape(point, SampleSite::vertices).weights.array() == 0).all());
   EXPECT_THAT([&] { offset_sdf(point, sample_shape(point, SampleSite::faces), {}); },
               ThrowsMessage<InputError>(HasSubstr("no usable extent")));
@@ -144,7 +144,7 @@ TEST(HostileShapes, HugeAndTinyCoordinates) {
 }
 
 void expect_unusable(const Shape& shape, const std::string& message) {
-  EXPECT_THAT([&] { is_watertight(shape); }, ThrowsMessage<InputError>(HasSubstr(message)));
+  EXPECT_THAT([&] { is_closed(shape); }, ThrowsMessage<InputError>(HasSubstr(message)));
   EXPECT_THAT([&] { prepare_shape(shape, {}); }, ThrowsMessage<InputError>(HasSubstr(message)));
   const Samples samples = sample_shape(tetrahedron_at({0, 0, 0}, 1), SampleSite::faces);
   EXPECT_THAT([&] { cone_sdf(shape, samples, {}); }, ThrowsMessage<InputError>(HasSubstr(message)));

@@ -97,33 +97,33 @@ TEST(EdgeUses, OfDoubledTrianglesAreThoseOfTheFirst) {
 
 TEST(Closedness, HoldsForClosedSurfacesHoweverOriented) {
   const Shape sphere = test::sphere(1, 2);
-  EXPECT_TRUE(is_watertight(sphere));
-  EXPECT_TRUE(is_watertight(test::flipped(sphere)));
-  EXPECT_TRUE(is_watertight(test::joined({sphere, test::torus(3, 1, 12, 8)})));
+  EXPECT_TRUE(is_closed(sphere));
+  EXPECT_TRUE(is_closed(test::flipped(sphere)));
+  EXPECT_TRUE(is_closed(test::joined({sphere, test::torus(3, 1, 12, 8)})));
 }
 
 TEST(Closedness, HoldsWhereTwoBodiesShareAnEdge) {
   Shape pair{.vertices = Points{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, .triangles = {}};
   pair.triangles = Triangles{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 4}, {0, 1, 5}, {0, 4, 5}, {1, 4, 5}};
-  EXPECT_TRUE(is_watertight(pair)) << "four triangles meet at the edge from 0 to 1";
+  EXPECT_TRUE(is_closed(pair)) << "four triangles meet at the edge from 0 to 1";
   pair.triangles.conservativeResize(7, Eigen::NoChange);
-  EXPECT_FALSE(is_watertight(pair));
+  EXPECT_FALSE(is_closed(pair));
 }
 
 TEST(Closedness, EndsWithOneTriangle) {
   Shape sphere = test::sphere(1, 2);
   sphere.triangles.conservativeResize(sphere.triangles.rows() - 1, Eigen::NoChange);
-  EXPECT_FALSE(is_watertight(sphere));
-  EXPECT_FALSE(is_watertight(Shape{}));
+  EXPECT_FALSE(is_closed(sphere));
+  EXPECT_FALSE(is_closed(Shape{}));
 }
 
-TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) { EXPECT_TRUE(is_watertight(test::soup(test::sphere(1, 1)))); }
+TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) { EXPECT_TRUE(is_closed(test::soup(test::sphere(1, 1)))); }
 
 TEST(Closedness, LeavesOutTrianglesWithoutArea) {
   Shape sphere = test::sphere(1, 1);
   sphere.triangles.conservativeResize(sphere.triangles.rows() + 1, Eigen::NoChange);
   sphere.triangles.bottomRows(1) << 0, 0, 1;
-  EXPECT_TRUE(is_watertight(sphere));
+  EXPECT_TRUE(is_closed(sphere));
 }
 
 }  // namespace

@@ -46,10 +46,11 @@ TEST(SegmentationExperiment, HasPlacesAndSettingsAsGiven) {
            {{"name", "c"}, {"patches", 70}, {"least_probability", 0.25}, {"border_width", 0.01}});
   EXPECT_EQ(experiment.location.root, "/data/s");
   EXPECT_EQ(experiment.location.classification, "/data/s/c.cla");
-  EXPECT_EQ(experiment.methods[0].patches, 70);
-  EXPECT_EQ(experiment.methods[0].least_probability, 0.25);
-  EXPECT_EQ(experiment.methods[0].border_width, 0.01);
-  EXPECT_FALSE(experiment.methods[0].paper);
+  const SegmentationOptions& options = experiment.methods[0].options;
+  EXPECT_EQ(options.best.patches, 70);
+  EXPECT_EQ(options.best.least_probability, 0.25);
+  EXPECT_EQ(options.best.smoothing.width, 0.01);
+  EXPECT_EQ(options.method, SegmentationAlgorithm::best);
 }
 
 TEST(SegmentationExperiment, RefusesSettingsThatDoNotGoTogether) {

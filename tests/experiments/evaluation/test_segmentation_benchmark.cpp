@@ -86,7 +86,7 @@ TEST(SegmentationScorer, WeighsByAreaIfWanted) {
               1e-12);
   // Half of the area each: half of the pairs of different triangles, less those of a triangle with itself.
   const double squares = 12 * 0.25 + 432 / (72.0 * 72.0);
-  EXPECT_NEAR(SegmentationScorer(shape, {.by_area = true, .cuts = false}).errors(one, two).rand_index,
+  EXPECT_NEAR(SegmentationScorer(shape, {.by = TriangleWeights::area, .cuts = false}).errors(one, two).rand_index,
               72 / (144 - squares), 1e-9);
 }
 

@@ -73,15 +73,6 @@ class SegmentationRun : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST(SegmentationMethod, HasTheDefaultsOfPartSegmentation) {
-  const SegmentationMethod method;
-  const PartSegmentationOptions options;
-  EXPECT_EQ(method.parts, options.parts);
-  EXPECT_EQ(method.patches, options.patches);
-  EXPECT_EQ(method.least_probability, options.least_probability);
-  EXPECT_EQ(method.border_width, options.smoothing.width);
-}
-
 TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
   Cache cache;
   const SegmentationResults results = cut(experiment(), folder_.path() / "none", {}, cache);
@@ -109,13 +100,15 @@ TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
   EXPECT_EQ(use_of(same).hits, 3U);
   same.methods[0].name = "another name";
   EXPECT_EQ(use_of(same).hits, 3U);
-  same.methods[0].parts = 2;
+  same.methods[0].options.best.parts = 2;
   EXPECT_EQ(use_of(same).computed, 1U);
 }
 
 TEST(SegmentationVersions, AreThoseOfDiametersSamplesAndThePartModelToo) {
-  for (const bool paper : {false, true}) {
-    const nlohmann::json versions = versions_of({.name = "parts", .paper = paper, .perturbations = {}});
+  for (const SegmentationAlgorithm algorithm : {SegmentationAlgorithm::best, SegmentationAlgorithm::paper}) {
+    const bool paper = algorithm == SegmentationAlgorithm::paper;
+    const nlohmann::json versions =
+        versions_of({.name = "parts", .options = {.method = algorithm}, .perturbations = {}});
     EXPECT_EQ(versions.at("cone_sdf"), cone_sdf_version);
     EXPECT_EQ(versions.at("offset_sdf"), offset_sdf_version);
     EXPECT_EQ(versions.at("automatic_offset"), automatic_offset_version);

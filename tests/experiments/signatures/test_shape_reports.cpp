@@ -81,7 +81,7 @@ Results two_models() {
   results.fields = {{.settings = {{"type", "offset_sdf"}, {"at", "faces"}, {"offset", 0.05}},
                      .outcomes = {{"total", 9}, {"undecided", 1}}}};
   results.shapes.resize(2);
-  results.shapes[0] = {.diagnostics = {.triangles = 4, .watertight = true},
+  results.shapes[0] = {.diagnostics = {.triangles = 4, .closed = true},
                        .chosen = {2, 0},
                        .outcomes = {{{"total", 4}}},
                        .offsets = {std::nullopt},

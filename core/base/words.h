@@ -1,0 +1,39 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Words of enumerations in files, options and messages: one list beside each enumeration.
+
+namespace shapegauge {
+
+/// Names of the values 0, 1, 2, ... of an enumeration. Specialised beside each enumeration that has words.
+template <typename Enumeration>
+inline constexpr std::array<std::string_view, 0> words_of{};
+
+/// Returns the word of a value.
+template <typename Enumeration>
+constexpr std::string_view word_of(Enumeration value) {
+  return words_of<Enumeration>.at(static_cast<std::size_t>(value));
+}
+
+/// Returns the value of a word, if any.
+template <typename Enumeration>
+constexpr std::optional<Enumeration> value_of_word(std::string_view word) {
+  const auto found = std::ranges::find(words_of<Enumeration>, word);
+  if (found == words_of<Enumeration>.end()) return std::nullopt;
+  return static_cast<Enumeration>(found - words_of<Enumeration>.begin());
+}
+
+/// Returns all words, for options and messages.
+template <typename Enumeration>
+std::vector<std::string> list_of_words() {
+  return {words_of<Enumeration>.begin(), words_of<Enumeration>.end()};
+}
+
+}  // namespace shapegauge

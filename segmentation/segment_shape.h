@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/shape/shape.h"
+#include "shapegauge/segmentation/part_segmentation.h"
+
+namespace shapegauge {
+
+/// Segmentation algorithm: part_segmentation(), or paper_segmentation().
+enum class SegmentationAlgorithm { best, paper };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<SegmentationAlgorithm>{"best", "paper"};
+
+/// SDF that paper_segmentation() clusters: of the offset surface, or the conventional one.
+enum class SegmentedSdf { offset, cone };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<SegmentedSdf>{"offset", "cone"};
+
+/// Options of segment_shape().
+struct SegmentationOptions {
+  SegmentationAlgorithm method = SegmentationAlgorithm::best;
+  PartSegmentationOptions best{};  ///< paper: `parts` is the number of clusters; 0 for that of PaperSegmentationOptions
+  SegmentedSdf field = SegmentedSdf::offset;  ///< paper
+  double offset = OffsetSdfOptions{}.offset;  ///< paper: of the offset surface, as a fraction of the diagonal
+};
+
+/// Parameters of SegmentationOptions.
+inline constexpr std::array segmentation_table = {
+    option_of<&SegmentationOptions::method>(
+        "method", "best: parts as people choose them; paper: clusters of patches by their SDF, as in the paper."),
+    described("Number of parts (paper: of clusters); 0 for automatic (paper: 5 clusters).",
+              option_within<&SegmentationOptions::best, part_segmentation_table, 0>()),
+    described("best: number of initial patches.",
+              option_within<&SegmentationOptions::best, part_segmentation_table, 1>()),
+    described("best: least probability at which two regions are merged.",
+              option_within<&SegmentationOptions::best, part_segmentation_table, 2>()),
+    described("best: largest distance that smoothing may move borders.",
+              option_within<&SegmentationOptions::best, part_segmentation_table, 3>()),
+    option_of<&SegmentationOptions::field>("field", "paper: SDF of the offset surface, or conventional SDF."),
+    measured_in(bounding_box_diagonals, option_of<&SegmentationOptions::offset>(
+                                            "offset", OffsetSdfOptions::offset_bounds, "paper: offset distance.")),
+};
+
+/// Returns the only algorithm that has the parameter of segmentation_table; nothing if both have it.
+std::optional<SegmentationAlgorithm> algorithm_with(std::string_view parameter);
+
+/// Segments a shape by the chosen algorithm: one label a triangle, or a point of a cloud. Throws InputError as the
+/// algorithms do.
+std::vector<std::int32_t> segment_shape(const Shape& shape, const SegmentationOptions& options);
+
+}  // namespace shapegauge
