@@ -193,3 +193,22 @@ def test_a_list_of_methods_is_compared_in_its_order():
     named = sg.compare({"method 1": DISTANCES, "method 2": DISTANCES.max() - DISTANCES}, LABELS, resamples=100)
     assert listed.results == named.results
     assert "method 2" in repr(listed)
+
+
+def test_strings_must_be_unicode_text():
+    for call in (lambda: sg.describe(MESH, "\udcff"), lambda: sg.sdf(MESH, "\udcff"),
+                 lambda: sg.field(MESH, "centricity", sources="\udcff"),
+                 lambda: sg.run({"name": "a", "dataset": {"root": "x\udcff"}})):
+        with pytest.raises(sg.InputError, match="not Unicode text"):
+            call()
+
+
+def test_settings_may_not_contain_themselves():
+    configuration = {"name": "endless", "signatures": []}
+    configuration["signatures"].append({"more": configuration})
+    with pytest.raises(sg.InputError, match="^configuration contains itself, or is nested more than 100 deep$"):
+        sg.run(configuration)
+    values = []
+    values.append(values)
+    with pytest.raises(sg.InputError, match="^bins contains itself"):
+        sg.describe(MESH, "histogram", bins=values)
