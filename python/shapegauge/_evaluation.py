@@ -220,11 +220,17 @@ def _confidence(confidence: Any) -> float:
     return value
 
 
-def _distances_of(distances: Any, distance: Optional[str], rectangular: bool, threads: int) -> _numpy.ndarray:
+def _distances_of(distances: Any, distance: Optional[str], rectangular: bool, threads: int,
+                  prefix: str = "") -> _numpy.ndarray:
     if distance is None:
         return matrix_of(distances, "distances") if rectangular else square_matrix(distances)
-    features = matrix_of(distances, "features").astype(_numpy.float32)
-    return _native.feature_distances(features, word(distance, "distance"), number_of_threads(threads))
+    features = matrix_of(distances, "features")
+    with _numpy.errstate(over="ignore"):  # infinite features are refused
+        single = features.astype(_numpy.float32)
+    found = _native.feature_distances(single, word(distance, "distance"), number_of_threads(threads))
+    warning = _native.feature_precision_warning(features)
+    warn([] if warning is None else [warning], prefix)
+    return found
 
 
 def _grades(relevance: Any, shape: tuple[int, ...]) -> _numpy.ndarray:
@@ -263,7 +269,7 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
     rectangular = targets is not None or relevance is not None
     if subclasses is not None and rectangular:
         raise InputError("subclasses apply to labels of rows and columns alike; with targets give relevance instead")
-    matrix = _distances_of(distances, distance, rectangular, threads)
+    matrix = _distances_of(distances, distance, rectangular, threads, prefix)
     square = targets is None and matrix.shape[0] == matrix.shape[1]
     names: list[Any] = []
     numbers, columns, grades = [0] * matrix.shape[0], [0] * matrix.shape[1], None

@@ -65,6 +65,14 @@ TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {
         "--distance"}});
 }
 
+TEST_F(DescribeCommand, FeaturesThatAreEqualInSinglePrecisionAreAWarning) {
+  test::write_text(at("far.csv"), "1000000000,1\n1000000001,1\n1000000002,1\n");
+  const Outcome outcome = run_executable(
+      fmt::format("distances '{}' -o '{}' --distance l2", at("far.csv").string(), at("far.npy").string()));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("2 rows equal others"));
+}
+
 TEST_F(DescribeCommand, WritesARowAShape) {
   const std::string output = at("x.npy").string();
   const Outcome outcome = describe(fmt::format("--descriptor d2 --set bins=8 --set points=64 -o '{}'", output));
