@@ -107,6 +107,7 @@ void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
     for (std::string& model : known.models) model = ids[std::stoul(model)];
   }
   labels.models = labels.queries = labels.targets = ids;
+  labels.keys = ModelKeys(ids);
 }
 
 // Warns of the assumed order of rows without ids if it is ambiguous.
