@@ -110,6 +110,21 @@ void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
   labels.keys = ModelKeys(ids);
 }
 
+// Refuses ids that are the first row of distances, of which the first is not a number.
+void check_first_row(const std::vector<std::string>& ids, const ModelLabels& labels, const EvaluationFiles& files) {
+  if (!files.ids.empty() || ids.size() + 1 != labels.models.size()) return;
+  if (!std::ranges::all_of(ids, [](const std::string& id) { return parse_number(id).has_value(); })) return;
+  const auto is_labelled = [&](const std::string& id) {
+    return std::ranges::find(labels.models, labels.keys.of(id),
+                             [&](const std::string& model) { return labels.keys.of(model); }) != labels.models.end();
+  };
+  if (!labels.without_ids && std::ranges::all_of(ids, is_labelled)) return;
+  throw InputError(fmt::format(
+      "{}: the first row is taken for the ids of {} models, as its first cell is not a number, but {} has {} "
+      "models; a matrix without ids must begin with a number",
+      files.matrix.string(), ids.size(), labels.source, labels.models.size()));
+}
+
 // Warns of the assumed order of rows without ids if it is ambiguous.
 void warn_of_order(const MatrixIds& taken, const ModelLabels& labels, EvaluationData& data) {
   const RowOrder other = labels.listed ? RowOrder::natural : RowOrder::file;
@@ -138,6 +153,7 @@ EvaluationData open_labelled(const EvaluationFiles& files) {
       .task = {}};
   MatrixIds ids = ids_of_files(data.distances, files);
   const bool named = !ids.rows.empty();
+  if (named) check_first_row(ids.rows, labels, files);
   if (named && labels.without_ids) give_ids(ids.rows, labels);
   if (!named) ids = labelled_ids(labels, {data.distances.rows, data.distances.columns}, files.order);
   check_size(data.distances, ids, named && !files.ids.empty() ? files.ids.string() : labels.source, files);

@@ -12,6 +12,7 @@ namespace shapegauge {
 namespace {
 
 using test::write_text;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -188,6 +189,13 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = ids}), HasSubstr("model \"3\" is in no class"));
   const auto twice = file("twice.txt", "1\n2\nT2\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = twice}), HasSubstr("model \"T2\" occurs twice"));
+  for (const char* first : {"NA", "0%", ""}) {
+    const std::string text = std::string(first) + ",0.5,0.7,0.9\n0.5,0,1,1\n0.7,1,0,1\n0.9,1,1,0\n";
+    for (const auto& of_four : {labels, file("classes.txt", "x\nx\ny\ny\n")}) {
+      EXPECT_THAT(error({.matrix = file("na.csv", text), .labels = of_four}),
+                  AllOf(HasSubstr("na.csv: the first row is taken for the ids of 3 models"), HasSubstr("4 models")));
+    }
+  }
   const auto few = file("few.txt", "1\n2\n10\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = few}),
               HasSubstr("model \"11\" is classified but is not"));
