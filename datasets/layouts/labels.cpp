@@ -91,7 +91,7 @@ LabelColumns columns_of(const CsvRow& first, const std::string& source) {
   static constexpr std::array<std::string_view, 5> ids{"id", "name", "model", "file", "filename"};
   static constexpr std::array<std::string_view, 1> splits{"split"};
   LabelColumns columns{.id = find_column(first, ids),
-                       .name = find_column(first, class_column_names),
+                       .name = find_class_column(first, source),
                        .subclass = find_column(first, subclass_column_names),
                        .split = find_column(first, splits)};
   columns.named = columns.id || columns.name;

@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <system_error>
 
 #include "shapegauge/core/base/error.h"
@@ -38,14 +37,14 @@ struct ModelColumns {
 ModelColumns model_columns(const CsvRow& header, const std::string& source) {
   static constexpr std::array<std::string_view, 3> ids{"id", "name", "model"};
   static constexpr std::array<std::string_view, 3> paths{"path", "file", "filename"};
-  const auto column = [&](std::span<const std::string_view> names) {
-    if (const std::optional<std::size_t> found = find_column(header, names)) return *found;
+  const auto required = [&](const std::optional<std::size_t>& column, std::string_view name) {
+    if (column) return *column;
     throw InputError(fmt::format("{}:{}: the first row must name the columns id, path and class; there is no \"{}\"",
-                                 source, header.line, names.front()));
+                                 source, header.line, name));
   };
-  return {.id = column(ids),
-          .path = column(paths),
-          .name = column(class_column_names),
+  return {.id = required(find_column(header, ids), "id"),
+          .path = required(find_column(header, paths), "path"),
+          .name = required(find_class_column(header, source), "class"),
           .subclass = find_column(header, subclass_column_names)};
 }
 

@@ -203,6 +203,15 @@ TEST(RerankCommand, IdsOfACsvStay) {
   EXPECT_EQ(found.numbers, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
 }
 
+TEST(RerankCommand, AnEmptyListIsAnError) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  write_npy(at("d.npy"), line());
+  const Outcome outcome = run_executable(fmt::format("rerank '{}' -o '{}' --neighbours ''", at("d.npy"), at("r.npy")));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("--neighbours is empty; it must be a whole number from 1 to 1000"));
+}
+
 TEST(RerankCommand, InfiniteDistancesStayUsable) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };

@@ -159,6 +159,7 @@ CALLS = [
     (lambda: sg.rerank(np.zeros((3, 3)), wrong=1), "wrong"),
     (lambda: sg.rerank(DISTANCES, neighbours=[4, 0]), "neighbours"),
     (lambda: sg.rerank(DISTANCES, neighbours="x"), "neighbours"),
+    (lambda: sg.rerank(DISTANCES, neighbours=[]), "neighbours"),
     (lambda: sg.rerank(np.zeros((3, 3)), "x"), "x"),
     (lambda: sg.rerank(DISTANCES, neighbours=float("nan")), "neighbours is nan"),
     (lambda: sg.rerank(DISTANCES - 1), "negative"),

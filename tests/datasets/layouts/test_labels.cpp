@@ -97,6 +97,7 @@ TEST_F(ModelLabelsTest, FaultsAreOneErrorWithTheLine) {
   EXPECT_THAT(error_of("id,kind\n1,a\n"), HasSubstr("must name the columns id and class"));
   EXPECT_THAT(error_of("id,class\n1,a\nT1.off,b\n"), HasSubstr("labels.csv:3: repeated model \"T1.off\""));
   EXPECT_THAT(error_of("id,class\n1\n"), HasSubstr("labels.csv:2: 1 cells"));
+  EXPECT_THAT(error_of("id,class,Label\n1,a,b\n"), HasSubstr("labels.csv:1: the columns \"class\" and \"Label\" both"));
   EXPECT_THAT(error_of("id,class\n,a\n"), HasSubstr("labels.csv:2: the id is empty"));
   EXPECT_THAT(error_of("id,class\n1,\n"), HasSubstr("labels.csv:2: the class is empty"));
   EXPECT_THAT(error_of("id,class,split\n1,a,left\n"), HasSubstr("labels.csv:2: the split is \"left\"; known are"));
