@@ -197,7 +197,7 @@ def test_a_list_of_methods_is_compared_in_its_order():
 
 
 def test_strings_must_be_unicode_text():
-    for call in (lambda: sg.describe(MESH, "\udcff"), lambda: sg.sdf(MESH, "\udcff"),
+    for call in (lambda: sg.describe(MESH, "\udcff"), lambda: sg.segment(MESH, "\udcff"),
                  lambda: sg.field(MESH, "centricity", sources="\udcff"),
                  lambda: sg.run({"name": "a", "dataset": {"root": "x\udcff"}})):
         with pytest.raises(sg.InputError, match="not Unicode text"):
