@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -114,10 +115,9 @@ void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
 void check_first_row(const std::vector<std::string>& ids, const ModelLabels& labels, const EvaluationFiles& files) {
   if (!files.ids.empty() || ids.size() + 1 != labels.models.size()) return;
   if (!std::ranges::all_of(ids, [](const std::string& id) { return parse_number(id).has_value(); })) return;
-  const auto is_labelled = [&](const std::string& id) {
-    return std::ranges::find(labels.models, labels.keys.of(id),
-                             [&](const std::string& model) { return labels.keys.of(model); }) != labels.models.end();
-  };
+  std::unordered_set<std::string> labelled;
+  for (const std::string& model : labels.models) labelled.insert(labels.keys.of(model));
+  const auto is_labelled = [&](const std::string& id) { return labelled.contains(labels.keys.of(id)); };
   if (!labels.without_ids && std::ranges::all_of(ids, is_labelled)) return;
   throw InputError(fmt::format(
       "{}: the first row is taken for the ids of {} models, as its first cell is not a number, but {} has {} "
