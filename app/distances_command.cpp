@@ -9,10 +9,12 @@
 #include "app/help_format.h"
 #include "app/options.h"
 #include "app/output_files.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
+#include "shapegauge/retrieval/feature_precision.h"
 
 namespace shapegauge {
 
@@ -36,6 +38,7 @@ int run(const DistancesArguments& arguments) {
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", arguments.features.string(), error.what()));
   }
+  if (const auto warning = feature_precision_warning(table.numbers)) warn(*warning);
   write_distance_matrix(arguments.output, distances, table.row_ids);
   return exit_success;
 }

@@ -77,7 +77,7 @@ long genus(const Shape& shape) {
 std::string winding(const ShapeDiagnostics& found, double volume) {
   if (found.triangles == 0) return "none";
   if (found.inconsistent_edges > 0 || found.non_manifold_edges > 0) return "inconsistent";
-  if (!found.closed) return "consistent";
+  if (!found.closed || std::isnan(volume)) return "consistent";
   return volume > 0 ? "outward" : "inward";
 }
 
@@ -112,6 +112,7 @@ std::string value_text(const OrderedJson& value) {
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_null()) return "none";
   if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) return "too large to compute";
   if (!value.is_object()) return value.dump();
   const auto corner = [&](const char* name) {
     return fmt::format("{}", fmt::join(value[name].get<std::vector<double>>(), " "));

@@ -48,7 +48,12 @@ CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter,
   CLI::Option* const option = parameter.kind == ParameterKind::boolean
                                   ? command.add_flag_callback(names, fill_in, meaning)
                                   : command.add_option(names, given.text, meaning);
-  if (parameter.kind != ParameterKind::boolean) option->type_name(type_name_of(parameter.kind));
+  if (parameter.kind != ParameterKind::boolean) {
+    option->type_name(type_name_of(parameter.kind));
+    option->each([name = option->get_name(), legal = legal_values(parameter)](const std::string& text) {
+      if (text.empty()) throw InputError(fmt::format("{} is empty; it must be {}", name, legal));
+    });
+  }
   given.option = option->get_name();
   return option;
 }

@@ -17,6 +17,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/stl.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 
@@ -99,12 +100,17 @@ std::vector<Perturbation> steps_of(const PerturbArguments& arguments) {
   return steps;
 }
 
+void write_with_remarks(ShapeWriter write, const std::filesystem::path& path, const Shape& shape, Remarks& remarks) {
+  write(path, shape);
+  if (const auto warning = precision_warning(path, shape)) remarks.warnings.push_back(*warning);
+}
+
 int run(const PerturbArguments& arguments) {
   const ShapeWriter write = shape_writer(output_name(arguments.files));
   const std::vector<Perturbation> steps = steps_of(arguments);
   if (steps.empty()) throw InputError("no perturbation given; see 'shapegauge perturb --help'");
-  return for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& /*remarks*/) {
-    write(job.output, perturb_model(shape, steps, arguments.seed, "", 0).shape);
+  return for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
+    write_with_remarks(write, job.output, perturb_model(shape, steps, arguments.seed, "", 0).shape, remarks);
   });
 }
 
@@ -136,8 +142,9 @@ void add_convert_command(CLI::App& app, int& status) {
   add_shape_outputs(*command, *files, fmt::format("{}", fmt::join(written_shape_extensions(), ", ")));
   command->callback([files, &status] {
     const ShapeWriter write = shape_writer(output_name(*files));
-    status = for_each_shape(
-        *files, [&](const Shape& shape, const ShapeJob& job, Remarks& /*remarks*/) { write(job.output, shape); });
+    status = for_each_shape(*files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
+      write_with_remarks(write, job.output, shape, remarks);
+    });
   });
 }
 

@@ -18,6 +18,7 @@
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/metrics/method_comparison.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
+#include "shapegauge/retrieval/feature_precision.h"
 
 namespace py = pybind11;
 
@@ -278,6 +279,8 @@ void bind_evaluation(py::module_& module) {
              [](const Eigen::Ref<const Signatures>& features, const std::string& distance, int threads) {
                return array_of(compute(threads, [&] { return feature_distances(distance, features); }));
              });
+  module.def("feature_precision_warning",
+             [](const Eigen::Ref<const DistanceMatrix>& features) { return feature_precision_warning(features); });
 }
 
 void bind_comparison(py::module_& module) {

@@ -10,6 +10,7 @@
 #include "python/native.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/stl.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
@@ -146,7 +147,9 @@ void bind_shapes(py::module_& module) {
   module.def("write", [](const fs::path& path, const Eigen::Ref<const Points>& vertices,
                          const Eigen::Ref<const Triangles>& faces, const Eigen::Ref<const Points>& normals) {
     const py::gil_scoped_release released;
-    shape_writer(path)(path, shape_of(vertices, faces, normals));
+    const Shape shape = shape_of(vertices, faces, normals);
+    shape_writer(path)(path, shape);
+    return precision_warning(path, shape);
   });
   module.def("field", &field);
   module.def("segment", &segment);

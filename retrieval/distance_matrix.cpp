@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/distances.h"
 
@@ -85,6 +86,7 @@ struct Tiles {
 /// Computes distances from each signature of `rows` to each of `columns`, except to itself.
 DistanceMatrix tile_distances(const NamedDistance& distance, const SignatureBlock& some, const Stretch& rows,
                               const SignatureBlock& others, const Stretch& columns) {
+  check_interruption();  // TBB's subranges may take seconds
   DistanceMatrix tile(rows.size(), columns.size());
   if (distance.batch != nullptr) {
     distance.batch(numbers_of(some, rows), numbers_of(others, columns),
@@ -93,6 +95,7 @@ DistanceMatrix tile_distances(const NamedDistance& distance, const SignatureBloc
     return tile;
   }
   for (Eigen::Index i = rows.first; i < rows.last; ++i) {
+    check_interruption();
     for (Eigen::Index j = columns.first; j < columns.last; ++j) {
       // One call for both orders: with contraction of operations, (a, b) and (b, a) may differ in the last bit.
       const std::span<const float> a = numbers_of(some, i);

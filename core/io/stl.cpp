@@ -9,11 +9,15 @@
 #include <fmt/format.h>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/little_endian.h"
+#include "shapegauge/core/base/number_text.h"
+#include "shapegauge/core/base/single_precision.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
@@ -162,6 +166,24 @@ void append_floats(std::string& bytes, const Eigen::RowVector3f& vector) {
   for (const float component : vector) append_little_endian(bytes, component);
 }
 
+/// Returns the coordinates of the vertices of triangles, one after another.
+std::vector<double> coordinates_of_triangles(const Shape& shape) {
+  const std::vector<bool> used = used_vertices(shape);
+  std::vector<double> coordinates;
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
+    if (!used[static_cast<std::size_t>(i)]) continue;
+    for (const double coordinate : shape.vertices.row(i)) coordinates.push_back(coordinate);
+  }
+  return coordinates;
+}
+
+/// Returns the largest distance from a vertex to the vertex in single precision.
+double distance_to_rounded(std::span<const double> vertices) {
+  const Eigen::Map<const Points> exact(vertices.data(), std::ssize(vertices) / 3, 3);
+  const Points moved = exact.cast<float>().cast<double>() - exact;
+  return moved.rows() == 0 ? 0 : moved.rowwise().norm().maxCoeff();
+}
+
 /// Returns true if the file has the size of a binary file with its number of facets.
 bool has_size_of_binary(std::string_view bytes) {
   return bytes.size() >= header_size + 4 &&
@@ -201,6 +223,23 @@ void write_stl(const std::filesystem::path& path, const Shape& shape) {
     append_little_endian(bytes, std::uint16_t{0});  // the attribute
   }
   write_file_atomically(path, bytes);
+}
+
+std::optional<std::string> precision_warning(const std::filesystem::path& path, const Shape& shape) {
+  constexpr double tolerance = 1e-4;  // of the diagonal
+  if (shape_writer(path) != write_stl) return std::nullopt;
+  const std::vector<double> vertices = coordinates_of_triangles(shape);
+  const double moved = distance_to_rounded(vertices);
+  const std::size_t merged = rows_merged_in_single_precision(vertices, 3);
+  const double part = moved / bounding_box_diagonal(shape);
+  if (!(part > tolerance) && merged == 0) return std::nullopt;
+  return fmt::format(
+      "the single precision of STL moves vertices by up to {:.2g} ({} % of the diagonal){}; centre the shape at the "
+      "origin, or write another format, such as .ply",
+      moved, two_digits(100 * part),
+      merged == 0 ? ""
+                  : " and makes " + count_text(static_cast<std::int64_t>(merged), "vertex equal to another",
+                                               "vertices equal to others"));
 }
 
 ShapeFormat stl_format() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "shapegauge/core/shape/shape.h"
@@ -25,6 +26,10 @@ void check_stl_header(const std::string& bytes, const std::string& name);
 /// InputError for a point cloud, a coordinate that is not finite in single precision, a vertex index out of range, and
 /// if the file cannot be written.
 void write_stl(const std::filesystem::path& path, const Shape& shape);
+
+/// Returns a warning, as a sentence, if the file is STL and single precision moves vertices of the shape's triangles by
+/// more than 1e-4 of the bounding-box diagonal or makes distinct ones equal. Nothing for other formats.
+std::optional<std::string> precision_warning(const std::filesystem::path& path, const Shape& shape);
 
 /// Returns the format for shape_formats().
 ShapeFormat stl_format();

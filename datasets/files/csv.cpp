@@ -150,6 +150,18 @@ std::optional<std::size_t> find_column(const CsvRow& header, std::span<const std
   return static_cast<std::size_t>(found - header.cells.begin());
 }
 
+std::optional<std::size_t> find_class_column(const CsvRow& header, const std::string& source) {
+  const std::optional<std::size_t> column = find_column(header, class_column_names);
+  if (!column) return column;
+  CsvRow others = header;
+  others.cells[*column].clear();
+  if (const auto second = find_column(others, class_column_names)) {
+    throw InputError(fmt::format("{}:{}: the columns {} and {} both name classes; rename one", source, header.line,
+                                 quoted_word(header.cells[*column]), quoted_word(header.cells[*second])));
+  }
+  return column;
+}
+
 char number_separator(std::string_view text) {
   std::string_view line = first_line(text);
   line = line.substr(0, line.find_last_not_of(" \t") + 1);

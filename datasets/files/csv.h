@@ -29,7 +29,7 @@ std::optional<char> first_separator(std::string_view text);
 /// does, and for rows of different lengths.
 std::vector<CsvRow> parse_word_table(std::string_view text, const std::string& source);
 
-/// Names of the column with the class of each model, in order of preference.
+/// Names of the column with the class of each model, in lower case.
 inline constexpr std::array<std::string_view, 3> class_column_names{"class", "label", "category"};
 
 /// Names of the column with the subclass of a model, in lower case.
@@ -37,6 +37,10 @@ inline constexpr std::array<std::string_view, 2> subclass_column_names{"subclass
 
 /// Returns the index of the first column with one of these lower-case names, ignoring case; nothing if there is none.
 std::optional<std::size_t> find_column(const CsvRow& header, std::span<const std::string_view> names);
+
+/// Returns the index of the column named in class_column_names; nothing if there is none. Throws InputError for
+/// several.
+std::optional<std::size_t> find_class_column(const CsvRow& header, const std::string& source);
 
 /// Returns the separator of a table of numbers, with or without quoted names: a comma, unless the first line has tabs
 /// or semicolons and no commas other than quoted or decimal ones (between digits).

@@ -86,6 +86,20 @@ std::vector<std::string> read_ids(const CsvRow& header, const std::string& sourc
   return ids;
 }
 
+// Throws InputError if the first row, which does not begin with a number, has no ids of columns.
+void check_header(const std::vector<CsvRow>& table, const std::string& source) {
+  const CsvRow& header = table.front();
+  const bool other_length = table.size() > 1 && table[1].cells.size() != header.cells.size();
+  if (header.cells.front().starts_with('#') && other_length) {
+    throw InputError(fmt::format("{}:{}: a CSV matrix has no comments; remove the line", source, header.line));
+  }
+  if (header.cells.size() > 1) return;
+  throw InputError(fmt::format(
+      "{}:{}: {} is neither a number nor a row of ids; a CSV matrix needs commas, semicolons or tabs between "
+      "its numbers",
+      source, header.line, quoted_word(header.cells.front())));
+}
+
 void check_row_id(const CsvRow& row, std::size_t index, const std::vector<std::string>& ids,
                   const std::string& source) {
   if (index >= ids.size()) {
@@ -134,6 +148,7 @@ void add_numbers(NumberRows& rows, std::string_view line, char separator, std::s
 LabelledTable parse_csv_matrix(std::string_view text, const std::string& source) {
   const std::vector<CsvRow> table = parse_csv(text, source, number_separator(text));
   const bool has_ids = !table.empty() && !is_number(table.front().cells.front());
+  if (has_ids) check_header(table, source);
   const std::vector<std::string> ids = has_ids ? read_ids(table.front(), source) : std::vector<std::string>();
   const std::size_t first_row = has_ids ? 1 : 0;
   NumberRows rows(source, TableShape::square);

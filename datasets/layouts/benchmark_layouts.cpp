@@ -117,22 +117,44 @@ bool looks_like_named(const fs::path& root) {
   const std::vector<fs::path> files = model_files(root);
   std::set<std::string> names;
   for (const fs::path& file : files) names.insert(name_before_number(file));
-  return names.size() > 1 && !names.contains("") && subfolders(root).empty();
+  std::set<fs::path> visited = visited_at_root(root);
+  return names.size() > 1 && !names.contains("") &&
+         std::ranges::none_of(unvisited(subfolders(root), visited), is_folder);
 }
+
+namespace {
+
+// Returns true for a link to a folder of the tree, which is visited under its own name.
+bool is_link_into(const fs::path& root, const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_symlink(path, ignored) || leads_nowhere(path)) return false;
+  const fs::path target = canonical_or_same(path).lexically_relative(root);
+  return std::ranges::none_of(target, [](const fs::path& part) { return part.string().starts_with('.'); });
+}
+
+}  // namespace
 
 Dataset find_tree_dataset(const DatasetLocation& location) {
   Dataset dataset;
   std::set<std::string> ids;
-  std::vector<fs::path> waiting = subfolders(location.root);
-  std::ranges::reverse(waiting);
+  const fs::path root = canonical_or_same(location.root);
+  std::set<fs::path> visited = visited_at_root(root);
+  std::vector<fs::path> waiting{location.root};
   while (!waiting.empty()) {
     const fs::path folder = waiting.back();
     waiting.pop_back();
+    const bool is_root = folder == location.root;
     const std::string name = folder.lexically_relative(location.root).generic_string();
-    for (const fs::path& file : model_files(folder)) {
+    if (!is_root && !is_readable_folder(folder)) {
+      add_model({.id = name, .file = folder, .label = label_of_class(name, dataset)}, ids, dataset);
+      continue;
+    }
+    for (const fs::path& file : is_root ? std::vector<fs::path>() : model_files(folder)) {
       add_model({.id = name + "/" + id_of(file), .file = file, .label = label_of_class(name, dataset)}, ids, dataset);
     }
     std::vector<fs::path> below = subfolders(folder);
+    std::erase_if(below, [&](const fs::path& path) { return is_cyclic_link(path) || is_link_into(root, path); });
+    below = unvisited(std::move(below), visited);
     waiting.insert(waiting.end(), below.rbegin(), below.rend());
   }
   std::ranges::sort(dataset.models, natural_less, &Model::id);
@@ -140,10 +162,12 @@ Dataset find_tree_dataset(const DatasetLocation& location) {
 }
 
 bool looks_like_tree(const fs::path& root) {
-  const std::vector<fs::path> folders = subfolders(root);
-  const auto holds_folders_only = [](const fs::path& folder) {
-    return is_folder(folder) && model_files(folder).empty() && !subfolders(folder).empty() &&
-           !is_folder(folder / "train") && !is_folder(folder / "test");
+  std::set<fs::path> visited = visited_at_root(root);
+  const std::vector<fs::path> folders = unvisited(subfolders(root), visited);
+  const auto holds_folders_only = [&](const fs::path& folder) {
+    return is_readable_folder(folder) && model_files(folder).empty() &&
+           std::ranges::any_of(unvisited(subfolders(folder), visited), is_folder) && !is_folder(folder / "train") &&
+           !is_folder(folder / "test");
   };
   return std::ranges::any_of(folders, holds_folders_only);
 }

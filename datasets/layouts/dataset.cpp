@@ -57,6 +57,18 @@ bool leads_nowhere(const fs::path& path) {
   return fs::is_symlink(path, ignored) && !fs::exists(path, ignored);
 }
 
+bool is_cyclic_link(const fs::path& path) {
+  std::error_code failure;
+  static_cast<void>(fs::status(path, failure));
+  return failure == std::errc::too_many_symbolic_link_levels;
+}
+
+fs::path canonical_or_same(const fs::path& path) {
+  std::error_code failure;
+  fs::path canonical = fs::canonical(path, failure);
+  return failure ? path : canonical;
+}
+
 std::string skipped_text(const SkippedEntries& skipped) {
   std::vector<std::string> parts;
   const auto add = [&](std::size_t count, std::string_view one, std::string_view several) {
@@ -99,6 +111,25 @@ std::vector<fs::path> subfolders(const fs::path& folder) {
   return entries(folder, [](const fs::path& path) {
     return is_folder(path) || (leads_nowhere(path) && path.extension().empty());
   });
+}
+
+std::set<fs::path> visited_at_root(const fs::path& root) {
+  std::set<fs::path> visited;
+  for (fs::path folder = canonical_or_same(root); visited.insert(folder).second;) folder = folder.parent_path();
+  return visited;
+}
+
+std::vector<fs::path> unvisited(std::vector<fs::path> folders, std::set<fs::path>& visited) {
+  std::set<fs::path> repeated;
+  for (const bool links : {false, true}) {
+    for (const fs::path& path : folders) {
+      std::error_code ignored;
+      if (fs::is_symlink(path, ignored) != links) continue;
+      if (!visited.insert(canonical_or_same(path)).second) repeated.insert(path);
+    }
+  }
+  std::erase_if(folders, [&](const fs::path& path) { return repeated.contains(path); });
+  return folders;
 }
 
 }  // namespace shapegauge

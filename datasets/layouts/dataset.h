@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,12 @@ bool is_readable_folder(const std::filesystem::path& path);
 /// Returns true for a broken or cyclic symbolic link.
 bool leads_nowhere(const std::filesystem::path& path);
 
+/// Returns true for a symbolic link that leads back to itself.
+bool is_cyclic_link(const std::filesystem::path& path);
+
+/// Returns the path without links; the path itself if it leads nowhere.
+std::filesystem::path canonical_or_same(const std::filesystem::path& path);
+
 /// Counts the entries of the folder, and of its subfolders with models, that are not models.
 SkippedEntries skipped_entries(const std::filesystem::path& root, const std::vector<Model>& models);
 
@@ -63,5 +70,13 @@ std::vector<std::filesystem::path> model_files(const std::filesystem::path& fold
 /// Returns the immediate subfolders that are not hidden, in natural order. Includes broken links without an extension,
 /// which may have led to a folder. Throws InputError if the folder cannot be read.
 std::vector<std::filesystem::path> subfolders(const std::filesystem::path& folder);
+
+/// Returns the canonical paths of the root of a data set and of the folders above it, for unvisited().
+std::set<std::filesystem::path> visited_at_root(const std::filesystem::path& root);
+
+/// Returns the folders whose canonical paths are not among the visited ones, and adds these. Of a folder and links to
+/// it, keeps the folder.
+std::vector<std::filesystem::path> unvisited(std::vector<std::filesystem::path> folders,
+                                             std::set<std::filesystem::path>& visited);
 
 }  // namespace shapegauge

@@ -16,7 +16,6 @@
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/files/compressed_files.h"
 #include "shapegauge/datasets/files/csv.h"
-#include "shapegauge/datasets/files/model_ids.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/datasets/layouts/layouts.h"
@@ -30,10 +29,10 @@ namespace fs = std::filesystem;
 // Collects models by the names of their classes and rejects repeated models.
 class Collector {
  public:
-  explicit Collector(const std::string& where) : where_(where) {}
+  explicit Collector(const std::string& where, ModelKeys keys = {}) : where_(where), keys_(std::move(keys)) {}
 
   void add(const std::string& id, const std::string& class_name, const std::string& where) {
-    const auto [known, added] = class_of_model_.emplace(canonical_model_id(id), class_name);
+    const auto [known, added] = class_of_model_.emplace(keys_.of(id), class_name);
     if (!added) throw InputError(fmt::format("{}: repeated model {}", where, quoted_word(id)));
     const auto [position, is_new] = positions_.emplace(class_name, classes_.classes.size());
     if (is_new) classes_.classes.push_back({.name = class_name, .parent = std::nullopt, .models = {}});
@@ -47,6 +46,7 @@ class Collector {
 
  private:
   std::string where_;
+  ModelKeys keys_;
   Classification classes_;
   std::map<std::string, std::size_t> positions_;
   std::unordered_map<std::string, std::string> class_of_model_;
@@ -91,7 +91,7 @@ LabelColumns columns_of(const CsvRow& first, const std::string& source) {
   static constexpr std::array<std::string_view, 5> ids{"id", "name", "model", "file", "filename"};
   static constexpr std::array<std::string_view, 1> splits{"split"};
   LabelColumns columns{.id = find_column(first, ids),
-                       .name = find_column(first, class_column_names),
+                       .name = find_class_column(first, source),
                        .subclass = find_column(first, subclass_column_names),
                        .split = find_column(first, splits)};
   columns.named = columns.id || columns.name;
@@ -111,19 +111,28 @@ void check_cells(const CsvRow& row, const LabelColumns& where_is, const std::str
   }
 }
 
+// Returns the keys of the models in the rows from `first` on.
+ModelKeys keys_of(const std::vector<CsvRow>& rows, std::size_t first, std::size_t id_column) {
+  std::vector<std::string> ids;
+  for (std::size_t i = first; i < rows.size(); ++i) ids.push_back(rows[i].cells[id_column]);
+  return ModelKeys(ids);
+}
+
 ModelLabels parse_label_table(const std::vector<CsvRow>& rows, const std::string& source) {
   if (rows.empty()) throw InputError(fmt::format("{}: no models", source));
   const LabelColumns columns = columns_of(rows.front(), source);
-  Collector collector(source);
+  const std::size_t first = columns.named ? 1 : 0;
   ModelLabels labels;
-  for (std::size_t i = columns.named ? 1 : 0; i < rows.size(); ++i) {
+  labels.keys = keys_of(rows, first, *columns.id);
+  Collector collector(source, labels.keys);
+  for (std::size_t i = first; i < rows.size(); ++i) {
     const std::string where = fmt::format("{}:{}", source, rows[i].line);
     const std::vector<std::string>& cells = rows[i].cells;
     check_cells(rows[i], columns, where);
     collector.add(cells[*columns.id], cells[*columns.name], where);
     labels.models.push_back(cells[*columns.id]);
     if (columns.subclass && !cells[*columns.subclass].empty() && cells[*columns.subclass] != cells[*columns.name]) {
-      labels.subclasses.emplace(canonical_model_id(cells[*columns.id]), cells[*columns.subclass]);
+      labels.subclasses.emplace(labels.keys.of(cells[*columns.id]), cells[*columns.subclass]);
     }
     const Roles roles = columns.split ? roles_of(cells[*columns.split], where) : Roles{};
     if (roles.query) labels.queries.push_back(cells[*columns.id]);
@@ -265,12 +274,21 @@ ModelLabels told_apart(ModelLabels labels, std::string_view role) {
   return labels;
 }
 
-std::unordered_map<std::string, std::string> class_names_by_model(const Classification& classification) {
+std::unordered_map<std::string, std::string> class_names_by_model(const Classification& classification,
+                                                                  const ModelKeys& keys) {
   std::unordered_map<std::string, std::string> names;
   for (const ModelClass& known : classification.classes) {
-    for (const std::string& model : known.models) names.emplace(canonical_model_id(model), known.name);
+    for (const std::string& model : known.models) names.emplace(keys.of(model), known.name);
   }
   return names;
+}
+
+/// Adds the subclasses of a file's models under the keys of `labels`; known ones stay.
+void add_subclasses(const ModelLabels& from, ModelLabels& labels) {
+  for (const std::string& model : from.models) {
+    const auto found = from.subclasses.find(from.keys.of(model));
+    if (found != from.subclasses.end()) labels.subclasses.emplace(labels.keys.of(model), found->second);
+  }
 }
 
 /// Returns the class of that name, adding it if missing.
@@ -299,17 +317,20 @@ ModelLabels read_query_and_target_labels(const fs::path& queries, const fs::path
                      .queries = of_queries.models,
                      .targets = of_targets.models,
                      .models = of_queries.models,
-                     .subclasses = of_queries.subclasses,
+                     .subclasses = {},
                      .separate_sets = true,
                      .listed = of_queries.listed && of_targets.listed,
                      .without_ids = false,
-                     .source = fmt::format("{} and {}", queries.string(), targets.string())};
-  labels.subclasses.insert(of_targets.subclasses.begin(), of_targets.subclasses.end());
-  const auto class_of_query = class_names_by_model(of_queries.classification);
+                     .source = fmt::format("{} and {}", queries.string(), targets.string()),
+                     .keys = of_queries.keys};
+  labels.keys.add(of_targets.keys);
+  add_subclasses(of_queries, labels);
+  add_subclasses(of_targets, labels);
+  const auto class_of_query = class_names_by_model(of_queries.classification, labels.keys);
   for (const ModelClass& added : of_targets.classification.classes) {
     ModelClass& same = class_named(added.name, labels.classification.classes);
     for (const std::string& model : added.models) {
-      const auto known = class_of_query.find(canonical_model_id(model));
+      const auto known = class_of_query.find(labels.keys.of(model));
       if (known == class_of_query.end()) {
         same.models.push_back(model);
         labels.models.push_back(model);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapegauge/datasets/files/classification.h"
+#include "shapegauge/datasets/files/model_keys.h"
 
 namespace shapegauge {
 
@@ -16,11 +17,12 @@ struct ModelLabels {
   std::vector<std::string> queries;                         ///< ids as in the classification
   std::vector<std::string> targets;                         ///< ids as in the classification
   std::vector<std::string> models;                          ///< all models, in the order of the file
-  std::unordered_map<std::string, std::string> subclasses;  ///< by canonical id; models without one are absent
+  std::unordered_map<std::string, std::string> subclasses;  ///< by key; models without one are absent
   bool separate_sets = false;                               ///< some models are only queries or only targets
   bool listed = false;       ///< the file is a list of models, one a line, without groups
   bool without_ids = false;  ///< the file has no ids: models are 0, 1, ... in its order
   std::string source;        ///< prefixes error messages
+  ModelKeys keys{};          ///< for comparing ids with those of the models
 };
 
 /// Reads labels from one of these:

@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <system_error>
 
 #include "shapegauge/core/base/error.h"
@@ -38,14 +37,14 @@ struct ModelColumns {
 ModelColumns model_columns(const CsvRow& header, const std::string& source) {
   static constexpr std::array<std::string_view, 3> ids{"id", "name", "model"};
   static constexpr std::array<std::string_view, 3> paths{"path", "file", "filename"};
-  const auto column = [&](std::span<const std::string_view> names) {
-    if (const std::optional<std::size_t> found = find_column(header, names)) return *found;
+  const auto required = [&](const std::optional<std::size_t>& column, std::string_view name) {
+    if (column) return *column;
     throw InputError(fmt::format("{}:{}: the first row must name the columns id, path and class; there is no \"{}\"",
-                                 source, header.line, names.front()));
+                                 source, header.line, name));
   };
-  return {.id = column(ids),
-          .path = column(paths),
-          .name = column(class_column_names),
+  return {.id = required(find_column(header, ids), "id"),
+          .path = required(find_column(header, paths), "path"),
+          .name = required(find_class_column(header, source), "class"),
           .subclass = find_column(header, subclass_column_names)};
 }
 
@@ -90,12 +89,13 @@ std::vector<fs::path> models_or_itself(const fs::path& folder) {
 }
 
 /// Returns the files of a class: those of the split, and with "all" also those directly in the class's folder.
-std::vector<fs::path> class_files(const fs::path& folder, const std::string& split) {
+std::vector<fs::path> class_files(const fs::path& folder, const std::string& split, std::set<fs::path>& visited) {
   std::vector<fs::path> files;
   if (split == "all" || !is_readable_folder(folder)) files = models_or_itself(folder);
   for (const char* part : {"test", "train"}) {
     const bool there = is_folder(folder / part) || leads_nowhere(folder / part);
     if (!there || (split != "all" && split != part)) continue;
+    if (!visited.insert(canonical_or_same(folder / part)).second) continue;
     const std::vector<fs::path> more = models_or_itself(folder / part);
     files.insert(files.end(), more.begin(), more.end());
   }
@@ -104,13 +104,14 @@ std::vector<fs::path> class_files(const fs::path& folder, const std::string& spl
 
 /// Finds a data set of the layout "folders": a folder for each class, with the models, or with folders train and test
 /// that contain them. The id of a model is its path below the root without the extension. An unreadable folder counts
-/// as a model of its class, which check_models() then reports. Throws InputError for missing class folders, a class
-/// without models, two files of one id, and a split that no class has.
+/// as a model of its class, which check_models() then reports. Links to folders visited before are skipped. Throws
+/// InputError for missing class folders, a class without models, two files of one id, and a split that no class has.
 Dataset find_folders_dataset(const DatasetLocation& location) {
   Dataset dataset;
   std::set<std::string> ids;
-  for (const fs::path& folder : subfolders(location.root)) {
-    const std::vector<fs::path> files = class_files(folder, location.split);
+  std::set<fs::path> visited = visited_at_root(location.root);
+  for (const fs::path& folder : unvisited(subfolders(location.root), visited)) {
+    const std::vector<fs::path> files = class_files(folder, location.split, visited);
     if (files.empty()) {
       throw InputError(fmt::format(
           "{}: no models ({}) in this class{}", folder.string(), fmt::join(unambiguous_shape_extensions(), ", "),

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "shapegauge/core/base/number_text.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/preparation/cavities.h"
 #include "shapegauge/core/preparation/gap_size.h"
@@ -48,9 +49,9 @@ bool leaves_gaps_open(const ChosenOffset& chosen) { return chosen.automatic && c
 std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience audience) {
   if (chosen.offset >= chosen.gap) return std::nullopt;
   const bool stays_open = leaves_gaps_open(chosen);
-  return fmt::format("the {} ({:.2g} % of the diagonal){}: the offset surface leaks into it; {}",
+  return fmt::format("the {} ({} % of the diagonal){}: the offset surface leaks into it; {}",
                      stays_open ? "widest gap of the shape" : "offset is smaller than the gaps of the shape",
-                     100 * chosen.gap, stays_open ? " stays open" : "", advice(chosen, audience));
+                     two_digits(100 * chosen.gap), stays_open ? " stays open" : "", advice(chosen, audience));
 }
 
 std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull) {

@@ -22,13 +22,14 @@ namespace {
 using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
-/// Converts an array to a list of integers; none for other or too many elements.
+/// Converts an array to a list of integers; none for an empty array and for other or too many elements.
 ParameterValue integer_list(const Json& array) {
   const auto is_whole = [](const Json& value) {
     return value.is_number_integer() &&
            !(value.is_number_unsigned() && value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max());
   };
-  if (array.size() > IntegerList::most || !std::all_of(array.begin(), array.end(), is_whole)) return {};
+  if (array.empty() || array.size() > IntegerList::most || !std::all_of(array.begin(), array.end(), is_whole))
+    return {};
   return IntegerList(std::span<const std::int64_t>(array.get<std::vector<std::int64_t>>()));
 }
 

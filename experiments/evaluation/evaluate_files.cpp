@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -15,6 +17,7 @@
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
+#include "shapegauge/retrieval/feature_precision.h"
 
 namespace shapegauge {
 
@@ -33,8 +36,8 @@ std::vector<std::string> read_ids(const fs::path& path) {
   return ids;
 }
 
-// Makes a matrix of distances between features, one row a model, computed on demand.
-OpenMatrix open_features(const EvaluationFiles& files) {
+// Makes a matrix of distances between features, one row a model, computed on demand. Adds a warning about features.
+OpenMatrix open_features(const EvaluationFiles& files, std::vector<std::string>& warnings) {
   const LabelledTable table = read_matrix(files.matrix, TableShape::any);
   const auto features = std::make_shared<const Signatures>(table.numbers.cast<float>());
   const NamedDistance distance = feature_distance(files.distance);
@@ -43,6 +46,7 @@ OpenMatrix open_features(const EvaluationFiles& files) {
   } catch (const ArgumentError& error) {
     throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
   }
+  if (const auto warning = feature_precision_warning(table.numbers)) warnings.push_back(*warning);
   const auto read = [features, distance](const MatrixBlock& block) -> DistanceMatrix {
     DistanceMatrix rows = distance_rows(*features, block.first_row, block.rows, distance);
     if (block.columns == rows.cols()) return rows;
@@ -55,8 +59,8 @@ OpenMatrix open_features(const EvaluationFiles& files) {
           .column_ids = table.row_ids};
 }
 
-OpenMatrix open_distances(const EvaluationFiles& files, TableShape shape) {
-  if (!files.distance.empty()) return open_features(files);
+OpenMatrix open_distances(const EvaluationFiles& files, TableShape shape, std::vector<std::string>& warnings) {
+  if (!files.distance.empty()) return open_features(files, warnings);
   OpenMatrix matrix = open_matrix(files.matrix, shape);
   if (!files.similarity) return matrix;
   matrix.read = [similarities = std::move(matrix.read)](const MatrixBlock& block) -> DistanceMatrix {
@@ -104,6 +108,21 @@ void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
     for (std::string& model : known.models) model = ids[std::stoul(model)];
   }
   labels.models = labels.queries = labels.targets = ids;
+  labels.keys = ModelKeys(ids);
+}
+
+// Refuses ids that are the first row of distances, of which the first is not a number.
+void check_first_row(const std::vector<std::string>& ids, const ModelLabels& labels, const EvaluationFiles& files) {
+  if (!files.ids.empty() || ids.size() + 1 != labels.models.size()) return;
+  if (!std::ranges::all_of(ids, [](const std::string& id) { return parse_number(id).has_value(); })) return;
+  std::unordered_set<std::string> labelled;
+  for (const std::string& model : labels.models) labelled.insert(labels.keys.of(model));
+  const auto is_labelled = [&](const std::string& id) { return labelled.contains(labels.keys.of(id)); };
+  if (!labels.without_ids && std::ranges::all_of(ids, is_labelled)) return;
+  throw InputError(fmt::format(
+      "{}: the first row is taken for the ids of {} models, as its first cell is not a number, but {} has {} "
+      "models; a matrix without ids must begin with a number",
+      files.matrix.string(), ids.size(), labels.source, labels.models.size()));
 }
 
 // Warns of the assumed order of rows without ids if it is ambiguous.
@@ -127,15 +146,19 @@ EvaluationData open_labelled(const EvaluationFiles& files) {
     const RankedAnswers answers = read_ranked_answers(files.matrix);
     return data_of(answers, task_of_answers(answers, labels, files.unanswered));
   }
-  EvaluationData data{.distances = open_distances(files, labels.separate_sets ? TableShape::any : TableShape::square),
-                      .symmetric = !files.distance.empty(),
-                      .task = {}};
+  std::vector<std::string> warnings;
+  EvaluationData data{
+      .distances = open_distances(files, labels.separate_sets ? TableShape::any : TableShape::square, warnings),
+      .symmetric = !files.distance.empty(),
+      .task = {}};
   MatrixIds ids = ids_of_files(data.distances, files);
   const bool named = !ids.rows.empty();
+  if (named) check_first_row(ids.rows, labels, files);
   if (named && labels.without_ids) give_ids(ids.rows, labels);
   if (!named) ids = labelled_ids(labels, {data.distances.rows, data.distances.columns}, files.order);
   check_size(data.distances, ids, named && !files.ids.empty() ? files.ids.string() : labels.source, files);
   data.task = task_of_labels(ids, labels);
+  std::ranges::move(warnings, std::back_inserter(data.task.warnings));
   if (!named && files.order == RowOrder::usual) warn_of_order(ids, labels, data);
   return data;
 }
@@ -147,7 +170,8 @@ EvaluationData open_judged(const EvaluationFiles& files) {
     const RankedAnswers answers = read_ranked_answers(files.matrix);
     data = data_of(answers, task_of_answers(answers, judgements, files.unanswered));
   } else {
-    data.distances = open_distances(files, TableShape::any);
+    std::vector<std::string> warnings;
+    data.distances = open_distances(files, TableShape::any, warnings);
     data.symmetric = !files.distance.empty();
     const MatrixIds ids = ids_of_files(data.distances, files);
     if (ids.rows.empty()) {
@@ -157,6 +181,7 @@ EvaluationData open_judged(const EvaluationFiles& files) {
     }
     check_size(data.distances, ids, files.ids.empty() ? files.matrix.string() : files.ids.string(), files);
     data.task = task_of_judgements(ids, judgements, files.qrels.string());
+    std::ranges::move(warnings, std::back_inserter(data.task.warnings));
   }
   if (judgements.graded) {
     data.task.warnings.emplace_back(

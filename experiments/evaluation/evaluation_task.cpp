@@ -15,13 +15,22 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/files/model_keys.h"
 
 namespace shapegauge {
 
 namespace {
 
-using Places = std::unordered_map<std::string, Eigen::Index>;         // of models, by canonical id
 using Columns = std::map<std::string, Eigen::Index, std::greater<>>;  // of models, in trec_eval's order of the tied
+
+// Positions of models.
+struct Places {
+  ModelKeys keys;
+  std::unordered_map<std::string, Eigen::Index> by_key;
+
+  [[nodiscard]] bool contains(const std::string& id) const { return by_key.contains(keys.of(id)); }
+  bool operator==(const Places&) const = default;
+};
 
 // Labels, for lookup by model.
 class LabelledModels {
@@ -33,27 +42,30 @@ class LabelledModels {
     std::string subclass;
   };
 
-  explicit LabelledModels(const ModelLabels& labels) : source_(labels.source) {
+  explicit LabelledModels(const ModelLabels& labels) : source_(labels.source), keys_(labels.keys) {
     for (std::size_t i = 0; i < labels.classification.classes.size(); ++i) {
       for (const std::string& model : labels.classification.classes[i].models) {
-        known_[canonical_model_id(model)].label = static_cast<int>(i);
+        known_[key(model)].label = static_cast<int>(i);
       }
     }
     for (const auto& [model, subclass] : labels.subclasses) known_.at(model).subclass = subclass;
-    for (const std::string& model : labels.queries) known_.at(canonical_model_id(model)).query = true;
-    for (const std::string& model : labels.targets) known_.at(canonical_model_id(model)).target = true;
+    for (const std::string& model : labels.queries) known_.at(key(model)).query = true;
+    for (const std::string& model : labels.targets) known_.at(key(model)).target = true;
   }
 
   // Throws InputError if the model has no class.
   [[nodiscard]] const Known& at(const std::string& id) const {
-    const auto found = known_.find(canonical_model_id(id));
+    const auto found = known_.find(key(id));
     if (found != known_.end()) return found->second;
     throw InputError(fmt::format("{}: model {} is in no class; add it to the file or leave the model out", source_,
                                  quoted_word(id)));
   }
 
+  [[nodiscard]] std::string key(const std::string& id) const { return keys_.of(id); }
+
  private:
   std::string source_;
+  ModelKeys keys_;
   std::unordered_map<std::string, Known> known_;
 };
 
@@ -77,34 +89,36 @@ std::vector<std::string> class_names_of(const ModelLabels& labels) {
   return names;
 }
 
-Places unique_places(const std::vector<std::string>& ids, const std::string& source) {
-  Places places;
+Places unique_places(const std::vector<std::string>& ids, const ModelLabels& labels) {
+  Places places{.keys = labels.keys, .by_key = {}};
   for (const std::string& id : ids) {
-    if (places.emplace(canonical_model_id(id), static_cast<Eigen::Index>(places.size())).second) continue;
-    throw InputError(fmt::format("model {} occurs twice among the models to look up in {}", quoted_word(id), source));
+    const auto next = static_cast<Eigen::Index>(places.by_key.size());
+    if (places.by_key.emplace(places.keys.of(id), next).second) continue;
+    throw InputError(
+        fmt::format("model {} occurs twice among the models to look up in {}", quoted_word(id), labels.source));
   }
   return places;
 }
 
 Places first_places(const std::vector<std::string>& ids) {
-  Places places;
+  Places places{.keys = ModelKeys(ids), .by_key = {}};
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    places.emplace(canonical_model_id(ids[i]), static_cast<Eigen::Index>(i));
+    places.by_key.emplace(places.keys.of(ids[i]), static_cast<Eigen::Index>(i));
   }
   return places;
 }
 
 // Returns the position of a model, or -1.
 Eigen::Index place_or_none(const std::string& id, const Places& places) {
-  const auto found = places.find(canonical_model_id(id));
-  return found == places.end() ? -1 : found->second;
+  const auto found = places.by_key.find(places.keys.of(id));
+  return found == places.by_key.end() ? -1 : found->second;
 }
 
 void check_all_there(const std::vector<std::string>& wanted, const Places& places, const std::string& source) {
   for (const std::string& id : wanted) {
-    if (places.contains(canonical_model_id(id))) continue;
+    if (places.contains(id)) continue;
     throw InputError(fmt::format("{}: model {} is classified but is not among the {} models that are there", source,
-                                 quoted_word(id), places.size()));
+                                 quoted_word(id), places.by_key.size()));
   }
 }
 
@@ -232,7 +246,7 @@ Columns columns_of(const RankedAnswers& answers, const Judgements& judgements) {
 class LabelledAnswers {
  public:
   LabelledAnswers(const ModelLabels& labels, std::size_t answers) : queries_(labels.queries), models_(labels) {
-    for (const std::string& target : labels.targets) columns_.emplace(canonical_model_id(target), 0);
+    for (const std::string& target : labels.targets) columns_.emplace(models_.key(target), 0);
     number(columns_);
     EvaluationTask& task = ranked_.task;
     task.class_names = class_names_of(labels);
@@ -244,7 +258,7 @@ class LabelledAnswers {
   void add(const RankedAnswers::Answer& answer) {
     const auto row = static_cast<Eigen::Index>(ranked_.task.query_ids.size());
     add_query(answer.query);
-    if (!answered_.insert(canonical_model_id(answer.query)).second) {
+    if (!answered_.insert(models_.key(answer.query)).second) {
       throw InputError(fmt::format("the query {} has two spellings", quoted_word(answer.query)));
     }
     for (const auto& [model, distance] : answer.models) {
@@ -252,14 +266,14 @@ class LabelledAnswers {
         throw InputError(fmt::format("the answer to {} has the model {}, which is not a target",
                                      quoted_word(answer.query), quoted_word(model)));
       }
-      ranked_.distances(row, columns_.at(canonical_model_id(model))) = distance;
+      ranked_.distances(row, columns_.at(models_.key(model))) = distance;
     }
   }
 
   // Adds a query without its answer.
   void add_query(const std::string& id) {
     const LabelledModels::Known& known = models_.at(id);
-    const auto own = columns_.find(canonical_model_id(id));
+    const auto own = columns_.find(models_.key(id));
     ranked_.task.query_ids.push_back(id);
     ranked_.task.retrieval.query_classes.push_back(known.query ? known.label : no_class);
     ranked_.task.retrieval.own_column.push_back(own == columns_.end() ? -1 : own->second);
@@ -269,7 +283,7 @@ class LabelledAnswers {
   [[nodiscard]] std::vector<std::string> unanswered() const {
     std::vector<std::string> missing;
     std::ranges::copy_if(queries_, std::back_inserter(missing),
-                         [&](const std::string& id) { return !answered_.contains(canonical_model_id(id)); });
+                         [&](const std::string& id) { return !answered_.contains(models_.key(id)); });
     return missing;
   }
 
@@ -304,8 +318,8 @@ MatrixIds labelled_ids(const ModelLabels& labels, const MatrixSize& size, RowOrd
 
 EvaluationTask task_of_labels(const MatrixIds& ids, const ModelLabels& labels) {
   const LabelledModels models(labels);
-  const Places rows = unique_places(ids.rows, labels.source);
-  const Places columns = unique_places(ids.columns, labels.source);
+  const Places rows = unique_places(ids.rows, labels);
+  const Places columns = unique_places(ids.columns, labels);
   EvaluationTask task{.retrieval = {},
                       .query_ids = ids.rows,
                       .class_names = class_names_of(labels),

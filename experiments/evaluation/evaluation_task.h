@@ -55,7 +55,7 @@ enum class Unanswered { left_out, count };
 /// targets are separate sets: queries by targets if the matrix has that size, otherwise all models by all models.
 MatrixIds labelled_ids(const ModelLabels& labels, const MatrixSize& size, RowOrder order);
 
-/// Makes the task of a matrix of these models with labels. Compares ids by canonical_model_id(). Throws InputError for
+/// Makes the task of a matrix of these models with labels. Compares ids by ModelKeys. Throws InputError for
 /// a model without class, a repeated model of the rows or columns, a query without a row, and a target without a
 /// column.
 EvaluationTask task_of_labels(const MatrixIds& ids, const ModelLabels& labels);

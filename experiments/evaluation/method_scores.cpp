@@ -14,6 +14,7 @@
 #include "shapegauge/datasets/files/compressed_files.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/files/model_keys.h"
 
 namespace shapegauge {
 
@@ -56,12 +57,21 @@ Eigen::RowVectorXd scores_of(const CsvRow& row, std::size_t measures, const std:
   return scores;
 }
 
-using QueryPlaces = std::unordered_map<std::string, std::size_t>;
+// Positions of a method's queries.
+struct QueryPlaces {
+  ModelKeys keys;
+  std::unordered_map<std::string, std::size_t> by_key;
+
+  [[nodiscard]] std::optional<std::size_t> find(const std::string& query) const {
+    const auto found = by_key.find(keys.of(query));
+    return found == by_key.end() ? std::nullopt : std::optional(found->second);
+  }
+};
 
 QueryPlaces places_of(const MethodScores& method) {
-  QueryPlaces places;
+  QueryPlaces places{.keys = ModelKeys(method.queries), .by_key = {}};
   for (const std::string& query : method.queries) {
-    if (places.emplace(canonical_model_id(query), places.size()).second) continue;
+    if (places.by_key.emplace(places.keys.of(query), places.by_key.size()).second) continue;
     throw InputError(
         fmt::format("{}: repeated query {} for {}", method.source, quoted_word(query), quoted_word(method.method)));
   }
@@ -143,24 +153,23 @@ std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& 
   const QueryPlaces places = places_of(method);
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < first.queries.size(); ++i) {
-    const auto found = places.find(canonical_model_id(first.queries[i]));
-    if (found == places.end()) {
+    const auto found = places.find(first.queries[i]);
+    if (!found) {
       throw InputError(fmt::format("{}: {} lacks the query {} of {}; only scores of the same queries can be compared",
                                    method.source, quoted_word(method.method), quoted_word(first.queries[i]),
                                    quoted_word(first.method)));
     }
-    if (method.classes[found->second] != first.classes[i]) {
+    if (method.classes[*found] != first.classes[i]) {
       throw InputError(fmt::format("{}: the query {} is of class {} for {} and of {} for {}", method.source,
-                                   quoted_word(first.queries[i]), quoted_word(method.classes[found->second]),
+                                   quoted_word(first.queries[i]), quoted_word(method.classes[*found]),
                                    quoted_word(method.method), quoted_word(first.classes[i]),
                                    quoted_word(first.method)));
     }
-    rows.push_back(found->second);
+    rows.push_back(*found);
   }
-  if (places.size() == first.queries.size()) return rows;
+  if (places.by_key.size() == first.queries.size()) return rows;
   const QueryPlaces known = places_of(first);
-  const auto more = std::ranges::find_if(
-      method.queries, [&](const std::string& query) { return !known.contains(canonical_model_id(query)); });
+  const auto more = std::ranges::find_if(method.queries, [&](const std::string& query) { return !known.find(query); });
   throw InputError(
       fmt::format("{}: {} has the query {}, which {} lacks; only scores of the same queries can be compared",
                   method.source, quoted_word(method.method), quoted_word(*more), quoted_word(first.method)));

@@ -18,6 +18,7 @@
 #include "shapegauge/datasets/files/model_ids.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
 namespace shapegauge {
@@ -38,6 +39,24 @@ const std::vector<std::string> description_keys{"name", "authors", "paper", "url
 
 fs::path uncompressed_name(const fs::path& path) {
   return lower_case(path.extension().string()) == ".gz" ? fs::path(path).replace_extension() : path;
+}
+
+// Returns true for a file of the folder or of its subfolders, with links followed.
+bool is_within(const fs::path& file, const fs::path& folder) {
+  std::error_code failure;
+  const fs::path root = fs::weakly_canonical(fs::absolute(folder), failure);
+  const fs::path below = fs::weakly_canonical(fs::absolute(file), failure).lexically_relative(root);
+  return !below.empty() && *below.begin() != "..";
+}
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+// Pages are public: a submission cannot name files of the machine that makes them.
+fs::path checked_ids(const fs::path& submission, const std::string& ids) {
+  fs::path file = submission.parent_path() / ids;
+  if (is_within(file, folder_of(submission))) return file;
+  throw InputError(fmt::format("\"ids\" names {}, which is outside of the folder of the submission; put the file there",
+                               quoted_word(ids)));
 }
 
 std::string text_at(const nlohmann::json& value, const std::string& key) {
@@ -69,21 +88,14 @@ void set_described(const std::string& key, const nlohmann::json& value, Submissi
   if (key == "paper") submission.paper = text_at(value, key);
   if (key == "url") submission.url = checked_url(text_at(value, key));
   if (key == "distance") submission.distance = checked_distance(text_at(value, key));
-  if (key == "ids") submission.ids = submission.file.parent_path() / text_at(value, key);
+  if (key == "ids") submission.ids = checked_ids(submission.file, text_at(value, key));
   if (key == "similarity") {
     if (!value.is_boolean()) throw InputError("\"similarity\" must be true or false");
     submission.similarity = value.get<bool>();
   }
 }
 
-// Reads the JSON file beside the submission. Throws InputError without the file's name.
-void read_description(const fs::path& file, Submission& submission) {
-  nlohmann::json json;
-  try {
-    json = nlohmann::json::parse(read_file_bytes(file));
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("this is not JSON: {}", error.what()));
-  }
+void set_all_described(const nlohmann::json& json, Submission& submission) {
   if (!json.is_object()) throw InputError("expected an object with name, authors, paper and similarity");
   for (const auto& [key, value] : json.items()) {
     if (std::ranges::find(description_keys, key) == description_keys.end()) {
@@ -97,6 +109,19 @@ void read_description(const fs::path& file, Submission& submission) {
   }
 }
 
+// Reads the JSON file beside the submission.
+void read_description(const fs::path& file, Submission& submission) {
+  if (!is_within(file, folder_of(file))) {
+    throw InputError(fmt::format("{}: the link leads out of the folder of the submission", file.string()));
+  }
+  const nlohmann::json json = parse_json(read_file_bytes(file), file.string());
+  try {
+    set_all_described(json, submission);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
 // Adds a file; refuses it if its description is invalid.
 void add_submission(const fs::path& file, FoundSubmissions& found) {
   Submission submission{.file = file};
@@ -106,7 +131,7 @@ void add_submission(const fs::path& file, FoundSubmissions& found) {
     try {
       read_description(description, submission);
     } catch (const InputError& error) {
-      found.refused.push_back({.file = file, .reason = fmt::format("{}: {}", description.string(), error.what())});
+      found.refused.push_back({.file = file, .reason = error.what()});
       return;
     }
   }
@@ -139,7 +164,11 @@ void add_folder(const fs::path& folder, std::span<const fs::path> others, FoundS
   for (const fs::path& file : files_in(folder)) {
     if (!is_submission_file(file) || is_one_of(file, others)) continue;
     described.insert(description_of(file));
-    add_submission(file, found);
+    if (is_within(file, folder)) {
+      add_submission(file, found);
+    } else {
+      found.refused.push_back({.file = file, .reason = "the link leads out of the folder; replace it by the file"});
+    }
   }
   if (found.submissions.size() + found.refused.size() == before) {
     throw InputError(fmt::format("{}: no submissions in this folder; expected files {}, optionally with .gz",

@@ -41,8 +41,9 @@ bool is_submission_file(const std::filesystem::path& path);
 
 /// Finds submissions: each path is a file or a folder of files (without subfolders). The optional keys of a JSON file
 /// are name, authors (a text or a list of them), paper, url, similarity, distance and ids. `others` are files in such a
-/// folder that are not submissions, such as the labels; empty paths are ignored. A missing path is refused. Throws
-/// InputError for a folder that cannot be read or has no submission.
+/// folder that are not submissions, such as the labels; empty paths are ignored. A missing path is refused, as are
+/// links of a folder, descriptions and files of ids that lead out of the submission's folder. Throws InputError for a
+/// folder that cannot be read or has no submission.
 FoundSubmissions find_submissions(std::span<const std::filesystem::path> paths,
                                   std::span<const std::filesystem::path> others = {});
 

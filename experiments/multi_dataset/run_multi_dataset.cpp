@@ -1,12 +1,14 @@
 #include "shapegauge/experiments/multi_dataset/run_multi_dataset.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <memory>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/stopwatch.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/configuration/dataset_files.h"
 #include "shapegauge/experiments/configuration/json_document.h"
@@ -22,6 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+
+// Result files of the whole experiment, beside the folders of its data sets.
+constexpr std::array<std::string_view, 6> result_files{"summary.csv", "summary.json", "summary.md",
+                                                       "summary.tex", "pairs.csv",    report_name};
 
 // One data set of the experiment: its experiment, or why it cannot be read.
 struct DatasetPart {
@@ -58,13 +64,29 @@ std::vector<std::string> names_of_datasets(const Json& datasets, const std::stri
   return names;
 }
 
+// Returns the names of the data sets' folders. Throws InputError for the name of a result file.
+std::vector<std::string> folders_of_datasets(const std::vector<std::string>& names, const std::string& source) {
+  std::vector<std::string> folders = file_safe_names(names);
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    const std::string folder = lower_case(folders[i]);
+    if (folder == manifest_name || std::ranges::find(result_files, folder) != result_files.end()) {
+      throw InputError(
+          fmt::format("{}: datasets.{}.name: the data set {} would have its results in the folder {}, which is the "
+                      "name of a result "
+                      "file; choose another name",
+                      source, i, quoted_word(names[i]), folders[i]));
+    }
+  }
+  return folders;
+}
+
 // Reads all data sets. One that cannot be read, as a variable is not set, is kept with its error. Throws InputError
 // where all cannot.
 MultiDatasetExperiment read_parts(const Json& document, const std::string& source, const fs::path& folder) {
   MultiDatasetExperiment experiment{.name = document.at("name"), .description = {}, .parts = {}};
   if (document.contains("description")) experiment.description = document.at("description");
   const std::vector<std::string> names = names_of_datasets(document.at("datasets"), source);
-  const std::vector<std::string> folders = file_safe_names(names);
+  const std::vector<std::string> folders = folders_of_datasets(names, source);
   for (std::size_t i = 0; i < names.size(); ++i) {
     DatasetPart part{.name = names[i], .folder = folders[i], .dataset = document.at("datasets")[i]};
     try {
@@ -223,16 +245,15 @@ class MultiDatasetRun {
     results_.tables = multi_dataset_tables(results_.datasets, results_.alpha);
     const MultiDatasetTable& main = main_table(results_);
     const TextTable summary = multi_dataset_summary(results_, main);
-    const std::vector<std::pair<std::string, std::string>> files{
-        {"summary.csv", to_csv(multi_dataset_csv_table(results_))},
-        {"summary.json", multi_dataset_json(results_).dump(2) + "\n"},
-        {"summary.md", to_markdown(summary)},
-        {"summary.tex", to_latex(summary)},
-        {"pairs.csv", to_csv(multi_dataset_pairs_table(results_))},
-        {std::string(report_name), multi_dataset_html(results_)}};
-    for (const auto& [name, text] : files) {
-      write_file_atomically(context_->results / name, text);
-      outcome_.files.push_back(name);
+    const std::array<std::string, result_files.size()> texts{to_csv(multi_dataset_csv_table(results_)),
+                                                             multi_dataset_json(results_).dump(2) + "\n",
+                                                             to_markdown(summary),
+                                                             to_latex(summary),
+                                                             to_csv(multi_dataset_pairs_table(results_)),
+                                                             multi_dataset_html(results_)};
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      write_file_atomically(context_->results / result_files[i], texts[i]);
+      outcome_.files.emplace_back(result_files[i]);
     }
     outcome_.manifest["inputs"] = inputs_;
     for (const auto& [name, reason] : results_.failures) outcome_.manifest["failed_data_sets"][name] = reason;

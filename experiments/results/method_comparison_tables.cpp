@@ -149,10 +149,12 @@ std::optional<std::string> few_units_warning(const MethodComparison& comparison,
           : fmt::format("use more {}, {} (which assumes normally distributed differences){}", name_of(options.blocks),
                         setting_with_word(audience, "test", "t"), more_blocks);
   return fmt::format(
-      "with {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {}); no "
+      "with {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {}){}; no "
       "difference can be significant at {:.4g}; {}",
       comparison.units, name_of(options.blocks), name_of(options.test), smallest, std::min(1.0, pairs * smallest),
-      count_text(std::ssize(comparison.pairs), "pair", "pairs"), alpha, advice);
+      count_text(std::ssize(comparison.pairs), "pair", "pairs"),
+      few_resamples ? "" : fmt::format(", except by the error of {} resamples", options.resampling.resamples), alpha,
+      advice);
 }
 
 }  // namespace shapegauge

@@ -90,6 +90,10 @@ def word(value: Any, name: str) -> str:
     """Validates a string."""
     if not isinstance(value, str):
         raise InputError(f"{name} must be a string, not {_kind(value)}")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise InputError(f"{name} is {_shown(value)}, which is not Unicode text: it has half of a surrogate pair") from None
     return str(value)
 
 
@@ -129,20 +133,26 @@ def ordered(values: Any, name: str) -> list[Any]:
     return list(values)
 
 
-def plain(value: Any, name: str) -> Any:
-    """A setting as JSON has it: NumPy's scalars and arrays as Python's numbers and lists."""
-    if value is None or isinstance(value, (str, bool, _numpy.bool_)):
+def plain(value: Any, name: str, depth: int = 0) -> Any:
+    """A setting as JSON has it: NumPy's scalars and arrays as Python's numbers and lists. depth: of the value."""
+    if depth > 100:
+        whole = name.split(".", maxsplit=1)[0].split("[", maxsplit=1)[0]
+        raise InputError(f"{whole} contains itself, or is nested more than 100 deep")
+    if value is None or isinstance(value, (bool, _numpy.bool_)):
         return bool(value) if isinstance(value, _numpy.bool_) else value
+    if isinstance(value, str):
+        return word(value, name)
     if isinstance(value, _numbers.Integral) and abs(int(value)) < 2**63:
         return int(value)
     if isinstance(value, _numbers.Real):
         return finite_number(value, name)
     if isinstance(value, _numpy.ndarray):
-        return plain(value.tolist(), name)
+        return plain(value.tolist(), name, depth + 1)
     if isinstance(value, _abc.Mapping):
-        return {word(key, f"a key of {name}"): plain(part, f"{name}.{key}") for key, part in value.items()}
+        return {word(key, f"a key of {name}"): plain(part, f"{name}.{key}", depth + 1)
+                for key, part in value.items()}
     if isinstance(value, (list, tuple)):
-        return [plain(part, f"{name}[{i}]") for i, part in enumerate(value)]
+        return [plain(part, f"{name}[{i}]", depth + 1) for i, part in enumerate(value)]
     raise InputError(f"{name} must be a number, a string, a bool, a list or a dict, not {_kind(value)}")
 
 

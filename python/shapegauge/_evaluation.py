@@ -118,7 +118,7 @@ def _is_missing(label: Any) -> bool:
         return False
 
 
-def _label(label: Any, row: int) -> Any:
+def _label(label: Any, row: str) -> Any:
     """Converts a label to a number or text."""
     if isinstance(label, (bool, _numpy.bool_, str)):
         return str(label).strip() if isinstance(label, str) else bool(label)
@@ -154,9 +154,15 @@ def _label_list(labels: Any) -> list[Any]:
 _MISSING_LABELS = ("error", "no_class")
 
 
-def _class_numbers(labels: Any, models: int, missing_labels: str,
-                   noun: str = "labels") -> tuple[list[Any], list[int]]:
-    """The names of the classes, ascending, and each model's number among them, -1 where it has none."""
+def _class_numbers(labels: Any, models: int, missing_labels: str, noun: str = "labels",
+                   targets_from: Optional[int] = None) -> tuple[list[Any], list[int]]:
+    """The names of the classes, ascending, and each model's number among them, -1 where it has none. Labels from the
+    index targets_from on are those of targets."""
+    def place(row: int) -> str:
+        if targets_from is None:
+            return str(row)
+        return f"{row} of labels" if row < targets_from else f"{row - targets_from} of targets"
+
     if missing_labels not in _MISSING_LABELS:
         raise InputError(f'missing_labels must be "error" or "no_class", not {missing_labels!r}')
     labels = _label_list(labels)
@@ -164,12 +170,12 @@ def _class_numbers(labels: Any, models: int, missing_labels: str,
         raise InputError(f"there are {len(labels)} {noun} for {models} models")
     missing = [row for row, label in enumerate(labels) if _is_missing(label)]
     if missing and missing_labels == "error":
-        rows = ", ".join(map(str, missing[:10])) + (f" and {len(missing) - 10} more" if len(missing) > 10 else "")
+        rows = ", ".join(map(place, missing[:10])) + (f" and {len(missing) - 10} more" if len(missing) > 10 else "")
         found = f"label is missing, in row {rows}" if len(missing) == 1 else f"labels are missing, in rows {rows}"
         raise InputError(f"{len(missing)} {found} (counted from 0); leave these models out, or say "
                          'missing_labels="no_class": then they are no queries, and relevant to none')
     hidden = set(missing)
-    classes: list[Any] = [None if row in hidden else _label(label, row) for row, label in enumerate(labels)]
+    classes: list[Any] = [None if row in hidden else _label(label, place(row)) for row, label in enumerate(labels)]
     if len({type(label) is str for row, label in enumerate(classes) if row not in hidden}) == 2:
         classes = [label if label is None else str(label) for label in classes]  # numbers and text are text
     names = sorted({label for row, label in enumerate(classes) if row not in hidden})
@@ -218,11 +224,17 @@ def _number(value: Any, name: str) -> Any:
     return number_of(value, name, REGISTERED["options"]["compare"][name])
 
 
-def _distances_of(distances: Any, distance: Optional[str], rectangular: bool, threads: int) -> _numpy.ndarray:
+def _distances_of(distances: Any, distance: Optional[str], rectangular: bool, threads: int,
+                  prefix: str = "") -> _numpy.ndarray:
     if distance is None:
         return matrix_of(distances, "distances") if rectangular else square_matrix(distances)
-    features = matrix_of(distances, "features").astype(_numpy.float32)
-    return _native.feature_distances(features, word(distance, "distance"), number_of_threads(threads))
+    features = matrix_of(distances, "features")
+    with _numpy.errstate(over="ignore"):  # infinite features are refused
+        single = features.astype(_numpy.float32)
+    found = _native.feature_distances(single, word(distance, "distance"), number_of_threads(threads))
+    warning = _native.feature_precision_warning(features)
+    warn([] if warning is None else [warning], prefix)
+    return found
 
 
 def _grades(relevance: Any, shape: tuple[int, ...]) -> _numpy.ndarray:
@@ -261,7 +273,7 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
     rectangular = targets is not None or relevance is not None
     if subclasses is not None and rectangular:
         raise InputError("subclasses apply to labels of rows and columns alike; with targets give relevance instead")
-    matrix = _distances_of(distances, distance, rectangular, threads)
+    matrix = _distances_of(distances, distance, rectangular, threads, prefix)
     square = targets is None and matrix.shape[0] == matrix.shape[1]
     names: list[Any] = []
     numbers, columns, grades = [0] * matrix.shape[0], [0] * matrix.shape[1], None
@@ -270,8 +282,9 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
     elif targets is None:
         names, numbers = _class_numbers(labels, len(matrix), missing_labels)
     else:
-        names, both = _class_numbers(_label_list(labels) + _label_list(targets), sum(matrix.shape), missing_labels,
-                                     "labels and targets")
+        of_rows = _label_list(labels)
+        names, both = _class_numbers(of_rows + _label_list(targets), sum(matrix.shape), missing_labels,
+                                     "labels and targets", targets_from=len(of_rows))
         numbers, columns = both[:matrix.shape[0]], both[matrix.shape[0]:]
     native, warnings = _native.evaluate(-matrix if similarity else matrix, numbers, None if square else columns,
                                         _subclass_numbers(subclasses, labels), grades,

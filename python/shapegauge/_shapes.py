@@ -67,11 +67,12 @@ def read(path: PathLike) -> Shape:
 
 @path_and_shape_function
 def write(path: PathLike, shape: ShapeArrays, normals: Any = None) -> None:
-    """Writes a shape in the format of the extension.
+    """Writes a shape in the format of the extension. Warns if STL, of single precision, distorts the shape.
 
     >>> sg.write("hand.ply", *sg.read("hand.off"))
     """
-    _native.write(path_of(path, "path"), *shape)
+    warning = _native.write(path_of(path, "path"), *shape)
+    warn([] if warning is None else [warning])
 
 
 @with_settings([("Types and their settings", listing_of_all("fields"))])

@@ -65,6 +65,14 @@ TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {
         "--distance"}});
 }
 
+TEST_F(DescribeCommand, FeaturesThatAreEqualInSinglePrecisionAreAWarning) {
+  test::write_text(at("far.csv"), "1000000000,1\n1000000001,1\n1000000002,1\n");
+  const Outcome outcome = run_executable(
+      fmt::format("distances '{}' -o '{}' --distance l2", at("far.csv").string(), at("far.npy").string()));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("2 rows equal others"));
+}
+
 TEST_F(DescribeCommand, WritesARowAShape) {
   const std::string output = at("x.npy").string();
   const Outcome outcome = describe(fmt::format("--descriptor d2 --set bins=8 --set points=64 -o '{}'", output));
@@ -193,6 +201,15 @@ TEST(RerankCommand, IdsOfACsvStay) {
   const LabelledTable found = read_matrix(at("r.csv"), TableShape::square);
   EXPECT_THAT(found.row_ids, testing::ElementsAre("x", "y", "z"));
   EXPECT_EQ(found.numbers, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
+}
+
+TEST(RerankCommand, AnEmptyListIsAnError) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  write_npy(at("d.npy"), line());
+  const Outcome outcome = run_executable(fmt::format("rerank '{}' -o '{}' --neighbours ''", at("d.npy"), at("r.npy")));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("--neighbours is empty; it must be a whole number from 1 to 1000"));
 }
 
 TEST(RerankCommand, InfiniteDistancesStayUsable) {

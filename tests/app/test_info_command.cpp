@@ -33,6 +33,17 @@ TEST(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
   EXPECT_DOUBLE_EQ(found["boundary_fraction"], (2 + std::sqrt(2)) / std::sqrt(3));
 }
 
+TEST(InfoCommand, AVolumeThatIsTooLargeIsSaidToBe) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path() / "huge.off").string();
+  Shape box = test::box({1, 1, 1}, 1);
+  box.vertices *= 1e160;
+  write_off(file, box);
+  const Outcome text = run_executable("info '" + file + "'");
+  EXPECT_THAT(text.output, HasSubstr("volume                  too large to compute\n"));
+  EXPECT_THAT(text.output, testing::Not(HasSubstr("null")));
+}
+
 TEST(InfoCommand, AnAbsentFileIsAnError) { EXPECT_EQ(run_executable("info /nowhere/x.off").status, 2); }
 
 }  // namespace

@@ -53,6 +53,17 @@ TEST_F(PerturbCommand, TheSeedDecides) {
   EXPECT_NE(text_of(at("a.off")), text_of(at("c.off")));
 }
 
+TEST_F(PerturbCommand, WarnsOfCoordinatesTooLargeForStl) {
+  Shape far = shape;
+  far.vertices.rowwise() += Eigen::RowVector3d(5e5, 4.5e6, 100);
+  write_off(at("far.off"), far);
+  const Outcome converted = run_executable("convert '" + at("far.off") + "' -o '" + at("far.stl") + "'");
+  EXPECT_EQ(converted.status, 0);
+  EXPECT_THAT(converted.errors, HasSubstr("single precision of STL"));
+  EXPECT_EQ(run_executable("convert '" + at("far.off") + "' -o '" + at("far.ply") + "'").errors, "");
+  EXPECT_EQ(perturb("near.stl", "--flip 1").errors, "");
+}
+
 TEST_F(PerturbCommand, WritesPointClouds) {
   ASSERT_EQ(perturb("x.ply", "--points 50 --holes 1 --hole-radius 0.02").status, 0);
   EXPECT_THAT(text_of(at("x.ply")), HasSubstr("element vertex 50\n"));

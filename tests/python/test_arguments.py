@@ -163,6 +163,7 @@ CALLS = [
     (lambda: sg.rerank(np.zeros((3, 3)), wrong=1), "wrong"),
     (lambda: sg.rerank(DISTANCES, neighbours=[4, 0]), "neighbours"),
     (lambda: sg.rerank(DISTANCES, neighbours="x"), "neighbours"),
+    (lambda: sg.rerank(DISTANCES, neighbours=[]), "neighbours"),
     (lambda: sg.rerank(np.zeros((3, 3)), "x"), "x"),
     (lambda: sg.rerank(DISTANCES, neighbours=float("nan")), "neighbours is nan"),
     (lambda: sg.rerank(DISTANCES - 1), "negative"),
@@ -197,3 +198,22 @@ def test_a_list_of_methods_is_compared_in_its_order():
     named = sg.compare({"method 1": DISTANCES, "method 2": DISTANCES.max() - DISTANCES}, LABELS, resamples=100)
     assert listed.results == named.results
     assert "method 2" in repr(listed)
+
+
+def test_strings_must_be_unicode_text():
+    for call in (lambda: sg.describe(MESH, "\udcff"), lambda: sg.segment(MESH, "\udcff"),
+                 lambda: sg.field(MESH, "centricity", sources="\udcff"),
+                 lambda: sg.run({"name": "a", "dataset": {"root": "x\udcff"}})):
+        with pytest.raises(sg.InputError, match="not Unicode text"):
+            call()
+
+
+def test_settings_may_not_contain_themselves():
+    configuration = {"name": "endless", "signatures": []}
+    configuration["signatures"].append({"more": configuration})
+    with pytest.raises(sg.InputError, match="^configuration contains itself, or is nested more than 100 deep$"):
+        sg.run(configuration)
+    values = []
+    values.append(values)
+    with pytest.raises(sg.InputError, match="^bins contains itself"):
+        sg.describe(MESH, "histogram", bins=values)

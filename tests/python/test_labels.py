@@ -46,6 +46,16 @@ def test_missing_numbers_of_arrays_are_an_error():
         sg.evaluate(np.zeros((30, 30)), many)
 
 
+def test_missing_targets_are_named_by_their_own_rows():
+    targets = ["a", "b", None]
+    with pytest.raises(sg.InputError, match="1 label is missing, in row 2 of targets "):
+        sg.evaluate(DISTANCES[:, :3], LABELS, targets=targets)
+    with pytest.raises(sg.InputError, match="2 labels are missing, in rows 0 of labels, 2 of targets "):
+        sg.evaluate(DISTANCES[:, :3], [None, *LABELS[1:]], targets=targets)
+    with pytest.raises(sg.InputError, match="the label of row 1 of targets is 1.5;"):
+        sg.evaluate(DISTANCES[:, :2], LABELS, targets=[1, 1.5])
+
+
 @pytest.mark.filterwarnings("ignore")
 def test_models_of_no_class_are_no_queries_and_relevant_to_none():
     scores = sg.evaluate(DISTANCES, ["a", "a", None, "b", "b", "", "b"], missing_labels="no_class")

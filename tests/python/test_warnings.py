@@ -143,3 +143,20 @@ def test_comparisons_name_the_method_and_what_cannot_be_significant():
     assert not [sentence for sentence in found if sentence.startswith("good: ") or "--" in sentence]
     _, found = warned(lambda: sg.compare([distances, distances], labels, test="t", blocks="queries"))
     assert found == []
+
+
+def test_coordinates_too_large_for_stl(tmp_path):
+    assert warned(lambda: sg.write(tmp_path / "near.stl", VERTICES, FACES))[1] == []
+    _, (warning,) = warned(lambda: sg.write(tmp_path / "far.stl", VERTICES + 1e9, FACES))
+    assert "single precision of STL" in warning
+    assert warned(lambda: sg.write(tmp_path / "far.ply", VERTICES + 1e9, FACES))[1] == []
+
+
+def test_features_that_are_equal_in_single_precision():
+    features = np.random.default_rng(1).random((7, 4))
+    labels = list("aaabbbb")
+    assert warned(lambda: sg.distances(features, distance="l2"))[1] == []
+    for far in (features + 1e9, features * 1e-46):
+        _, (warning,) = warned(lambda: sg.distances(far, distance="l2"))
+        assert "6 rows equal others" in warning
+        assert warning in warned(lambda: sg.evaluate(far, labels, distance="l2"))[1]

@@ -1,12 +1,15 @@
+#include <atomic>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
 #include <rapidcheck/gtest.h>
+#include <span>
 #include <tbb/global_control.h>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/distances.h"
 
@@ -113,6 +116,27 @@ TEST(DistanceMatrix, OutsideOfADistancesDomainSaysWhichSignature) {
     EXPECT_THAT(error_of(signatures, name), testing::HasSubstr("signature 1 (counted from 0), which has a negative"));
   }
   for (const char* name : {"l1", "l2", "cosine"}) EXPECT_EQ(error_of(signatures, name), "no error");
+}
+
+Cancellation* cancelled_by_distance = nullptr;
+std::atomic<int> calls_of_distance = 0;
+
+double cancelling_distance(std::span<const float>, std::span<const float>) {
+  ++calls_of_distance;
+  cancelled_by_distance->cancel();
+  return 0;
+}
+
+TEST(DistanceMatrix, IsInterruptedWithinATile) {
+  const Signatures signatures = random_signatures(500, 4, 1);
+  const SignatureBlock block{signatures, 0};
+  Cancellation cancellation;
+  cancelled_by_distance = &cancellation;
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_THROW(
+      cancellation.run([&] { distances_between({.name = "slow", .function = cancelling_distance}, block, block); }),
+      Interrupted);
+  EXPECT_LE(calls_of_distance, 32) << "the rest of a row of a tile";
 }
 
 RC_GTEST_PROP(DistanceMatrix, AgreesWithEigenOnEveryPair, ()) {

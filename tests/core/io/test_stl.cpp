@@ -135,6 +135,18 @@ TEST(WriteStl, DegenerateTrianglesHaveNoNormal) {
   EXPECT_EQ(read_stl(bytes, "t.stl").triangles.rows(), 4);
 }
 
+TEST(WriteStl, LossOfPrecisionIsAWarning) {
+  Shape shape = test::tetrahedron();
+  EXPECT_EQ(precision_warning("x.stl", shape), std::nullopt);
+  shape.vertices.array() += 1e4;
+  const std::string moved = precision_warning("x.STL", shape).value_or("none");
+  EXPECT_THAT(moved, testing::AllOf(testing::HasSubstr("% of the diagonal"), testing::HasSubstr("centre the shape"),
+                                    testing::Not(testing::HasSubstr("equal"))));
+  shape.vertices.array() += 1e9;
+  EXPECT_THAT(precision_warning("x.stl", shape).value_or("none"), testing::HasSubstr("makes 3 vertices equal"));
+  EXPECT_EQ(precision_warning("x.ply", shape), std::nullopt);
+}
+
 TEST(WriteStl, RefusesWhatTheFormatCannotHold) {
   const test::TemporaryFolder folder;
   EXPECT_THROW(write_stl(folder.path() / "t.stl", test::small_cloud()), InputError);

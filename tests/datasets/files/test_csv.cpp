@@ -80,6 +80,9 @@ TEST(Csv, ColumnsAreFoundInAnyCase) {
   const CsvRow header{.cells = {"x", "LABEL", "Class"}, .line = 1};
   EXPECT_EQ(find_column(header, class_column_names), 1U);
   EXPECT_EQ(find_column(header, std::array<std::string_view, 1>{"id"}), std::nullopt);
+  EXPECT_THAT(test::input_error_of([&] { find_class_column(header, "f"); }),
+              HasSubstr("f:1: the columns \"LABEL\" and \"Class\" both name classes"));
+  EXPECT_EQ(find_class_column({.cells = {"id", "Class"}, .line = 1}, "f"), 1U);
 }
 
 RC_GTEST_PROP(Csv, CellsReadBackAsTheyWere, ()) {

@@ -84,6 +84,13 @@ TEST(CsvMatrix, AFaultIsOneErrorWithItsLine) {
   EXPECT_THAT(csv_error("id,a,\na,0,1\n,1,0\n"), HasSubstr("m.csv:1: an id is empty"));
   EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1\n"), HasSubstr("m.csv:3: expected 2 numbers as in line 2, found 1"));
   EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1,0\nc,1,1\n"), HasSubstr("m.csv:4: there are more rows than the 2 ids"));
+  for (const char* text : {"0|1\n1|0\n", "0 1\n1 0\n"}) {
+    EXPECT_THAT(csv_error(text), HasSubstr("m.csv:1: \"0")) << text;
+    EXPECT_THAT(csv_error(text), HasSubstr("needs commas, semicolons or tabs")) << text;
+  }
+  for (const char* text : {"# distances\n0,1\n1,0\n", "# a, b, c\n0,1\n1,0\n"}) {
+    EXPECT_THAT(csv_error(text), HasSubstr("m.csv:1: a CSV matrix has no comments; remove the line")) << text;
+  }
   EXPECT_THAT(csv_error("id,a,b\na,0,1\n"), HasSubstr("m.csv: expected a square distance matrix, found 1 rows of 2"));
   EXPECT_THAT(csv_error("id,a,b\na,0\n"), HasSubstr("m.csv: the header row has 2 ids, but there are 1 rows of 1"));
   EXPECT_THAT(csv_error("id,a\na\n"), HasSubstr("m.csv:2: the row has no numbers"));

@@ -12,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::UnorderedElementsAre;
 
 const std::string triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
@@ -41,7 +42,6 @@ class BenchmarkLayouts : public testing::Test {
     });
   }
 
- private:
   test::TemporaryFolder folder_;
 };
 
@@ -90,6 +90,62 @@ TEST_F(BenchmarkLayouts, ATreeHasAClassForEachFolderWithModels) {
   for (const char* name : {"Flat/Clips/a.off", "Flat/Clips/b.off", "Flat/Plates/a.off", "Round/Bolts/c.off"}) add(name);
   EXPECT_THAT(recognised(), ElementsAre("tree", "Flat/Clips/a:Flat/Clips", "Flat/Clips/b:Flat/Clips",
                                         "Flat/Plates/a:Flat/Plates", "Round/Bolts/c:Round/Bolts"));
+}
+
+TEST_F(BenchmarkLayouts, FoldersOfATreeAreVisitedOnce) {
+  for (const char* name : {"Flat/Clips/a.off", "Flat/Plates/a.off", "Round/Bolts/c.off"}) add(name);
+  const std::vector<std::string> models = recognised();
+  const fs::path outside = folder_.path() / "outside";
+  test::write_text(outside / "d.off", triangle);
+  fs::create_symlink("loop", root() / "Flat/Clips/loop");
+  fs::create_symlink("..", root() / "Flat/Clips/up");
+  fs::create_symlink("../..", root() / "Flat/Clips/top");
+  fs::create_symlink("../Round/Bolts", root() / "Flat/Bolts");
+  fs::create_symlink(".", root() / "self");
+  EXPECT_EQ(recognised(), models);
+  const SkippedEntries skipped = find_dataset(recognise_dataset(root())).skipped;
+  EXPECT_EQ(skipped.files, 1U) << "loop";
+  EXPECT_EQ(skipped.folders, 4U);
+
+  fs::create_symlink(outside, root() / "Flat/Outside");
+  fs::create_symlink(outside, outside / "again");
+  fs::create_symlink(root(), outside / "back");
+  EXPECT_THAT(recognised(), ElementsAre("tree", "Flat/Clips/a:Flat/Clips", "Flat/Outside/d:Flat/Outside",
+                                        "Flat/Plates/a:Flat/Plates", "Round/Bolts/c:Round/Bolts"));
+}
+
+TEST_F(BenchmarkLayouts, UnreadableFoldersOfATreeAreFaultyModels) {
+  for (const char* name : {"Flat/Clips/a.off", "Round/Bolts/c.off"}) add(name);
+  fs::create_symlink("nowhere", root() / "Flat/Clips/lost");
+  fs::create_directory(root() / "closed");
+  fs::permissions(root() / "closed", fs::perms::none);
+  fs::permissions(folder_.path(), fs::perms::all);
+  std::vector<std::string> faulty;
+  {
+    const test::OrdinaryUser user;
+    const DatasetLocation location = recognise_dataset(root());
+    EXPECT_EQ(location.layout, "tree");
+    const Dataset dataset = find_dataset(location);
+    EXPECT_EQ(dataset.models.size(), 4U);
+    for (const ModelFailure& failure : check_models(dataset)) faulty.push_back(dataset.models.at(failure.model).id);
+  }
+  EXPECT_THAT(faulty, UnorderedElementsAre("closed", "Flat/Clips/lost"));
+  fs::permissions(root() / "closed", fs::perms::owner_all);
+}
+
+TEST_F(BenchmarkLayouts, LinksToFoldersOfClassesDoNotMakeATree) {
+  for (const char* name : {"A/a.off", "B/b.off", "B/train/c.off"}) add(name);
+  const std::vector<std::string> models = recognised();
+  EXPECT_EQ(models.front(), "folders");
+  fs::create_symlink(".", root() / "self");
+  fs::create_symlink("A", root() / "Alias");
+  fs::create_symlink("..", root() / "A/up");
+  fs::create_symlink(".", root() / "A/test");
+  fs::create_directory(root() / "empty");
+  fs::create_symlink("../B", root() / "empty/other");
+  EXPECT_EQ(recognise_dataset(root()).layout, "folders");
+  fs::remove_all(root() / "empty");
+  EXPECT_EQ(recognised(), models);
 }
 
 TEST_F(BenchmarkLayouts, FoldersAndModelNetsSplitsAreFolders) {

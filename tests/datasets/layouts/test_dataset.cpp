@@ -69,6 +69,16 @@ TEST_F(FolderOfModels, HasItsSubfoldersAndLinksThatMayHaveBeenSome) {
   EXPECT_THROW(subfolders(root() / "none"), InputError);
 }
 
+TEST_F(FolderOfModels, HasEachUnvisitedSubfolderOnce) {
+  std::filesystem::create_symlink(".", root() / "self");
+  std::filesystem::create_symlink("..", root() / "up");
+  std::filesystem::create_symlink("inner", root() / "alias");
+  std::set<std::filesystem::path> visited = visited_at_root(root());
+  EXPECT_THAT(names(unvisited(subfolders(root()), visited)), ElementsAre("broken", "circle", "inner", "other"));
+  EXPECT_THAT(names(unvisited(subfolders(root() / "inner"), visited)), ElementsAre("deep"));
+  EXPECT_TRUE(unvisited(subfolders(root() / "alias"), visited).empty());
+}
+
 TEST_F(FolderOfModels, LinksAreWhatTheyLeadTo) {
   EXPECT_TRUE(is_folder(root() / "link"));
   EXPECT_TRUE(is_readable_folder(root() / "link"));
@@ -80,6 +90,8 @@ TEST_F(FolderOfModels, LinksAreWhatTheyLeadTo) {
   EXPECT_TRUE(leads_nowhere(root() / "broken"));
   EXPECT_TRUE(leads_nowhere(root() / "circle"));
   EXPECT_FALSE(leads_nowhere(root() / "none"));
+  EXPECT_TRUE(is_cyclic_link(root() / "circle"));
+  for (const char* name : {"broken", "link", "none"}) EXPECT_FALSE(is_cyclic_link(root() / name)) << name;
 }
 
 TEST_F(FolderOfModels, SkippedEntriesAreCountedWhereModelsAre) {

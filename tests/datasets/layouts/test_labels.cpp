@@ -80,10 +80,24 @@ TEST_F(ModelLabelsTest, OfQueriesAndTargetsShareClassesByName) {
               AllOf(HasSubstr("u.cla: model \"2\""), HasSubstr("\"ant\""), HasSubstr("\"bee\"")));
 }
 
+TEST_F(ModelLabelsTest, DistinguishFilesOfOneNameByTheirExtensions) {
+  const auto path = file("labels.csv", "id,class,subclass\nm0.off,a,x\nm0.obj,b,y\nm1.off,a,\n");
+  const ModelLabels labels = read_labels(path);
+  EXPECT_THAT(labels.models, ElementsAre("m0.off", "m0.obj", "m1.off"));
+  EXPECT_EQ(labels.subclasses.at("m0.obj"), "y");
+  EXPECT_EQ(labels.keys.of("m1"), labels.keys.of("m1.off"));
+  const ModelLabels both = read_query_and_target_labels(path, file("t.csv", "id,class,subclass\nm1.obj,a,z\nm2,b,\n"));
+  EXPECT_THAT(both.models, ElementsAre("m0.off", "m0.obj", "m1.off", "m2"));
+  EXPECT_EQ(both.subclasses.at("m0.off"), "x");
+  EXPECT_EQ(both.subclasses.at("m1"), "z");
+  EXPECT_THAT(error_of("id,class\nm0.off,a\nm0.obj,b\nm0.off,b\n"), HasSubstr("labels.csv:4: repeated model"));
+}
+
 TEST_F(ModelLabelsTest, FaultsAreOneErrorWithTheLine) {
   EXPECT_THAT(error_of("id,kind\n1,a\n"), HasSubstr("must name the columns id and class"));
   EXPECT_THAT(error_of("id,class\n1,a\nT1.off,b\n"), HasSubstr("labels.csv:3: repeated model \"T1.off\""));
   EXPECT_THAT(error_of("id,class\n1\n"), HasSubstr("labels.csv:2: 1 cells"));
+  EXPECT_THAT(error_of("id,class,Label\n1,a,b\n"), HasSubstr("labels.csv:1: the columns \"class\" and \"Label\" both"));
   EXPECT_THAT(error_of("id,class\n,a\n"), HasSubstr("labels.csv:2: the id is empty"));
   EXPECT_THAT(error_of("id,class\n1,\n"), HasSubstr("labels.csv:2: the class is empty"));
   EXPECT_THAT(error_of("id,class,split\n1,a,left\n"), HasSubstr("labels.csv:2: the split is \"left\"; known are"));

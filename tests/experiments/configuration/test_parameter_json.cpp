@@ -53,7 +53,8 @@ TEST(ParameterJson, ListsAreNumbersListsOrWords) {
   }
   EXPECT_EQ(to_json(read_parameters(listed, {{"sizes", Json::array({4})}})).at("sizes"), 4);
   EXPECT_EQ(to_json(read_parameters(listed, Json::object())).at("sizes"), 3);
-  for (const Json& sizes : {Json(0), Json({4, 10}), Json({4, 1.5}), Json(std::vector<int>(17, 4)), Json("all")}) {
+  for (const Json& sizes :
+       {Json(0), Json::array(), Json({4, 10}), Json({4, 1.5}), Json(std::vector<int>(17, 4)), Json("all")}) {
     EXPECT_THAT(test::input_error_of([&] { read_parameters(listed, {{"sizes", sizes}}); }), HasSubstr("sizes is"));
   }
   EXPECT_EQ(Json(schema_of(listed[0])), Json::parse(R"({"description": "S.", "if": {"type": "string"},

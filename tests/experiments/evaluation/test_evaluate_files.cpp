@@ -109,6 +109,15 @@ TEST_F(EvaluateFiles, WhatIsOddAboutTheDistancesOfFeaturesIsFound) {
   EXPECT_THAT(evaluated.warnings, Contains(HasSubstr(std::to_string(repeats) + " rows repeat an earlier one")));
 }
 
+TEST_F(EvaluateFiles, FeaturesThatAreEqualInSinglePrecisionAreAWarning) {
+  DistanceMatrix features(models, 1);
+  for (Eigen::Index row = 0; row < models; ++row) features(row, 0) = 1e9 + static_cast<double>(row) / models;
+  write_npy(at("far.npy"), features);
+  const EvaluatedFiles evaluated =
+      evaluate_files({.matrix = at("far.npy"), .labels = at("labels.csv"), .distance = "l2"}, {});
+  EXPECT_THAT(evaluated.warnings, Contains(HasSubstr(std::to_string(models - 1) + " rows equal others")));
+}
+
 /// Warnings for a matrix of four models in two classes.
 class MatrixWarnings : public testing::Test {
  protected:

@@ -12,6 +12,7 @@ namespace shapegauge {
 namespace {
 
 using test::write_text;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -159,6 +160,22 @@ TEST_F(EvaluationTaskTest, AMatrixUnderJudgementsNeedsIds) {
               HasSubstr("\"11\" is judged but is not in the matrix"));
 }
 
+TEST_F(EvaluationTaskTest, IdsThatDifferInTheExtensionMatchExactly) {
+  const auto labels = file("pairs.csv", "id,class\nm0.off,x\nm0.obj,y\nm1.off,y\nm2,x\n");
+  const auto matrix =
+      file("d.csv", "id,m0.obj,m0.off,m1.obj,m2\nm0.obj,0,1,2,3\nm0.off,1,0,2,3\nm1.obj,2,2,0,3\nm2,3,3,3,0\n");
+  const EvaluationData input = open_evaluation_files({.matrix = matrix, .labels = labels});
+  EXPECT_THAT(input.task.retrieval.query_classes, ElementsAre(1, 0, 1, 0));
+  EXPECT_THAT(input.task.retrieval.own_column, ElementsAre(0, 1, 2, 3));
+  const auto run = file("r.run", "m0.off Q0 m0.obj 1 3 t\nm0.off Q0 m2 2 2 t\n");
+  const EvaluationData ranked = open_evaluation_files({.matrix = run, .labels = labels});
+  EXPECT_EQ(measure(ranked, "MRR"), 0.5);
+  const auto qrels = file("qrels.txt", "m0.off 0 m0.obj 1\n");
+  const EvaluationData judged = open_evaluation_files({.matrix = matrix, .qrels = qrels});
+  EXPECT_THAT(judged.task.retrieval.judged,
+              ElementsAre(testing::IsEmpty(), ElementsAre(0), testing::IsEmpty(), testing::IsEmpty()));
+}
+
 TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
   const auto labels = two_classes();
   const auto three = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
@@ -172,6 +189,13 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = ids}), HasSubstr("model \"3\" is in no class"));
   const auto twice = file("twice.txt", "1\n2\nT2\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = twice}), HasSubstr("model \"T2\" occurs twice"));
+  for (const char* first : {"NA", "0%", ""}) {
+    const std::string text = std::string(first) + ",0.5,0.7,0.9\n0.5,0,1,1\n0.7,1,0,1\n0.9,1,1,0\n";
+    for (const auto& of_four : {labels, file("classes.txt", "x\nx\ny\ny\n")}) {
+      EXPECT_THAT(error({.matrix = file("na.csv", text), .labels = of_four}),
+                  AllOf(HasSubstr("na.csv: the first row is taken for the ids of 3 models"), HasSubstr("4 models")));
+    }
+  }
   const auto few = file("few.txt", "1\n2\n10\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = few}),
               HasSubstr("model \"11\" is classified but is not"));

@@ -58,14 +58,10 @@ TEST_F(SubmissionFolder, WithoutADescriptionSayNothing) {
 
 TEST_F(SubmissionFolder, AreRefusedForADescriptionThatCannotBeUsed) {
   const std::vector<std::pair<std::string, std::string>> wrong{
-      {"{", "JSON"},
-      {"[]", "object"},
-      {R"({"nane": "x"})", "\"name\""},
-      {R"({"similarity": "yes"})", "similarity"},
-      {R"({"name": 3})", "name"},
-      {R"({"url": "javascript:alert"})", "https://"},
-      {R"({"distance": "l3"})", "l3"},
-      {R"({"distance": "l1", "similarity": true})", "distance"}};
+      {"{", "w0.json:1:2: not valid JSON"}, {"[]", "object"},
+      {R"({"nane": "x"})", "\"name\""},     {R"({"similarity": "yes"})", "similarity"},
+      {R"({"name": 3})", "name"},           {R"({"url": "javascript:alert"})", "https://"},
+      {R"({"distance": "l3"})", "l3"},      {R"({"distance": "l1", "similarity": true})", "distance"}};
   add("good.npy");
   for (std::size_t i = 0; i < wrong.size(); ++i) {
     add("w" + std::to_string(i) + ".npy");
@@ -86,6 +82,33 @@ TEST_F(SubmissionFolder, ADescriptionWithoutASubmissionIsRefused) {
   const FoundSubmissions found = find();
   ASSERT_EQ(found.refused.size(), 1U);
   EXPECT_EQ(found.refused[0].file, at("y.json"));
+}
+
+TEST_F(SubmissionFolder, DoNotLeadOutOfIt) {
+  const test::TemporaryFolder elsewhere;
+  const auto secret = elsewhere.file("secret.txt", "secret");
+  std::filesystem::create_symlink(secret, at("link.txt"));
+  std::filesystem::create_symlink(secret, at("matrix.csv"));
+  std::filesystem::create_symlink(secret, at("described.json"));
+  add("order.txt");
+  std::filesystem::create_symlink(at("order.txt"), at("same.txt"));
+  const std::vector<std::pair<std::string, std::string>> ids{
+      {"absolute", secret.string()}, {"above", "../secret.txt"}, {"linked", "link.txt"}};
+  for (const auto& [name, file] : ids) {
+    add(name + ".npy");
+    add(name + ".json", R"({"ids": ")" + file + R"("})");
+  }
+  add("described.npy");
+  add("good.npy");
+  add("good.json", R"({"ids": "same.txt"})");
+  const FoundSubmissions found = find({at("order.txt")});
+  ASSERT_EQ(found.submissions.size(), 1U);
+  EXPECT_EQ(found.submissions[0].ids, at("same.txt"));
+  ASSERT_EQ(found.refused.size(), 6U);
+  for (const RefusedSubmission& refused : found.refused) {
+    EXPECT_THAT(refused.reason, testing::AnyOf(HasSubstr("outside of the folder"), HasSubstr("out of the folder")));
+    EXPECT_THAT(refused.reason, testing::Not(HasSubstr("not valid")));
+  }
 }
 
 TEST_F(SubmissionFolder, LeavesOutTheLabels) {

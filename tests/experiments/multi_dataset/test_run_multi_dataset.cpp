@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
@@ -66,6 +67,18 @@ TEST_F(RunMultiDataset, GivesEachDataSetTheResultsOfAnExperimentOfItsOwn) {
     EXPECT_THAT(outcome.files, Contains(std::string("second/") + name));
   }
   EXPECT_TRUE(fs::exists(at("together/First_set/manifest.json")));
+}
+
+TEST_F(RunMultiDataset, RefusesNamesOfItsResultFiles) {
+  for (const char* name : {"summary.csv", "Report.html", "pairs.csv", " manifest.json"}) {
+    Json json = document();
+    json["datasets"][1]["name"] = name;
+    EXPECT_THAT(test::input_error_of([&] { (void)read(json); }),
+                AllOf(HasSubstr("test.json: datasets.1.name"), HasSubstr(name), HasSubstr("another name")));
+  }
+  Json json = document();
+  json["datasets"][1]["name"] = "summary";
+  EXPECT_NO_THROW((void)read(json));
 }
 
 TEST_F(RunMultiDataset, TabulatesTheAveragesOfTheDataSets) {
