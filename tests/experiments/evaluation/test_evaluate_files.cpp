@@ -69,7 +69,7 @@ class EvaluateFiles : public testing::Test {
         all_output(evaluate_files({.matrix = at("features.npy"), .labels = at(labels), .distance = distance}, options));
     const DistanceMatrix matrix = distance_matrix(many_features(models).cast<float>(), distance);
     write_npy(at("matrix.npy"), matrix);
-    write_csv_matrix(at("matrix.csv"), {.distances = matrix, .ids = {}});
+    write_csv_matrix(at("matrix.csv"), matrix, {});
     for (const char* name : {"matrix.npy", "matrix.csv"}) {
       EXPECT_EQ(all_output(evaluate_files({.matrix = at(name), .labels = at(labels)}, options)), by_rows)
           << distance << " " << labels << " " << name;
