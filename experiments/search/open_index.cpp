@@ -165,9 +165,19 @@ std::vector<LeftOutShape> new_failures(const ShapeIndex& index, const ShapeIndex
   return left_out;
 }
 
+/// Throws InputError if the file is neither an index nor empty: only those may be overwritten.
+void check_is_index(const fs::path& file) {
+  constexpr std::size_t enough = 64;
+  std::error_code failure;
+  if (fs::is_empty(file, failure) || begins_as_index(read_file_bytes(file, enough))) return;
+  throw InputError(
+      fmt::format("{} is not an index and is not overwritten; name another file for the index", file.string()));
+}
+
 std::optional<ShapeIndex> read_index(const fs::path& file, const std::string& key, std::vector<std::string>& notes) {
   std::error_code absent;
   if (!fs::exists(file, absent)) return std::nullopt;
+  check_is_index(file);
   IndexFault fault = IndexFault::damaged;
   try {
     if (auto index = decode_index(map_file(file), key, fault)) return index;

@@ -10,6 +10,7 @@ namespace shapegauge {
 
 namespace {
 
+constexpr std::string_view magic = "shapegauge search index ";
 constexpr std::string_view format_line = "shapegauge search index 1\n";
 constexpr std::size_t digits_of_sha256 = 64;
 constexpr std::size_t header_size = format_line.size() + digits_of_sha256 + 1;
@@ -120,6 +121,8 @@ std::string encode_index(const ShapeIndex& index, const std::string& key) {
   const std::string checksum = sha256(std::string_view(bytes).substr(header_size));
   return bytes.replace(format_line.size(), checksum.size(), checksum);
 }
+
+bool begins_as_index(std::string_view bytes) { return bytes.starts_with(magic); }
 
 std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::string& key, IndexFault& fault) {
   fault = IndexFault::damaged;

@@ -56,6 +56,9 @@ struct ShapeIndex {
 /// which only programs of the same build and processor type read. `key` is SearchMethod::key().
 std::string encode_index(const ShapeIndex& index, const std::string& key);
 
+/// Returns true if a file with these leading bytes is an index, of this or another version of the format.
+bool begins_as_index(std::string_view bytes);
+
 /// Reason why an index file is unusable.
 enum class IndexFault { none, damaged, other_method };
 

@@ -103,6 +103,13 @@ def test_follows_files_and_keeps_to_its_own_method(models):
         assert sg.Index(models, method=other, cache="").signature == "d2"
 
 
+def test_an_index_overwrites_no_other_file(models):
+    before = (models / "flat0.off").read_bytes()
+    with pytest.raises(sg.InputError, match="flat0.off is not an index"):
+        sg.Index(models, models / "flat0.off", method=METHOD, cache="")
+    assert (models / "flat0.off").read_bytes() == before
+
+
 def test_frame_of_an_answer(models):
     pytest.importorskip("pandas")
     frame = opened(models).search(models / "flat0.off", k=4).to_frame()

@@ -133,7 +133,8 @@ TEST(OpenIndex, IsMadeAnewWithANoteWhereItIsDamagedOrOfAnotherMethod) {
   const std::string bytes = test::bytes_of(folder.index());
   std::string damaged = bytes;
   damaged[damaged.size() / 2] ^= 1;
-  for (const std::string& wrong : {std::string(), std::string("index"), bytes.substr(0, bytes.size() / 2), damaged}) {
+  for (const std::string& wrong :
+       {std::string(), std::string("shapegauge search index 0\n"), bytes.substr(0, bytes.size() / 2), damaged}) {
     test::write_text(folder.index(), wrong);
     IndexUpdate update;
     folder.open(update);
@@ -144,6 +145,19 @@ TEST(OpenIndex, IsMadeAnewWithANoteWhereItIsDamagedOrOfAnotherMethod) {
   IndexUpdate update;
   folder.open(update, "d2");
   EXPECT_THAT(update.notes, ElementsAre(HasSubstr("of another method or program")));
+}
+
+TEST(OpenIndex, OverwritesNoFileThatIsNoIndex) {
+  const SearchedFolder folder;
+  Cache cache(folder.at("cache"));
+  test::write_text(folder.at("notes.txt"), "index");
+  for (const std::filesystem::path& file : {folder.at("notes.txt"), folder.models() / "T1.off"}) {
+    const std::string before = test::bytes_of(file);
+    IndexUpdate update;
+    EXPECT_THAT(input_error_of([&] { open_index(folder.method(), folder.models(), file, {}, cache, update); }),
+                HasSubstr(file.string() + " is not an index and is not overwritten"));
+    EXPECT_EQ(test::bytes_of(file), before);
+  }
 }
 
 TEST(OpenIndex, AsItIsNeedsNoModelsAndSaysWhatIsWrong) {
