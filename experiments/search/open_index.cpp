@@ -2,6 +2,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -80,11 +81,44 @@ bool is_of(const ShapeIndex& index, const std::vector<IndexedFile>& files) {
   return indexed == wanted;
 }
 
-/// Updates sizes and times; returns whether any changed.
-bool take_times(ShapeIndex& index, const std::vector<IndexedFile>& files) {
+[[noreturn]] void fail_as_foreign(const ShapeIndex& index, const fs::path& file, const std::string& location) {
+  throw InputError(fmt::format("{} is the index of {}, none of whose files is in {}; name another file for the index",
+                               file.string(), index.collection, location));
+}
+
+/// Throws InputError for the index of another collection: one of another location that has none of the files. A moved
+/// collection has them, and one at the same place may have changed as a whole.
+void check_collection(const ShapeIndex& index, const fs::path& file, const std::string& location,
+                      const std::vector<IndexedFile>& files) {
+  if (index.collection == location) return;
+  const std::vector<std::pair<std::string, std::string>> present = contents_of(files);
+  const std::set<std::pair<std::string, std::string>> known(present.begin(), present.end());
+  for (const auto* indexed : {&index.models, &index.failures}) {
+    for (const auto& contents : contents_of(*indexed)) {
+      if (known.contains(contents)) return;
+    }
+  }
+  fail_as_foreign(index, file, location);
+}
+
+/// Likewise without the contents of the files: those of the same name and size count.
+void check_collection(const OpenIndex& index, const std::string& location) {
+  if (index.contents.collection == location) return;
+  for (const auto* indexed : {&index.contents.models, &index.contents.failures}) {
+    for (const IndexedFile& file : *indexed) {
+      std::error_code absent;
+      if (fs::file_size(index.collection.file(file.path), absent) == file.bytes && !absent) return;
+    }
+  }
+  fail_as_foreign(index.contents, index.file, location);
+}
+
+/// Updates the location, sizes and times; returns whether any changed.
+bool take_state(ShapeIndex& index, const std::string& location, const std::vector<IndexedFile>& files) {
   std::map<std::string, const IndexedFile*> now;
   for (const IndexedFile& file : files) now.emplace(file.path, &file);
-  bool changed = false;
+  bool changed = index.collection != location;
+  index.collection = location;
   for (auto* indexed : {&index.models, &index.failures}) {
     for (IndexedFile& file : *indexed) {
       const IndexedFile& state = *now.at(file.path);
@@ -205,15 +239,18 @@ OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::
   if (fs::is_directory(file, absent))
     throw InputError(fmt::format("{} is a folder; the index must be a file", file.string()));
   std::optional<ShapeIndex> before = read_index(file, index.method.key(), update.notes);
+  const std::string location = collection_location(collection);
   with_threads(control, [&] {
     std::vector<IndexedFile> files = states_of(index.collection, before ? &*before : nullptr);
+    if (before) check_collection(*before, file, location, files);
     if (before && is_of(*before, files)) {
       index.contents = std::move(*before);
-      if (take_times(index.contents, files)) write_index(index, update.notes);
+      if (take_state(index.contents, location, files)) write_index(index, update.notes);
       return;
     }
     index.contents =
         described(index.method, index.collection, std::move(files), before ? &*before : nullptr, control, cache);
+    index.contents.collection = location;
     update.rebuilt = true;
     update.left_out = new_failures(index.contents, before ? &*before : nullptr);
     write_index(index, update.notes);
@@ -231,6 +268,7 @@ OpenIndex open_index_as_it_is(SearchMethod method, const fs::path& collection, c
   }
   index.contents = std::move(*contents);
   index.collection.base = collection_base(collection);
+  check_collection(index, collection_location(collection));
   return index;
 }
 

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// Version of the index format; increment when an index changes.
-constexpr int index_version = 3;
+constexpr int index_version = 4;
 
 bool is_reranked(const SignatureConfiguration& signature) {
   return signature.derived && signature.derived->key == "rerank";

@@ -77,6 +77,7 @@ void take(Unpacker& unpacker, CollectionSum& sum) {
 }
 
 void add(Packer& packer, const ShapeIndex& index) {
+  packer.add(std::string_view(index.collection));
   add(packer, index.models);
   add(packer, index.failures);
   packer.add(index.tables.size());
@@ -88,6 +89,7 @@ void add(Packer& packer, const ShapeIndex& index) {
 }
 
 void take(Unpacker& unpacker, ShapeIndex& index) {
+  unpacker.take(index.collection);
   take(unpacker, index.models);
   take(unpacker, index.failures);
   index.tables.resize(unpacker.take_value<std::size_t>());

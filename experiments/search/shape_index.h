@@ -43,6 +43,7 @@ struct IndexTable {
 
 /// Index of a collection for answering queries.
 struct ShapeIndex {
+  std::string collection;              ///< collection_location() when the index was written
   std::vector<IndexedFile> models;     ///< described files, in natural order of ids
   std::vector<IndexedFile> failures;   ///< the other files
   std::vector<IndexTable> tables;      ///< by term of the method: row i is of models[i]
