@@ -19,6 +19,7 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/experiment.h"
+#include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -27,8 +28,10 @@ namespace py = pybind11;
 namespace shapegauge {
 
 RunControl interruptible_control(int threads, Cancellation& cancellation, const PythonProgress& progress) {
-  RunControl control{
-      .threads = threads, .interrupted = [&] { return cancellation.requested(); }, .cancellation = &cancellation};
+  RunControl control{.threads = threads,
+                     .interrupted = [&] { return cancellation.requested(); },
+                     .cancellation = &cancellation,
+                     .audience = Audience::python};
   if (progress) {
     control.progress = [&progress](std::string_view stage, std::size_t done, std::size_t total) {
       const py::gil_scoped_acquire acquired;
@@ -76,6 +79,7 @@ FinishedRun run_configuration(const std::string& document, const std::string& so
     Json configuration = document.empty() ? read_json(source) : parse_json(document, source);
     apply_overrides(configuration, source, folder, overrides);
     const Experiment experiment = read_experiment(configuration, source, folder);
+    if (document.empty()) check_results_are_no_inputs(output, std::vector<fs::path>{source});
     Cache cache(cache_folder.value_or(default_cache_folder()), false);
     RunOutcome outcome = run_into_folder(experiment, output, replace, control, cache, *single_process());
     finished = {.summary = std::move(outcome.summary), .warnings = std::move(outcome.warnings), .left_out = {}};

@@ -17,6 +17,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/output_files.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 
 namespace shapegauge {
@@ -167,6 +168,14 @@ void make_folder(const fs::path& folder) {
     throw InputError(fmt::format("cannot create the result folder {}: {}", folder.string(),
                                  failure ? failure.message() : "a file has that name"));
   }
+}
+
+void check_results_are_no_inputs(const fs::path& folder, std::span<const fs::path> inputs) {
+  std::vector<OutputFile> outputs;
+  for (const fs::path& path : {folder, folder / manifest_name, folder / "summary.json"}) {
+    outputs.push_back({.path = path, .what = "the results"});
+  }
+  check_output_files(inputs, outputs, true);
 }
 
 void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace) {

@@ -159,6 +159,22 @@ def test_run_takes_a_dict_and_tells_how_far_it_is(tmp_path, monkeypatch):
         sg.run({**configuration, "nonsense": 1})
 
 
+def test_results_overwrite_no_input(tmp_path):
+    vertices, faces = bumpy_torus()
+    for name in ("a/1.off", "a/2.off", "b/3.off", "b/4.off"):
+        (tmp_path / "data" / name).parent.mkdir(parents=True, exist_ok=True)
+        sg.write(tmp_path / "data" / name, vertices, faces)
+    configuration = {"name": "small", "dataset": {"layout": "folders", "root": str(tmp_path / "data")},
+                     "signatures": [{"name": "d2", "descriptor": {"type": "d2", "points": 64}}]}
+    with pytest.raises(sg.InputError, match="the results would overwrite the input"):
+        sg.run(configuration, tmp_path / "data", replace=True, cache="")
+    (tmp_path / "summary.json").write_text(json.dumps(configuration))
+    with pytest.raises(sg.InputError, match="the results would overwrite the input"):
+        sg.run(tmp_path / "summary.json", tmp_path, replace=True, cache="")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["data", "summary.json"]
+    assert sorted(path.name for path in (tmp_path / "data").iterdir()) == ["a", "b"]
+
+
 def test_objects_of_other_packages_are_shapes(tmp_path):
     vertices, faces = bumpy_torus()
     expected = sg.sdf(vertices, faces).values

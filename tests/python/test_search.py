@@ -1,6 +1,7 @@
 """Index and search: the same as the command line."""
 
 import json
+import pathlib
 import subprocess
 
 import numpy as np
@@ -91,6 +92,28 @@ def test_reranked_answers_and_pages(models, tmp_path):
     assert "flat0.off" in (tmp_path / "page.html").read_text()
     assert {stage for stage, _, _ in told} >= {"queries", "pictures"}
     assert all(0 <= done <= total for _, done, total in told)
+
+
+def test_a_page_overwrites_no_input_and_nothing_unasked(models, tmp_path):
+    index = opened(models)
+    query = models / "flat0.off"
+    before = {path: path.read_bytes() for path in (query, pathlib.Path(index.file))}
+    for page, words in [(query, "must end in .html or .htm"), (index.file, "must end in .html or .htm"),
+                        (tmp_path / "absent" / "page.html", "cannot write")]:
+        with pytest.raises(sg.InputError, match=words):
+            index.search(query, page=page)
+    assert {path: path.read_bytes() for path in before} == before
+    page = tmp_path / "page.html"
+    page.symlink_to(query)
+    with pytest.raises(sg.InputError, match="page would overwrite the input"):
+        index.search(query, page=page, replace=True)
+    page.unlink()
+    page.write_text("mine")
+    with pytest.raises(sg.InputError, match="page.html exists; give another name, or overwrite it with replace=True"):
+        index.search(query, page=page)
+    assert page.read_text() == "mine"
+    index.search(query, page=page, replace=True)
+    assert "flat0.off" in page.read_text()
 
 
 def test_follows_files_and_keeps_to_its_own_method(models):
