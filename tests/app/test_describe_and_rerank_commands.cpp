@@ -191,6 +191,41 @@ TEST(RerankCommand, GivesWhatTheLibraryGives) {
   EXPECT_LT((rerank("--neighbours auto --sparse") - diffused(line(), {.neighbours = {}})).cwiseAbs().maxCoeff(), 1e-5);
 }
 
+/// Names of the folder's files.
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+TEST(RerankCommand, TheSparseResultTakesItsPlaceWhenItIsComplete) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  write_npy(at("d.npy"), line());
+  test::write_text(at("mine"), "mine");
+  std::filesystem::create_symlink(at("mine"), at("r.npy.part"));
+  EXPECT_EQ(run_executable(fmt::format("rerank '{}' -o '{}' --sparse", at("d.npy"), at("r.npy"))).status, 0);
+  EXPECT_EQ(test::text_of(at("mine")), "mine");
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"d.npy", "mine", "r.npy", "r.npy.part"}));
+}
+
+TEST(RerankCommand, AnInterruptionLeavesNoFile) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  constexpr Eigen::Index models = 2000;  // enough for some seconds
+  write_npy(at("d.npy"), DistanceMatrix::NullaryExpr(models, models, [](Eigen::Index i, Eigen::Index j) {
+              return static_cast<double>(std::abs(i - j));
+            }));
+  const test::TemporaryFolder messages;
+  test_command_line::BackgroundRun run({"rerank", at("d.npy"), "-o", at("r.npy"), "--sparse", "--neighbours", "auto"},
+                                       messages.path() / "errors");
+  ASSERT_TRUE(run.wait_until([&] { return names_in(folder.path()).size() == 2; }));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
+  EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"d.npy"});
+  EXPECT_EQ(test::text_of(messages.path() / "errors"), "shapegauge: error: interrupted; no results were written\n");
+}
+
 TEST(RerankCommand, IdsOfACsvStay) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
