@@ -12,6 +12,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/compressed_files.h"
+#include "shapegauge/datasets/files/model_keys.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/metrics/matrix_checks.h"
@@ -69,12 +70,28 @@ OpenMatrix open_distances(const EvaluationFiles& files, TableShape shape, std::v
   return matrix;
 }
 
+// Throws InputError if the ids of a file are not those that the matrix has, if any.
+void check_same_ids(const std::vector<std::string>& given, const std::vector<std::string>& own, std::string_view what,
+                    const EvaluationFiles& files) {
+  const ModelKeys keys(own);
+  for (std::size_t i = 0; i < std::min(given.size(), own.size()); ++i) {
+    if (keys.of(given[i]) == keys.of(own[i])) continue;
+    throw InputError(fmt::format("{} {} is {} in {} but {} in {}", what, i + 1, quoted_word(own[i]),
+                                 files.matrix.string(), quoted_word(given[i]), files.ids.string()));
+  }
+}
+
 // Returns the ids of the rows and columns given by the files; empty if there are none.
 MatrixIds ids_of_files(const OpenMatrix& matrix, const EvaluationFiles& files) {
   MatrixIds ids{.rows = matrix.row_ids, .columns = matrix.column_ids};
   if (!files.ids.empty()) {
-    ids.rows = read_ids(files.ids);
-    if (matrix.rows == matrix.columns) ids.columns = ids.rows;
+    const std::vector<std::string> given = read_ids(files.ids);
+    check_same_ids(given, ids.rows, "row", files);
+    if (matrix.rows == matrix.columns) {
+      check_same_ids(given, ids.columns, "column", files);
+      ids.columns = given;
+    }
+    ids.rows = given;
   }
   if (ids.rows.empty() || ids.columns.empty()) return {};
   return ids;
