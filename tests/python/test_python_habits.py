@@ -123,7 +123,10 @@ def test_relevance_takes_the_place_of_labels():
     assert by_relevance.micro == by_labels.micro
     same[0] = False  # without relevant models it is not a query
     assert list(sg.evaluate(distances, relevance=same).queries) == [1, 2, 3, 4, 5, 6]
-    for wrong, words in [(same[:3], "3 x 7"), (same * 0.5, "whole numbers")]:
+    beyond = np.where(same, 2**32, 0)
+    for wrong, words in [(same[:3], "3 x 7"), (same * 0.5, "whole numbers"),
+                         (beyond, "grade 4294967296 in row 1, column 0 .* to 2147483647"),
+                         (beyond * -1.0, "grade -4294967296.0")]:
         with pytest.raises(sg.InputError, match=words):
             sg.evaluate(distances, relevance=wrong)
     with pytest.raises(sg.InputError, match="give them, or relevance"):
