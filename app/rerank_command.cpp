@@ -77,21 +77,6 @@ void diffuse_file(const OpenMatrix& matrix, const DiffusionOptions& options, con
   file.publish();
 }
 
-/// Warns of an asymmetric matrix.
-void warn_of_asymmetry(const OpenMatrix& matrix) {
-  constexpr Eigen::Index together = 256;
-  MatrixChecks checks(true);
-  for (Eigen::Index first = 0; first < matrix.rows; first += together) {
-    const Eigen::Index count = std::min(together, matrix.rows - first);
-    const auto read = [&](const MatrixBlock& block) { return matrix.read(block); };
-    checks.compare(read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns}), first,
-                   read({.first_row = first, .rows = matrix.rows - first, .first_column = first, .columns = count}));
-  }
-  const MatrixFindings found = checks.findings();
-  if (found.asymmetric_pairs == 0) return;
-  warn(fmt::format("{}; the neighbours of model i are taken from row i", asymmetry_text(found)));
-}
-
 int run(const RerankArguments& arguments) {
   const std::string format = arguments.output.extension().string();
   if (format != ".npy" && format != ".csv") {
@@ -116,7 +101,7 @@ int run(const RerankArguments& arguments) {
   } catch (const ArgumentError& error) {
     throw InputError(fmt::format("{}: {}", arguments.distances.string(), error.what()));
   }
-  warn_of_asymmetry(matrix);
+  for (const std::string& warning : rerank_warnings(matrix)) warn(warning);
   return exit_success;
 }
 

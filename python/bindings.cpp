@@ -20,6 +20,7 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/experiment.h"
 #include "shapegauge/experiments/engine/result_folder.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -46,12 +47,22 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-py::array rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::string& method,
+/// Re-ranks the distances; returns them with warnings.
+py::tuple rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::string& method,
                  const std::string& settings, int threads) {
-  return array_of(compute(threads, [&] {
+  std::vector<std::string> warnings;
+  DistanceMatrix reranked = compute(threads, [&] {
     const RerankMethod& chosen = rerank_methods().at(method);
-    return chosen.rerank(distances, read_only_parameters(chosen.parameters, Json::parse(settings)));
-  }));
+    DistanceMatrix result = chosen.rerank(distances, read_only_parameters(chosen.parameters, Json::parse(settings)));
+    warnings =
+        rerank_warnings({.rows = distances.rows(),
+                         .columns = distances.cols(),
+                         .read = [&](const MatrixBlock& block) -> DistanceMatrix {
+                           return distances.block(block.first_row, block.first_column, block.rows, block.columns);
+                         }});
+    return result;
+  });
+  return py::make_tuple(array_of(std::move(reranked)), warnings);
 }
 
 /// Computes the sum of distances with the terms in `settings`, as in a signature of a configuration.

@@ -226,14 +226,27 @@ void warn_of_entries(const MatrixFindings& found, bool negated, Audience audienc
   }
 }
 
+bool looks_reversed(const MatrixFindings& found, Eigen::Index rows) { return 2 * found.rows_nearest_to_others > rows; }
+
+std::string reversed_text(const MatrixFindings& found, Eigen::Index rows) {
+  return fmt::format("in {} of {} rows the query is the farthest model from itself: this looks like a matrix of ",
+                     found.rows_nearest_to_others, rows);
+}
+
+// Describes how many pairs of entries of an asymmetric matrix differ, and by how much.
+std::string asymmetry_text(const MatrixFindings& found) {
+  const std::string pairs = count_text(found.asymmetric_pairs, "pair", "pairs");
+  const std::string amount = found.largest_asymmetry > 0 ? fmt::format("by up to {:.6g}", found.largest_asymmetry)
+                                                         : "as one is infinite and the other is not";
+  return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);
+}
+
 void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated, Audience audience,
                     std::vector<std::string>& warnings) {
-  if (2 * found.rows_nearest_to_others > rows) {
-    warnings.push_back(fmt::format(
-        "in {} of {} rows the query is the farthest model from itself: this looks like a "
-        "matrix of {} {}; scores of the wrong kind are near 0",
-        found.rows_nearest_to_others, rows, negated ? "distances, which take no" : "similarities, which take",
-        setting_on(audience, "similarity")));
+  if (looks_reversed(found, rows)) {
+    warnings.push_back(fmt::format("{}{} {}; scores of the wrong kind are near 0", reversed_text(found, rows),
+                                   negated ? "distances, which take no" : "similarities, which take",
+                                   setting_on(audience, "similarity")));
   }
   if (found.asymmetric_pairs > 0) {
     warnings.push_back(fmt::format("{}; query i is answered by row i, not by column i", asymmetry_text(found)));
@@ -296,19 +309,36 @@ std::string advice_on(const EvaluationFiles& files, const EvaluationTask& task) 
 
 }  // namespace
 
-std::string asymmetry_text(const MatrixFindings& found) {
-  const std::string pairs = count_text(found.asymmetric_pairs, "pair", "pairs");
-  const std::string amount = found.largest_asymmetry > 0 ? fmt::format("by up to {:.6g}", found.largest_asymmetry)
-                                                         : "as one is infinite and the other is not";
-  return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);
-}
-
 std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated,
                                          Audience audience) {
   std::vector<std::string> warnings;
   warn_of_entries(found, negated, audience, warnings);
   warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, audience, warnings);
   warn_of_rows(found, ids, warnings);
+  return warnings;
+}
+
+std::vector<std::string> rerank_warnings(const OpenMatrix& matrix) {
+  constexpr Eigen::Index together = 256;
+  MatrixChecks checks(true);
+  for (Eigen::Index first = 0; first < matrix.rows; first += together) {
+    const Eigen::Index count = std::min(together, matrix.rows - first);
+    const DistanceMatrix rows =
+        matrix.read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns});
+    checks.add(rows);
+    checks.compare(
+        rows, first,
+        matrix.read({.first_row = first, .rows = matrix.rows - first, .first_column = first, .columns = count}));
+  }
+  const MatrixFindings found = checks.findings();
+  std::vector<std::string> warnings;
+  if (looks_reversed(found, matrix.rows)) {
+    warnings.push_back(fmt::format("{}similarities; re-ranking takes distances, the smallest of which are nearest",
+                                   reversed_text(found, matrix.rows)));
+  }
+  if (found.asymmetric_pairs > 0) {
+    warnings.push_back(fmt::format("{}; the neighbours of model i are taken from row i", asymmetry_text(found)));
+  }
   return warnings;
 }
 

@@ -39,13 +39,13 @@ struct EvaluationData {
   EvaluationTask task;
 };
 
-/// Describes how many pairs of entries of an asymmetric matrix differ, and by how much.
-std::string asymmetry_text(const MatrixFindings& found);
-
 /// Returns warnings about a matrix, one sentence each. `ids` name its rows; `negated` means that it contained
 /// similarities.
 std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated,
                                          Audience audience = Audience::command_line);
+
+/// Returns warnings about a matrix to be re-ranked, one sentence each. Reads it once more.
+std::vector<std::string> rerank_warnings(const OpenMatrix& matrix);
 
 /// Returns the warning about queries with relevant and other models at equal distance, with the effect of their order
 /// on FT. Nothing if all these queries are rows of equal distances, which matrix_warnings() reports.

@@ -442,5 +442,7 @@ def rerank(distances: Any, method: str = "diffusion", *, threads: int = 0, **set
     >>> better = sg.rerank(distances, neighbours="auto")
     """
     settings = {name: plain(value, name) for name, value in settings.items()}
-    return _native.rerank(square_matrix(distances), word(method, "method"), _json.dumps(settings),
-                          number_of_threads(threads))
+    reranked, warnings = _native.rerank(square_matrix(distances), word(method, "method"), _json.dumps(settings),
+                                        number_of_threads(threads))
+    warn(warnings)
+    return reranked
