@@ -88,7 +88,7 @@ FinishedRun run_configuration(const std::string& document, const std::string& so
   const RunControl control = interruptible_control(threads, cancellation, progress);
   run_interruptibly(cancellation, [&] {
     Json configuration = document.empty() ? read_json(source) : parse_json(document, source);
-    apply_overrides(configuration, source, folder, overrides);
+    apply_overrides(configuration, source, folder, overrides, Audience::python);
     const Experiment experiment = read_experiment(configuration, source, folder);
     if (document.empty()) check_results_are_no_inputs(output, std::vector<fs::path>{source});
     Cache cache(cache_folder.value_or(default_cache_folder()), false);

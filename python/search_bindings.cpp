@@ -54,7 +54,7 @@ std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optiona
   run_interruptibly(cancellation, [&] {
     SearchMethod method = method_of(wanted);
     if (!update) {
-      opened->index = open_index_as_it_is(std::move(method), collection, place);
+      opened->index = open_index_as_it_is(std::move(method), collection, place, Audience::python);
       keep_in_memory(opened->index.contents);
       return;
     }

@@ -52,8 +52,8 @@ RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destina
     if (const auto& dataset = experiment.dataset) {
       check_results_are_no_inputs(destination, std::vector{dataset->root, dataset->classification});
     }
-    lock.emplace(destination);
-    prepare_result_folder(destination, experiment.configuration, replace);
+    lock.emplace(destination, control.audience);
+    prepare_result_folder(destination, experiment.configuration, replace, control.audience);
     staged.emplace(destination);
     return fs::absolute(staged->folder()).string();
   });

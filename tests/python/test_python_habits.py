@@ -178,6 +178,16 @@ def test_results_overwrite_no_input(tmp_path):
     assert sorted(path.name for path in (tmp_path / "data").iterdir()) == ["a", "b"]
 
 
+def test_messages_of_runs_name_arguments(tmp_path):
+    (tmp_path / "summary.csv").write_text("")
+    configuration = {"name": "made", "dataset": {"generate": {"classes": 2, "models_per_class": 2, "faces": 1000}},
+                     "signatures": [{"name": "d2", "descriptor": {"type": "d2"}}]}
+    with pytest.raises(sg.InputError, match="another folder with output, or replace=True"):
+        sg.run(configuration, tmp_path, cache="")
+    with pytest.raises(sg.InputError, match="^settings foo: expected dotted.key=value"):
+        sg.run(configuration, tmp_path, settings="foo", cache="")
+
+
 def test_objects_of_other_packages_are_shapes(tmp_path):
     vertices, faces = bumpy_torus()
     expected = sg.sdf(vertices, faces).values

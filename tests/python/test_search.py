@@ -133,6 +133,19 @@ def test_an_index_overwrites_no_other_file(models):
     assert (models / "flat0.off").read_bytes() == before
 
 
+def test_messages_name_arguments_of_the_package(models, tmp_path):
+    with pytest.warns(UserWarning, match="choose another file with index$"):
+        sg.Index(models, tmp_path / "absent" / "index", method=METHOD, cache="")
+    opened(models, index=tmp_path / "one")
+    other = {**METHOD, "signatures": [{"name": "d2", "descriptor": {"type": "d2", "bins": 20}}]}
+    with pytest.raises(sg.InputError, match="rebuild it by searching with update=True"):
+        sg.Index(models, tmp_path / "one", method=other, cache="", update=False)
+    reranked = {"name": "r", "signatures": [*METHOD["signatures"],
+                                            {"name": "better", "rerank": {"of": "d2", "method": "diffusion"}}]}
+    with pytest.raises(sg.InputError, match="re-rank the answers"):
+        sg.Index(models, method=reranked, signature="better", cache="")
+
+
 def test_frame_of_an_answer(models):
     pytest.importorskip("pandas")
     frame = opened(models).search(models / "flat0.off", k=4).to_frame()
