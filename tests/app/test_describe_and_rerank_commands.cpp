@@ -1,8 +1,13 @@
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <limits>
+#include <set>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
@@ -16,6 +21,7 @@
 #include "tests/app/program.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -167,6 +173,23 @@ DistanceMatrix line() {
     for (int j = 0; j < 10; ++j) distances(i, j) = std::abs(i * i - j * j);
   }
   return distances;
+}
+
+TEST_F(DescribeCommand, AnInterruptionSaysThatNothingIsWritten) {
+  write_off(at("ball.off"), test::sphere(1, 5));
+  std::vector<std::string> call{"describe"};
+  for (int i = 0; i < 200; ++i) {  // enough for many seconds
+    call.push_back(at("ball" + std::to_string(i) + ".off").string());
+    std::filesystem::create_hard_link(at("ball.off"), call.back());
+  }
+  for (const char* const word : {"--descriptor", "light_field", "--threads", "1", "-o"}) call.emplace_back(word);
+  call.push_back(at("new.csv").string());
+  test_command_line::BackgroundRun run(call, at("errors"));
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
+  EXPECT_FALSE(std::filesystem::exists(at("new.csv")));
+  EXPECT_EQ(test::text_of(at("errors")), "shapegauge: error: interrupted; no results were written\n");
 }
 
 TEST(RerankCommand, GivesWhatTheLibraryGives) {
