@@ -188,7 +188,8 @@ std::optional<nlohmann::json> parse_if_json(std::string_view text, const std::st
 
 nlohmann::json read_json(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path) || !file) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure) || !file) {
     throw InputError(fmt::format("{}: no such file, or it cannot be read", path.string()));
   }
   std::ostringstream text;
