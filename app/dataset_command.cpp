@@ -133,7 +133,10 @@ int generate(const GenerateArguments& arguments) {
   ProgressLine progress;
   with_threads(arguments.threads, [&] {
     generate_dataset(arguments.folder, options, [&](int done, int total) {
-      if (interrupted()) throw Interrupted();
+      if (interrupted()) {
+        throw Interrupted(fmt::format("interrupted; the data set in {} is incomplete; --force replaces it",
+                                      arguments.folder.string()));
+      }
       progress.show("models", static_cast<std::size_t>(done), static_cast<std::size_t>(total));
     });
   });

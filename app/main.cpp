@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <filesystem>
 #include <fmt/format.h>
 #include <malloc.h>
 #include <new>
@@ -142,6 +143,9 @@ int run_command(std::span<const std::string> arguments) {
     return report(interruption.what(), interruption_status());
   } catch (const std::bad_alloc&) {
     return report("out of memory", exit_unusable_input);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report(fmt::format("cannot access {}: {}", error.path1().string(), error.code().message()),
+                  exit_unusable_input);
   } catch (const std::exception& error) {
     return report(error.what(), exit_unusable_input);
   }

@@ -11,10 +11,14 @@ namespace shapegauge {
 
 namespace {
 
-/// Settings of all commands: options take one value each time they are given, which protects a following file name, and
-/// program options may follow the command.
+/// Rejects an empty value, such as that of an unset shell variable, which would pass for an option that is not given.
+std::string empty_value_error(const std::string& value) { return value.empty() ? "must not be empty" : ""; }
+
+/// Settings of all commands: no value is empty, options take one value each time they are given, which protects a
+/// following file name, and program options may follow the command.
 void settle(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() > 0) option->check(empty_value_error);
     if (!option->get_positional() && option->get_items_expected_max() > 1) option->allow_extra_args(false);
   }
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {

@@ -1,11 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/little_endian.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/matrix_files.h"
@@ -45,46 +48,33 @@ struct RerankArguments {
 /// Number of models above which the sparse solver is used, and the matrix need not be in memory.
 constexpr Eigen::Index most_dense = 5000;
 
-/// Diffuses a matrix of any size into a .npy file in blocks of rows.
+/// Runs the work until Ctrl-C, which then leaves no unfinished file. Throws Interrupted.
+void run_until_interrupted(const std::function<void()>& work) {
+  catch_interruption();
+  Cancellation cancellation;
+  const std::jthread watch([&](const std::stop_token& done) {
+    while (!done.stop_requested() && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    if (!done.stop_requested()) cancellation.cancel();
+  });
+  cancellation.run(work);
+}
+
+/// Diffuses a matrix of any size into a .npy file in blocks of rows. Throws Interrupted.
 void diffuse_file(const OpenMatrix& matrix, const DiffusionOptions& options, const fs::path& output) {
-  const fs::path unfinished = output.string() + ".part";
   const auto size = static_cast<std::size_t>(matrix.rows);
-  std::ofstream file(unfinished, std::ios::binary);
-  file << npy_header_of_matrix(size, size);
+  AtomicFile file(output);
+  file.write(npy_header_of_matrix(size, size));
   const RowSource rows = [&](Eigen::Index first, Eigen::Index count) {
     return matrix.read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns});
   };
-  std::error_code failure;
-  try {
+  run_until_interrupted([&] {
     diffuse(matrix.rows, rows, options, [&](Eigen::Index /*first*/, const DistanceMatrix& block) {
       std::string bytes;
       for (const double distance : block.reshaped<Eigen::RowMajor>()) append_little_endian(bytes, distance);
-      file << bytes;
+      file.write(bytes);
     });
-  } catch (...) {
-    fs::remove(unfinished, failure);
-    throw;
-  }
-  file.close();
-  if (file) fs::rename(unfinished, output, failure);
-  if (file && !failure) return;
-  fs::remove(unfinished, failure);
-  throw InputError(fmt::format("cannot write {}", output.string()));
-}
-
-/// Warns of an asymmetric matrix.
-void warn_of_asymmetry(const OpenMatrix& matrix) {
-  constexpr Eigen::Index together = 256;
-  MatrixChecks checks(true);
-  for (Eigen::Index first = 0; first < matrix.rows; first += together) {
-    const Eigen::Index count = std::min(together, matrix.rows - first);
-    const auto read = [&](const MatrixBlock& block) { return matrix.read(block); };
-    checks.compare(read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns}), first,
-                   read({.first_row = first, .rows = matrix.rows - first, .first_column = first, .columns = count}));
-  }
-  const MatrixFindings found = checks.findings();
-  if (found.asymmetric_pairs == 0) return;
-  warn(fmt::format("{}; the neighbours of model i are taken from row i", asymmetry_text(found)));
+  });
+  file.publish();
 }
 
 int run(const RerankArguments& arguments) {
@@ -111,7 +101,7 @@ int run(const RerankArguments& arguments) {
   } catch (const ArgumentError& error) {
     throw InputError(fmt::format("{}: {}", arguments.distances.string(), error.what()));
   }
-  warn_of_asymmetry(matrix);
+  for (const std::string& warning : rerank_warnings(matrix)) warn(warning);
   return exit_success;
 }
 

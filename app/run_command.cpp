@@ -83,21 +83,6 @@ RequestedRun requested_run(const RunSource& source) {
           .recorded = {}};
 }
 
-/// Throws InputError if the results would overwrite an input: data set, configuration or manifest.
-void check_results_folder(const fs::path& folder, const RunSource& source,
-                          const std::optional<DatasetLocation>& dataset = std::nullopt) {
-  std::vector<fs::path> inputs{source.configuration, source.replay};
-  if (dataset) {
-    inputs.push_back(dataset->root);
-    inputs.push_back(dataset->classification);
-  }
-  std::vector<OutputFile> outputs;
-  for (const fs::path& path : {folder, folder / manifest_name, folder / "summary.json"}) {
-    outputs.push_back({.path = path, .what = "the results"});
-  }
-  check_output_files(inputs, outputs, true);
-}
-
 /// Throws InputError if the chart cannot be written.
 void check_plot(const RunArguments& arguments) {
   if (arguments.plot.empty()) return;
@@ -199,7 +184,7 @@ int run_request(const RunArguments& arguments, Communicator& ranks) {
     experiment = read_experiment(request.document, request.source, request.folder);
     folder = result_folder(arguments, experiment.name);
     if (ranks.rank() != 0) return;
-    check_results_folder(folder, arguments.source, experiment.dataset);
+    check_results_are_no_inputs(folder, std::vector{arguments.source.configuration, arguments.source.replay});
     warn_of_inputs(request, experiment, arguments.threads);
   });
   ProgressLine progress;

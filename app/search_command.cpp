@@ -99,12 +99,10 @@ class SearchRun {
     if (!arguments_->page.empty() && queries_.empty()) throw InputError("--output requires queries");
     std::vector<fs::path> inputs{arguments_->paths.begin(), arguments_->paths.end()};
     inputs.push_back(arguments_->method);
-    inputs.push_back(index_file());
     const std::vector<OutputFile> outputs{
+        {.path = index_file(), .what = "--index", .is_updated = true},
         {.path = arguments_->page, .what = "--output", .extensions = page_extensions}};
     check_output_files(inputs, outputs, arguments_->replace);
-    inputs.pop_back();
-    check_output_files(inputs, std::vector<OutputFile>{{.path = index_file(), .what = "--index"}}, true);
   }
 
   void open() {

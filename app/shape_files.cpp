@@ -1,6 +1,7 @@
 #include "app/shape_files.h"
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -172,13 +173,18 @@ int for_each_shape(const ShapeFiles& files,
                              progress.show(stage, done, total);
                            }};
   std::vector<ModelFailure> failures;
+  std::atomic<std::size_t> completed = 0;
   try {
     with_threads(files.threads, [&] {
-      failures = for_each_model(all, "shapes", false, control,
-                                [&](std::size_t i) { do_job(files, jobs[i], work, remarks[i]); });
+      failures = for_each_model(all, "shapes", false, control, [&](std::size_t i) {
+        do_job(files, jobs[i], work, remarks[i]);
+        ++completed;
+      });
     });
   } catch (const Interrupted&) {
-    throw Interrupted("interrupted; the results of completed shapes were written");
+    if (files.output.empty() || completed == 0) throw;
+    throw Interrupted(
+        fmt::format("interrupted; the results of {} of {} shapes were written", completed.load(), jobs.size()));
   }
   progress.clear();
   for (const ShapeJob& job : jobs) print(remarks[job.index], job.input + ": ");

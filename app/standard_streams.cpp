@@ -20,8 +20,6 @@ void hold_standard_streams() {
   }
 }
 
-bool is_standard_stream(const std::filesystem::path& path) { return path == "-"; }
-
 std::string read_standard_input() {
   std::string bytes;
   std::array<char, 1 << 16> piece = {};

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "shapegauge/core/io/output_files.h"
+
 /// Standard input and output, given as "-" instead of a file.
 
 namespace shapegauge {
@@ -11,8 +13,6 @@ namespace shapegauge {
 /// Opens an unusable file for each closed standard stream. Otherwise the next file to be opened would get its
 /// descriptor, and messages would be written into results. Call at start-up.
 void hold_standard_streams();
-
-bool is_standard_stream(const std::filesystem::path& path);
 
 /// Reads all of standard input. Throws InputError if it is empty.
 std::string read_standard_input();

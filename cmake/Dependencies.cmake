@@ -17,6 +17,7 @@ find_path(SHAPEGAUGE_MATIO_INCLUDE matio.h DOC "matio.h (Debian: libmatio-dev)" 
 find_path(SHAPEGAUGE_CAIRO_INCLUDE cairo.h PATH_SUFFIXES cairo DOC "cairo.h (Debian: libcairo2-dev)" REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 if(SHAPEGAUGE_BUILD_TESTS)
   find_package(GTest REQUIRED)
 endif()

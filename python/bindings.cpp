@@ -19,6 +19,8 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/experiment.h"
+#include "shapegauge/experiments/engine/result_folder.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -27,8 +29,10 @@ namespace py = pybind11;
 namespace shapegauge {
 
 RunControl interruptible_control(int threads, Cancellation& cancellation, const PythonProgress& progress) {
-  RunControl control{
-      .threads = threads, .interrupted = [&] { return cancellation.requested(); }, .cancellation = &cancellation};
+  RunControl control{.threads = threads,
+                     .interrupted = [&] { return cancellation.requested(); },
+                     .cancellation = &cancellation,
+                     .audience = Audience::python};
   if (progress) {
     control.progress = [&progress](std::string_view stage, std::size_t done, std::size_t total) {
       const py::gil_scoped_acquire acquired;
@@ -43,12 +47,22 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-py::array rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::string& method,
+/// Re-ranks the distances; returns them with warnings.
+py::tuple rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::string& method,
                  const std::string& settings, int threads) {
-  return array_of(compute(threads, [&] {
+  std::vector<std::string> warnings;
+  DistanceMatrix reranked = compute(threads, [&] {
     const RerankMethod& chosen = rerank_methods().at(method);
-    return chosen.rerank(distances, read_only_parameters(chosen.parameters, Json::parse(settings)));
-  }));
+    DistanceMatrix result = chosen.rerank(distances, read_only_parameters(chosen.parameters, Json::parse(settings)));
+    warnings =
+        rerank_warnings({.rows = distances.rows(),
+                         .columns = distances.cols(),
+                         .read = [&](const MatrixBlock& block) -> DistanceMatrix {
+                           return distances.block(block.first_row, block.first_column, block.rows, block.columns);
+                         }});
+    return result;
+  });
+  return py::make_tuple(array_of(std::move(reranked)), warnings);
 }
 
 /// Computes the sum of distances with the terms in `settings`, as in a signature of a configuration.
@@ -74,8 +88,9 @@ FinishedRun run_configuration(const std::string& document, const std::string& so
   const RunControl control = interruptible_control(threads, cancellation, progress);
   run_interruptibly(cancellation, [&] {
     Json configuration = document.empty() ? read_json(source) : parse_json(document, source);
-    apply_overrides(configuration, source, folder, overrides);
+    apply_overrides(configuration, source, folder, overrides, Audience::python);
     const Experiment experiment = read_experiment(configuration, source, folder);
+    if (document.empty()) check_results_are_no_inputs(output, std::vector<fs::path>{source});
     Cache cache(cache_folder.value_or(default_cache_folder()), false);
     RunOutcome outcome = run_into_folder(experiment, output, replace, control, cache, *single_process());
     finished = {.summary = std::move(outcome.summary), .warnings = std::move(outcome.warnings), .left_out = {}};

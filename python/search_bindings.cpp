@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "python/native.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/output_files.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/search/page_of_answers.h"
@@ -52,7 +54,7 @@ std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optiona
   run_interruptibly(cancellation, [&] {
     SearchMethod method = method_of(wanted);
     if (!update) {
-      opened->index = open_index_as_it_is(std::move(method), collection, place);
+      opened->index = open_index_as_it_is(std::move(method), collection, place, Audience::python);
       keep_in_memory(opened->index.contents);
       return;
     }
@@ -82,6 +84,19 @@ std::vector<SearchQuery> queries_of(const py::list& given) {
   for (const py::handle& one : given) queries.push_back(query_of(one, queries.size()));
   return queries;
 }
+
+/// Throws InputError if the page would overwrite an input or an existing file.
+void check_page(const NativeIndex& opened, const py::list& given, const fs::path& page, bool replace) {
+  std::vector<fs::path> inputs{opened.index.file};
+  for (const SearchQuery& query : queries_of(given)) inputs.push_back(query.file);
+  for (const IndexedFile& model : opened.index.contents.models) {
+    inputs.push_back(opened.index.collection.file(model.path));
+  }
+  const OutputFile output{.path = page, .what = "page", .extensions = page_extensions};
+  check_output_files(inputs, {&output, 1}, replace, Audience::python);
+}
+
+void write_page(const fs::path& page, const std::string& text) { write_file_atomically(page, text); }
 
 /// Returns by query its name, the model that it equals (or None), the models found, their distances, and the reason for
 /// a missing answer. With a page, the page's text follows.
@@ -136,7 +151,9 @@ void bind_search(py::module_& module) {
       .def_property_readonly("signature", [](const NativeIndex& opened) { return opened.index.method.name; })
       .def("models", &named_files)
       .def("failures", &named_failures)
+      .def("check_page", &check_page)
       .def("search", &answer);
+  module.def("write_page", &write_page);
   module.def("open_index", &open);
 }
 

@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 
@@ -49,23 +50,6 @@ class Descriptor {
   throw InputError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(error)));
 }
 
-/// Writes all bytes and closes the descriptor; returns 0 or the first error. Quotas and network file systems report
-/// some errors only on closing.
-int write_and_close(int descriptor, std::string_view bytes, Flush flush) {
-  int error = 0;
-  while (error == 0 && !bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      error = errno;
-    }
-  }
-  if (error == 0 && flush == Flush::yes && ::fsync(descriptor) != 0) error = errno;
-  if (::close(descriptor) != 0 && error == 0) error = errno;
-  return error;
-}
-
 struct NewFile {
   int descriptor;
   fs::path path;
@@ -81,12 +65,6 @@ NewFile create_beside(const fs::path& path) {
     if (descriptor >= 0) return {descriptor, std::move(name)};
     if (errno != EEXIST) fail_writing(path, errno);
   }
-}
-
-void write_directly(const fs::path& path, std::string_view bytes) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail_writing(path, errno);
-  if (const int error = write_and_close(descriptor, bytes, Flush::no)) fail_writing(path, error);
 }
 
 /// Returns the size of an open file. Throws InputError if it is not a regular file, or empty.
@@ -129,21 +107,52 @@ MappedBytes map_file(const fs::path& path) {
           .bytes = {static_cast<const char*>(begin), size}};
 }
 
-void write_file_atomically(const fs::path& path, std::string_view bytes, Flush flush) {
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) fail_writing(path, EISDIR);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_directly(path, bytes);
-
-  fs::path target = fs::exists(status) ? fs::canonical(path, ignored) : path;
-  if (target.empty()) target = path;
-  const NewFile file = create_beside(target);
-  int error = write_and_close(file.descriptor, bytes, flush);
-  if (error == 0 && ::rename(file.path.c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(file.path.c_str());
-    fail_writing(path, error);
+  const fs::file_status status = fs::status(path_, ignored);
+  if (fs::is_directory(status)) fail_writing(path_, EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail_writing(path_, errno);
+    return;
   }
+  fs::path target = fs::exists(status) ? fs::canonical(path_, ignored) : path_;
+  target_ = target.empty() ? path_ : std::move(target);
+  NewFile file = create_beside(target_);
+  descriptor_ = file.descriptor;
+  unfinished_ = std::move(file.path);
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!unfinished_.empty()) ::unlink(unfinished_.c_str());
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      fail_writing(path_, errno);
+    }
+  }
+}
+
+void AtomicFile::publish(Flush flush) {
+  const bool is_new = !unfinished_.empty();
+  int error = is_new && flush == Flush::yes && ::fsync(descriptor_) != 0 ? errno : 0;
+  // Quotas and network file systems report some errors only on closing.
+  if (::close(std::exchange(descriptor_, -1)) != 0 && error == 0) error = errno;
+  if (error == 0 && is_new && ::rename(unfinished_.c_str(), target_.c_str()) != 0) error = errno;
+  if (error != 0) fail_writing(path_, error);
+  unfinished_.clear();
+}
+
+void write_file_atomically(const fs::path& path, std::string_view bytes, Flush flush) {
+  AtomicFile file(path);
+  file.write(bytes);
+  file.publish(flush);
 }
 
 }  // namespace shapegauge

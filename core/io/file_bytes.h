@@ -28,6 +28,31 @@ MappedBytes map_file(const std::filesystem::path& path);
 /// Flushing of a file to disk before it is renamed, which protects it from power failures.
 enum class Flush { no, yes };
 
+/// File written in pieces that takes its place only when it is complete, as write_file_atomically() says. Without
+/// publish(), as after an exception, nothing remains of it.
+class AtomicFile {
+ public:
+  /// Opens the file for writing. Throws InputError.
+  explicit AtomicFile(std::filesystem::path path);
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  AtomicFile(AtomicFile&&) = delete;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  ~AtomicFile();
+
+  /// Appends the bytes. Throws InputError.
+  void write(std::string_view bytes);
+
+  /// Closes the file and renames it to its place. Call once. Throws InputError.
+  void publish(Flush flush = Flush::no);
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path target_;      ///< `path_` without links
+  std::filesystem::path unfinished_;  ///< empty when writing directly to `path_`
+  int descriptor_ = -1;
+};
+
 /// Writes a file atomically: to a new file beside `path`, renamed when complete. An existing file stays unchanged until
 /// then and after any failure, and an interrupted program leaves no partial file under that name. After a power failure
 /// this holds only with Flush::yes.

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
+#include <new>
 #include <vector>
+#include <zlib.h>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -40,6 +42,50 @@ std::string entry_bytes(archive* opened, std::size_t packed, const std::string& 
   }
 }
 
+struct EndInflation {
+  void operator()(z_stream* stream) const { inflateEnd(stream); }
+};
+
+// Returns the contents of a gzip file of one or several members. zlib compares the checksum and the size of each.
+std::string unpacked_gzip(std::string_view packed, const std::string& source) {
+  const std::size_t most = most_unpacked_bytes(packed.size());
+  constexpr int gzip_only = 16;
+  z_stream stream = {};
+  if (inflateInit2(&stream, MAX_WBITS + gzip_only) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, EndInflation> end(&stream);
+  std::string bytes;
+  std::string part(1 << 16, '\0');
+  bool is_first_member = true;
+  std::string_view rest = packed;
+  while (true) {
+    if (stream.avail_in == 0) {  // the number of bytes has 32 bits
+      const std::string_view next = rest.substr(0, std::size_t{1} << 30);
+      stream.next_in = reinterpret_cast<const Bytef*>(next.data());
+      stream.avail_in = static_cast<uInt>(next.size());
+      rest.remove_prefix(next.size());
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(part.data());
+    stream.avail_out = static_cast<uInt>(part.size());
+    const int status = inflate(&stream, Z_NO_FLUSH);
+    const std::size_t count = part.size() - stream.avail_out;
+    if (bytes.size() + count > most) fail_unpacking(source, packed.size());
+    bytes.append(part, 0, count);
+    const bool at_end = stream.avail_in == 0 && rest.empty();
+    if (status == Z_STREAM_END && at_end) return bytes;
+    if (status == Z_STREAM_END) {
+      inflateReset(&stream);
+      is_first_member = false;
+    } else if (status != Z_OK) {
+      const bool is_garbage = status == Z_DATA_ERROR && !is_first_member && stream.total_out == 0;
+      throw InputError(fmt::format("{}: not a gzip file, or damaged: {}", source,
+                                   is_garbage              ? "other bytes follow its end"
+                                   : status == Z_BUF_ERROR ? "it ends too early"
+                                   : stream.msg != nullptr ? stream.msg
+                                                           : "its data is invalid"));
+    }
+  }
+}
+
 }  // namespace
 
 std::string format_extension(const std::filesystem::path& path) {
@@ -62,19 +108,9 @@ void fail_unpacking(const std::string& source, std::size_t packed) {
 }
 
 std::string read_plain_bytes(const std::filesystem::path& path) {
-  std::string bytes = read_file_bytes(path);
+  const std::string bytes = read_file_bytes(path);
   if (lower_case(path.extension().string()) != ".gz") return bytes;
-  constexpr std::string_view what = "not a gzip file, or damaged";
-  const Archive opened(archive_read_new());
-  archive_read_support_filter_gzip(opened.get());
-  archive_read_support_format_raw(opened.get());
-  archive_entry* entry = nullptr;
-  if (archive_read_open_memory(opened.get(), bytes.data(), bytes.size()) != ARCHIVE_OK ||
-      archive_read_next_header(opened.get(), &entry) != ARCHIVE_OK ||
-      archive_filter_code(opened.get(), 0) != ARCHIVE_FILTER_GZIP) {
-    fail(opened.get(), path.string(), what);
-  }
-  return entry_bytes(opened.get(), bytes.size(), path.string(), what);
+  return unpacked_gzip(bytes, path.string());
 }
 
 std::string array_in_npz(std::string_view bytes, const std::string& source) {

@@ -18,7 +18,8 @@ std::size_t most_unpacked_bytes(std::size_t packed);
 [[noreturn]] void fail_unpacking(const std::string& source, std::size_t packed);
 
 /// Reads a file, decompressed if its name ends in `.gz`. Throws InputError as read_file_bytes() does, for an invalid or
-/// damaged gzip file, and for one that unpacks to more than most_unpacked_bytes().
+/// damaged gzip file (checksum, size, bytes after its end), and for one that unpacks to more than
+/// most_unpacked_bytes().
 std::string read_plain_bytes(const std::filesystem::path& path);
 
 /// Extracts the `.npy` file of the only array of a NumPy `.npz` archive, given its bytes. Throws InputError for an

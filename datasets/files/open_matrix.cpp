@@ -74,7 +74,8 @@ DistanceMatrix read_block(const OpenFile& file, const NpyTable& table, const Mat
 std::optional<NpyTable> block_layout(const std::filesystem::path& path, TableShape shape) {
   const std::string extension = lower_case(path.extension().string());
   const bool psb = extension == ".matrix";
-  if ((!psb && extension != ".npy") || !std::filesystem::is_regular_file(path)) return std::nullopt;
+  std::error_code unreadable;
+  if ((!psb && extension != ".npy") || !std::filesystem::is_regular_file(path, unreadable)) return std::nullopt;
   const auto bytes = static_cast<std::size_t>(std::filesystem::file_size(path));
   constexpr std::size_t longest_usual_header = 1 << 17;
   const std::string beginning = read_file_bytes(path, longest_usual_header);  // rejects empty and unreadable files

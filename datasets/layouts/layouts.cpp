@@ -256,7 +256,9 @@ DatasetLocation recognise_dataset(const fs::path& root, const fs::path& classifi
   for (const DatasetLayout& layout : dataset_layouts().entries()) {
     const bool has_usual = !layout.usual_classification.empty();
     const fs::path usual = has_usual ? root / layout.usual_classification : fs::path();
-    const bool recognised = layout.recognises != nullptr ? layout.recognises(root) : has_usual && fs::exists(usual);
+    std::error_code unreadable;  // then reading it reports why, such as a looping link
+    const bool there = has_usual && (fs::exists(usual, unreadable) || unreadable);
+    const bool recognised = layout.recognises != nullptr ? layout.recognises(root) : there;
     if (recognised) return {.layout = std::string(layout.name), .root = root, .classification = usual};
   }
   return {.layout = "folders", .root = root, .classification = {}};

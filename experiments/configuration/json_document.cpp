@@ -69,8 +69,8 @@ std::string value_of_variable(const std::string& name) {
   return value;
 }
 
-[[noreturn]] void fail(std::string_view assignment, std::string_view message) {
-  throw InputError(fmt::format("--set {}: {}", printable(assignment, 100), message));
+[[noreturn]] void fail(const std::string& source, std::string_view message) {
+  throw InputError(fmt::format("{}: {}", source, message));
 }
 
 /// Returns the key of a member, or the index of an array element.
@@ -78,18 +78,18 @@ std::string key_in(const nlohmann::json& parent, const nlohmann::json& element, 
   return parent.is_array() ? std::to_string(&element - &parent.front()) : std::string(key);
 }
 
-nlohmann::json& element(nlohmann::json& array, std::string_view index, std::string_view assignment) {
+nlohmann::json& element(nlohmann::json& array, std::string_view index, const std::string& source) {
   std::size_t position = 0;
   const auto [end, failure] = std::from_chars(index.data(), index.data() + index.size(), position);
   if (failure != std::errc() || end != index.data() + index.size() || position >= array.size()) {
-    fail(assignment, fmt::format("\"{}\" is not an index of an array of {} values (counted from 0)",
-                                 printable(index, 60), array.size()));
+    fail(source, fmt::format("\"{}\" is not an index of an array of {} values (counted from 0)", printable(index, 60),
+                             array.size()));
   }
   return array[position];
 }
 
 /// Returns the element with that name of an array of objects.
-nlohmann::json& named_element(nlohmann::json& parent, std::string_view name, std::string_view assignment) {
+nlohmann::json& named_element(nlohmann::json& parent, std::string_view name, const std::string& source) {
   std::vector<std::string> names;
   if (parent.is_array()) {
     for (nlohmann::json& one : parent) {
@@ -98,8 +98,8 @@ nlohmann::json& named_element(nlohmann::json& parent, std::string_view name, std
       names.push_back(one["name"]);
     }
   }
-  fail(assignment, fmt::format("no element has the name \"{}\"{}", printable(name, 60),
-                               names.empty() ? "" : fmt::format("; there are: {}", fmt::join(names, ", "))));
+  fail(source, fmt::format("no element has the name \"{}\"{}", printable(name, 60),
+                           names.empty() ? "" : fmt::format("; there are: {}", fmt::join(names, ", "))));
 }
 
 /// Step of a path: a key or an index or, in brackets, a name or an index.
@@ -109,25 +109,24 @@ struct OverrideStep {
 };
 
 /// Removes and returns the first step of the keys, with the dot after it.
-OverrideStep take_step(std::string_view& keys, std::string_view assignment) {
+OverrideStep take_step(std::string_view& keys, const std::string& source) {
   OverrideStep step;
   if (keys.starts_with('[')) {
     const bool quoted = keys.starts_with("[\"");
     const std::size_t begin = quoted ? 2 : 1;
     const std::size_t end = keys.find(quoted ? "\"]" : "]", begin);
-    if (end == std::string_view::npos) fail(assignment, "a bracket is not closed");
+    if (end == std::string_view::npos) fail(source, "a bracket is not closed");
     step = {keys.substr(begin, end - begin), true};
     keys.remove_prefix(end + begin);
-    if (!keys.empty() && keys.front() != '.' && keys.front() != '[')
-      fail(assignment, "expected a dot behind the bracket");
+    if (!keys.empty() && keys.front() != '.' && keys.front() != '[') fail(source, "expected a dot behind the bracket");
   } else {
     step = {keys.substr(0, keys.find_first_of(".["))};
     keys.remove_prefix(step.text.size());
   }
-  if (step.text.empty()) fail(assignment, "a key between the dots is empty");
+  if (step.text.empty()) fail(source, "a key between the dots is empty");
   if (keys.starts_with('.')) {
     keys.remove_prefix(1);
-    if (keys.empty()) fail(assignment, "a key between the dots is empty");
+    if (keys.empty()) fail(source, "a key between the dots is empty");
   }
   return step;
 }
@@ -147,12 +146,12 @@ bool is_index(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-nlohmann::json& child(nlohmann::json& parent, std::string_view key, std::string_view assignment) {
-  if (parent.is_array()) return element(parent, key, assignment);
+nlohmann::json& child(nlohmann::json& parent, std::string_view key, const std::string& source) {
+  if (parent.is_array()) return element(parent, key, source);
   if (parent.is_null()) parent = nlohmann::json::object();
   if (!parent.is_object()) {
-    fail(assignment, fmt::format("no key \"{}\" in {}, which is a {}", printable(key, 60), printable(parent.dump(), 60),
-                                 parent.type_name()));
+    fail(source, fmt::format("no key \"{}\" in {}, which is a {}", printable(key, 60), printable(parent.dump(), 60),
+                             parent.type_name()));
   }
   return parent[std::string(key)];
 }
@@ -189,7 +188,8 @@ std::optional<nlohmann::json> parse_if_json(std::string_view text, const std::st
 
 nlohmann::json read_json(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path) || !file) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure) || !file) {
     throw InputError(fmt::format("{}: no such file, or it cannot be read", path.string()));
   }
   std::ostringstream text;
@@ -215,27 +215,28 @@ std::filesystem::path path_value(const nlohmann::json& object, const std::string
   return (folder / expanded).lexically_normal();
 }
 
-nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment) {
-  if (!is_utf8(assignment)) fail(assignment, "the bytes are not UTF-8");
+nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment, Audience audience) {
+  const std::string source =
+      fmt::format("{} {}", audience == Audience::python ? "settings" : "--set", printable(assignment, 100));
+  if (!is_utf8(assignment)) fail(source, "the bytes are not UTF-8");
   const std::size_t equals = place_of_equals(assignment);
   if (equals == std::string_view::npos || equals == 0) {
-    fail(assignment, "expected dotted.key=value, for example signatures.0.histogram.bins=40");
+    fail(source, "expected dotted.key=value, for example signatures.0.histogram.bins=40");
   }
   constexpr auto most_keys = 100;
   nlohmann::json* target = &document;
   nlohmann::json::json_pointer place;
   std::string_view keys = assignment.substr(0, equals);
   for (int depth = 0; !keys.empty(); ++depth) {
-    if (depth >= most_keys) fail(assignment, fmt::format("more than {} keys", most_keys));
-    const OverrideStep step = take_step(keys, assignment);
+    if (depth >= most_keys) fail(source, fmt::format("more than {} keys", most_keys));
+    const OverrideStep step = take_step(keys, source);
     const bool by_name = step.bracketed && !is_index(step.text);
-    nlohmann::json& next =
-        by_name ? named_element(*target, step.text, assignment) : child(*target, step.text, assignment);
+    nlohmann::json& next = by_name ? named_element(*target, step.text, source) : child(*target, step.text, source);
     place /= key_in(*target, next, step.text);
     target = &next;
   }
   const std::string_view value = assignment.substr(equals + 1);
-  *target = parse_if_json(value, "--set " + printable(assignment, 100)).value_or(nlohmann::json(value));
+  *target = parse_if_json(value, source).value_or(nlohmann::json(value));
   return place;
 }
 

@@ -344,10 +344,10 @@ bool is_at_or_below(const Json::json_pointer& place, const Json::json_pointer& a
 }  // namespace
 
 void apply_overrides(Json& document, const std::string& source, const fs::path& folder,
-                     std::span<const std::string> overrides) {
+                     std::span<const std::string> overrides, Audience audience) {
   read_dataset_files(document, source, folder);
   for (const std::string& assignment : overrides) {
-    const Json::json_pointer changed = apply_override(document, assignment);
+    const Json::json_pointer changed = apply_override(document, assignment, audience);
     for (const Json::json_pointer& place : places_of_paths(document)) {
       if (!is_at_or_below(place, changed)) continue;
       const std::string path = expand_variables(document[place].get<std::string>());

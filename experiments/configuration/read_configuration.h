@@ -25,7 +25,7 @@ nlohmann::json read_configuration_document(const std::filesystem::path& path,
 /// contents, which overrides can then change. A relative path in the document is relative to `folder`, one in an
 /// override to the working directory, and a "classification" to the root of its data set.
 void apply_overrides(nlohmann::json& document, const std::string& source, const std::filesystem::path& folder,
-                     std::span<const std::string> overrides);
+                     std::span<const std::string> overrides, Audience audience = Audience::command_line);
 
 /// Returns true for the configuration of a shape comparison (shape_comparison.h), false for a retrieval experiment.
 bool is_comparison(const nlohmann::json& document);

@@ -49,8 +49,11 @@ RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destina
   std::uintmax_t limit = 0;
   const std::string folder = on_first_rank(ranks, [&] {
     limit = cache_limit();  // reports a wrong setting before the run
-    lock.emplace(destination);
-    prepare_result_folder(destination, experiment.configuration, replace);
+    if (const auto& dataset = experiment.dataset) {
+      check_results_are_no_inputs(destination, std::vector{dataset->root, dataset->classification});
+    }
+    lock.emplace(destination, control.audience);
+    prepare_result_folder(destination, experiment.configuration, replace, control.audience);
     staged.emplace(destination);
     return fs::absolute(staged->folder()).string();
   });

@@ -73,7 +73,8 @@ nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const Ru
 /// Runs an experiment and publishes its results in a folder, which is created if missing and locked meanwhile.
 /// Collective; rank 0 has the folder and the outcome. Results of an earlier run are replaced when the new ones are
 /// complete, those of another configuration only with `replace`. Finally trims the cache. Throws InputError for an
-/// unusable folder and for different configurations of ranks, and the errors of the experiment.
+/// unusable folder, for one whose results would overwrite the data set, and for different configurations of ranks, and
+/// the errors of the experiment.
 RunOutcome run_into_folder(const Experiment& experiment, const std::filesystem::path& destination, bool replace,
                            const RunControl& control, Cache& cache, Communicator& ranks);
 

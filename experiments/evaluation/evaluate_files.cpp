@@ -12,6 +12,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/compressed_files.h"
+#include "shapegauge/datasets/files/model_keys.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/metrics/matrix_checks.h"
@@ -69,12 +70,28 @@ OpenMatrix open_distances(const EvaluationFiles& files, TableShape shape, std::v
   return matrix;
 }
 
+// Throws InputError if the ids of a file are not those that the matrix has, if any.
+void check_same_ids(const std::vector<std::string>& given, const std::vector<std::string>& own, std::string_view what,
+                    const EvaluationFiles& files) {
+  const ModelKeys keys(own);
+  for (std::size_t i = 0; i < std::min(given.size(), own.size()); ++i) {
+    if (keys.of(given[i]) == keys.of(own[i])) continue;
+    throw InputError(fmt::format("{} {} is {} in {} but {} in {}", what, i + 1, quoted_word(own[i]),
+                                 files.matrix.string(), quoted_word(given[i]), files.ids.string()));
+  }
+}
+
 // Returns the ids of the rows and columns given by the files; empty if there are none.
 MatrixIds ids_of_files(const OpenMatrix& matrix, const EvaluationFiles& files) {
   MatrixIds ids{.rows = matrix.row_ids, .columns = matrix.column_ids};
   if (!files.ids.empty()) {
-    ids.rows = read_ids(files.ids);
-    if (matrix.rows == matrix.columns) ids.columns = ids.rows;
+    const std::vector<std::string> given = read_ids(files.ids);
+    check_same_ids(given, ids.rows, "row", files);
+    if (matrix.rows == matrix.columns) {
+      check_same_ids(given, ids.columns, "column", files);
+      ids.columns = given;
+    }
+    ids.rows = given;
   }
   if (ids.rows.empty() || ids.columns.empty()) return {};
   return ids;
@@ -209,14 +226,27 @@ void warn_of_entries(const MatrixFindings& found, bool negated, Audience audienc
   }
 }
 
+bool looks_reversed(const MatrixFindings& found, Eigen::Index rows) { return 2 * found.rows_nearest_to_others > rows; }
+
+std::string reversed_text(const MatrixFindings& found, Eigen::Index rows) {
+  return fmt::format("in {} of {} rows the query is the farthest model from itself: this looks like a matrix of ",
+                     found.rows_nearest_to_others, rows);
+}
+
+// Describes how many pairs of entries of an asymmetric matrix differ, and by how much.
+std::string asymmetry_text(const MatrixFindings& found) {
+  const std::string pairs = count_text(found.asymmetric_pairs, "pair", "pairs");
+  const std::string amount = found.largest_asymmetry > 0 ? fmt::format("by up to {:.6g}", found.largest_asymmetry)
+                                                         : "as one is infinite and the other is not";
+  return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);
+}
+
 void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated, Audience audience,
                     std::vector<std::string>& warnings) {
-  if (2 * found.rows_nearest_to_others > rows) {
-    warnings.push_back(fmt::format(
-        "in {} of {} rows the query is the farthest model from itself: this looks like a "
-        "matrix of {} {}; scores of the wrong kind are near 0",
-        found.rows_nearest_to_others, rows, negated ? "distances, which take no" : "similarities, which take",
-        setting_on(audience, "similarity")));
+  if (looks_reversed(found, rows)) {
+    warnings.push_back(fmt::format("{}{} {}; scores of the wrong kind are near 0", reversed_text(found, rows),
+                                   negated ? "distances, which take no" : "similarities, which take",
+                                   setting_on(audience, "similarity")));
   }
   if (found.asymmetric_pairs > 0) {
     warnings.push_back(fmt::format("{}; query i is answered by row i, not by column i", asymmetry_text(found)));
@@ -279,19 +309,36 @@ std::string advice_on(const EvaluationFiles& files, const EvaluationTask& task) 
 
 }  // namespace
 
-std::string asymmetry_text(const MatrixFindings& found) {
-  const std::string pairs = count_text(found.asymmetric_pairs, "pair", "pairs");
-  const std::string amount = found.largest_asymmetry > 0 ? fmt::format("by up to {:.6g}", found.largest_asymmetry)
-                                                         : "as one is infinite and the other is not";
-  return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);
-}
-
 std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated,
                                          Audience audience) {
   std::vector<std::string> warnings;
   warn_of_entries(found, negated, audience, warnings);
   warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, audience, warnings);
   warn_of_rows(found, ids, warnings);
+  return warnings;
+}
+
+std::vector<std::string> rerank_warnings(const OpenMatrix& matrix) {
+  constexpr Eigen::Index together = 256;
+  MatrixChecks checks(true);
+  for (Eigen::Index first = 0; first < matrix.rows; first += together) {
+    const Eigen::Index count = std::min(together, matrix.rows - first);
+    const DistanceMatrix rows =
+        matrix.read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns});
+    checks.add(rows);
+    checks.compare(
+        rows, first,
+        matrix.read({.first_row = first, .rows = matrix.rows - first, .first_column = first, .columns = count}));
+  }
+  const MatrixFindings found = checks.findings();
+  std::vector<std::string> warnings;
+  if (looks_reversed(found, matrix.rows)) {
+    warnings.push_back(fmt::format("{}similarities; re-ranking takes distances, the smallest of which are nearest",
+                                   reversed_text(found, matrix.rows)));
+  }
+  if (found.asymmetric_pairs > 0) {
+    warnings.push_back(fmt::format("{}; the neighbours of model i are taken from row i", asymmetry_text(found)));
+  }
   return warnings;
 }
 

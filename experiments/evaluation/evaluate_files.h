@@ -18,12 +18,13 @@ namespace shapegauge {
 
 /// Files of an evaluation and their interpretation.
 struct EvaluationFiles {
-  std::filesystem::path matrix;      ///< distances, similarities, features, a TREC run or ranked lists
-  std::filesystem::path labels{};    ///< see read_labels(); empty with judgements
-  std::filesystem::path targets{};   ///< labels of the targets if `labels` are those of the queries; may be empty
-  std::filesystem::path qrels{};     ///< TREC judgements instead of labels; may be empty
-  std::filesystem::path ids{};       ///< ids of the rows, one a line; may be empty
-  RowOrder order = RowOrder::usual;  ///< of rows without ids
+  std::filesystem::path matrix;     ///< distances, similarities, features, a TREC run or ranked lists
+  std::filesystem::path labels{};   ///< see read_labels(); empty with judgements
+  std::filesystem::path targets{};  ///< labels of the targets if `labels` are those of the queries; may be empty
+  std::filesystem::path qrels{};    ///< TREC judgements instead of labels; may be empty
+  std::filesystem::path
+      ids{};  ///< ids of the rows, one a line, equal to those of the matrix if it has any; may be empty
+  RowOrder order = RowOrder::usual;              ///< of rows without ids
   Unanswered unanswered = Unanswered::left_out;  ///< handling of queries without a ranked list
   std::size_t level = 0;                         ///< level of the class hierarchy, see read_labels()
   bool similarity = false;                       ///< larger values are nearer
@@ -38,13 +39,13 @@ struct EvaluationData {
   EvaluationTask task;
 };
 
-/// Describes how many pairs of entries of an asymmetric matrix differ, and by how much.
-std::string asymmetry_text(const MatrixFindings& found);
-
 /// Returns warnings about a matrix, one sentence each. `ids` name its rows; `negated` means that it contained
 /// similarities.
 std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated,
                                          Audience audience = Audience::command_line);
+
+/// Returns warnings about a matrix to be re-ranked, one sentence each. Reads it once more.
+std::vector<std::string> rerank_warnings(const OpenMatrix& matrix);
 
 /// Returns the warning about queries with relevant and other models at equal distance, with the effect of their order
 /// on FT. Nothing if all these queries are rows of equal distances, which matrix_warnings() reports.
@@ -57,8 +58,8 @@ std::optional<std::string> left_out_warning(const Evaluation& evaluation, const 
 
 /// Reads and matches the files. Distances between features, and those of large binary files, are neither computed nor
 /// read yet. Throws InputError if a file cannot be read or files do not match: a matrix of another size than the
-/// labels, a model without a class, a classified model that is not in the matrix, a repeated id, features outside the
-/// distance's domain.
+/// labels, a model without a class, a classified model that is not in the matrix, a repeated id, other ids than the
+/// matrix has, features outside the distance's domain.
 EvaluationData open_evaluation_files(const EvaluationFiles& files);
 
 /// Evaluated files with their results.

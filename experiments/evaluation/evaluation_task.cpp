@@ -266,7 +266,12 @@ class LabelledAnswers {
         throw InputError(fmt::format("the answer to {} has the model {}, which is not a target",
                                      quoted_word(answer.query), quoted_word(model)));
       }
-      ranked_.distances(row, columns_.at(models_.key(model))) = distance;
+      double& entry = ranked_.distances(row, columns_.at(models_.key(model)));
+      if (!std::isnan(entry)) {
+        throw InputError(fmt::format("the answer to {} has a model twice, once as {}", quoted_word(answer.query),
+                                     quoted_word(model)));
+      }
+      entry = distance;
     }
   }
 

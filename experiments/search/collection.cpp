@@ -120,6 +120,13 @@ Collection find_collection(const fs::path& path) {
   throw InputError(fmt::format("{} names {} twice", path.string(), twice->id));
 }
 
+std::string collection_location(const fs::path& path) {
+  std::error_code failure;
+  const fs::path location = fs::weakly_canonical(fs::absolute(path), failure);
+  const fs::path known = failure ? fs::absolute(path).lexically_normal() : location;
+  return (known.has_filename() ? known : known.parent_path()).string();
+}
+
 fs::path collection_base(const fs::path& path) {
   const std::string extension = lower_case(path.extension().string());
   if (is_folder(path)) return path;

@@ -32,6 +32,9 @@ struct Collection {
 /// Throws InputError for other files, for a collection without shapes, and if it cannot be read.
 Collection find_collection(const std::filesystem::path& path);
 
+/// Returns the absolute path of a collection, without links where it exists; "models" and "models/" have the same.
+std::string collection_location(const std::filesystem::path& path);
+
 /// Returns Collection::base of the collection at a path, which need not exist any more.
 std::filesystem::path collection_base(const std::filesystem::path& path);
 

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -80,11 +81,44 @@ bool is_of(const ShapeIndex& index, const std::vector<IndexedFile>& files) {
   return indexed == wanted;
 }
 
-/// Updates sizes and times; returns whether any changed.
-bool take_times(ShapeIndex& index, const std::vector<IndexedFile>& files) {
+[[noreturn]] void fail_as_foreign(const ShapeIndex& index, const fs::path& file, const std::string& location) {
+  throw InputError(fmt::format("{} is the index of {}, none of whose files is in {}; name another file for the index",
+                               file.string(), index.collection, location));
+}
+
+/// Throws InputError for the index of another collection: one of another location that has none of the files. A moved
+/// collection has them, and one at the same place may have changed as a whole.
+void check_collection(const ShapeIndex& index, const fs::path& file, const std::string& location,
+                      const std::vector<IndexedFile>& files) {
+  if (index.collection == location) return;
+  const std::vector<std::pair<std::string, std::string>> present = contents_of(files);
+  const std::set<std::pair<std::string, std::string>> known(present.begin(), present.end());
+  for (const auto* indexed : {&index.models, &index.failures}) {
+    for (const auto& contents : contents_of(*indexed)) {
+      if (known.contains(contents)) return;
+    }
+  }
+  fail_as_foreign(index, file, location);
+}
+
+/// Likewise without the contents of the files: those of the same name and size count.
+void check_collection(const OpenIndex& index, const std::string& location) {
+  if (index.contents.collection == location) return;
+  for (const auto* indexed : {&index.contents.models, &index.contents.failures}) {
+    for (const IndexedFile& file : *indexed) {
+      std::error_code absent;
+      if (fs::file_size(index.collection.file(file.path), absent) == file.bytes && !absent) return;
+    }
+  }
+  fail_as_foreign(index.contents, index.file, location);
+}
+
+/// Updates the location, sizes and times; returns whether any changed.
+bool take_state(ShapeIndex& index, const std::string& location, const std::vector<IndexedFile>& files) {
   std::map<std::string, const IndexedFile*> now;
   for (const IndexedFile& file : files) now.emplace(file.path, &file);
-  bool changed = false;
+  bool changed = index.collection != location;
+  index.collection = location;
   for (auto* indexed : {&index.models, &index.failures}) {
     for (IndexedFile& file : *indexed) {
       const IndexedFile& state = *now.at(file.path);
@@ -165,9 +199,19 @@ std::vector<LeftOutShape> new_failures(const ShapeIndex& index, const ShapeIndex
   return left_out;
 }
 
+/// Throws InputError if the file is neither an index nor empty: only those may be overwritten.
+void check_is_index(const fs::path& file) {
+  constexpr std::size_t enough = 64;
+  std::error_code failure;
+  if (fs::is_empty(file, failure) || begins_as_index(read_file_bytes(file, enough))) return;
+  throw InputError(
+      fmt::format("{} is not an index and is not overwritten; name another file for the index", file.string()));
+}
+
 std::optional<ShapeIndex> read_index(const fs::path& file, const std::string& key, std::vector<std::string>& notes) {
   std::error_code absent;
   if (!fs::exists(file, absent)) return std::nullopt;
+  check_is_index(file);
   IndexFault fault = IndexFault::damaged;
   try {
     if (auto index = decode_index(map_file(file), key, fault)) return index;
@@ -180,11 +224,12 @@ std::optional<ShapeIndex> read_index(const fs::path& file, const std::string& ke
 
 }  // namespace
 
-void write_index(const OpenIndex& index, std::vector<std::string>& notes) {
+void write_index(const OpenIndex& index, Audience audience, std::vector<std::string>& notes) {
   try {
     write_file_atomically(index.file, encode_index(index.contents, index.method.key()));
   } catch (const InputError& error) {
-    notes.push_back(fmt::format("the index could not be written: {}; choose another file with --index", error.what()));
+    notes.push_back(fmt::format("the index could not be written: {}; choose another file with {}", error.what(),
+                                setting_name(audience, "index")));
   }
 }
 
@@ -195,32 +240,38 @@ OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::
   if (fs::is_directory(file, absent))
     throw InputError(fmt::format("{} is a folder; the index must be a file", file.string()));
   std::optional<ShapeIndex> before = read_index(file, index.method.key(), update.notes);
+  const std::string location = collection_location(collection);
   with_threads(control, [&] {
     std::vector<IndexedFile> files = states_of(index.collection, before ? &*before : nullptr);
+    if (before) check_collection(*before, file, location, files);
     if (before && is_of(*before, files)) {
       index.contents = std::move(*before);
-      if (take_times(index.contents, files)) write_index(index, update.notes);
+      if (take_state(index.contents, location, files)) write_index(index, control.audience, update.notes);
       return;
     }
     index.contents =
         described(index.method, index.collection, std::move(files), before ? &*before : nullptr, control, cache);
+    index.contents.collection = location;
     update.rebuilt = true;
     update.left_out = new_failures(index.contents, before ? &*before : nullptr);
-    write_index(index, update.notes);
+    write_index(index, control.audience, update.notes);
   });
   return index;
 }
 
-OpenIndex open_index_as_it_is(SearchMethod method, const fs::path& collection, const fs::path& file) {
+OpenIndex open_index_as_it_is(SearchMethod method, const fs::path& collection, const fs::path& file,
+                              Audience audience) {
   OpenIndex index{.method = std::move(method), .collection = {}, .file = file, .contents = {}};
   IndexFault fault = IndexFault::damaged;
   std::optional<ShapeIndex> contents = decode_index(map_file(file), index.method.key(), fault);
   if (!contents) {
-    throw InputError(fmt::format("{} is {}; rebuild it by searching without --no-update", file.string(),
-                                 fault == IndexFault::damaged ? "damaged" : "of another method or program"));
+    throw InputError(fmt::format("{} is {}; rebuild it by searching {}", file.string(),
+                                 fault == IndexFault::damaged ? "damaged" : "of another method or program",
+                                 audience == Audience::python ? "with update=True" : "without --no-update"));
   }
   index.contents = std::move(*contents);
   index.collection.base = collection_base(collection);
+  check_collection(index, collection_location(collection));
   return index;
 }
 

@@ -40,14 +40,17 @@ struct OpenIndex {
 /// first describes the changed files and writes the index atomically. Files are unchanged if their size and
 /// modification time are, or else their contents. Shapes that cannot be described are omitted. Uses the cache, from
 /// which an interrupted description continues. The contents depend only on the files and the method. If the index
-/// cannot be written, adds a note. Throws InputError if no shape can be described, and Interrupted.
+/// cannot be written, adds a note. Throws InputError if `file` exists and is neither an index nor empty, or is the
+/// index of another collection: one from another place that has none of the files. Throws it if no shape can be
+/// described, and Interrupted.
 OpenIndex open_index(SearchMethod method, const std::filesystem::path& collection, const std::filesystem::path& file,
                      const RunControl& control, Cache& cache, IndexUpdate& update);
 
 /// Reads an index without checking the collection's files; only the base of the collection is known. Throws InputError
-/// for an unusable index.
+/// for an unusable index, and for one of another collection: from another place, with no file of the same name and
+/// size.
 OpenIndex open_index_as_it_is(SearchMethod method, const std::filesystem::path& collection,
-                              const std::filesystem::path& file);
+                              const std::filesystem::path& file, Audience audience = Audience::command_line);
 
 /// Shape to search for.
 struct SearchQuery {

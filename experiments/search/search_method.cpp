@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// Version of the index format; increment when an index changes.
-constexpr int index_version = 3;
+constexpr int index_version = 4;
 
 bool is_reranked(const SignatureConfiguration& signature) {
   return signature.derived && signature.derived->key == "rerank";
@@ -37,7 +37,7 @@ bool is_reranked(const SignatureConfiguration& signature) {
 std::string why_not_searchable(const std::vector<SignatureConfiguration>& signatures, std::size_t chosen) {
   const SignatureConfiguration& signature = signatures[chosen];
   if (!signature.derived) return "";
-  if (is_reranked(signature)) return "it is re-ranked; use the signature that it re-ranks, with --rerank";
+  if (is_reranked(signature)) return "it is re-ranked; use the signature that it re-ranks, and re-rank the answers";
   if (signature.derived->key != "sum") return "it is a fusion of ranks";
   for (const std::size_t part : signature.parts) {
     if (!signatures[part].derived) continue;

@@ -10,6 +10,7 @@ namespace shapegauge {
 
 namespace {
 
+constexpr std::string_view magic = "shapegauge search index ";
 constexpr std::string_view format_line = "shapegauge search index 1\n";
 constexpr std::size_t digits_of_sha256 = 64;
 constexpr std::size_t header_size = format_line.size() + digits_of_sha256 + 1;
@@ -76,6 +77,7 @@ void take(Unpacker& unpacker, CollectionSum& sum) {
 }
 
 void add(Packer& packer, const ShapeIndex& index) {
+  packer.add(std::string_view(index.collection));
   add(packer, index.models);
   add(packer, index.failures);
   packer.add(index.tables.size());
@@ -87,6 +89,7 @@ void add(Packer& packer, const ShapeIndex& index) {
 }
 
 void take(Unpacker& unpacker, ShapeIndex& index) {
+  unpacker.take(index.collection);
   take(unpacker, index.models);
   take(unpacker, index.failures);
   index.tables.resize(unpacker.take_value<std::size_t>());
@@ -120,6 +123,8 @@ std::string encode_index(const ShapeIndex& index, const std::string& key) {
   const std::string checksum = sha256(std::string_view(bytes).substr(header_size));
   return bytes.replace(format_line.size(), checksum.size(), checksum);
 }
+
+bool begins_as_index(std::string_view bytes) { return bytes.starts_with(magic); }
 
 std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::string& key, IndexFault& fault) {
   fault = IndexFault::damaged;

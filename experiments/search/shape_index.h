@@ -43,6 +43,7 @@ struct IndexTable {
 
 /// Index of a collection for answering queries.
 struct ShapeIndex {
+  std::string collection;              ///< collection_location() when the index was written
   std::vector<IndexedFile> models;     ///< described files, in natural order of ids
   std::vector<IndexedFile> failures;   ///< the other files
   std::vector<IndexTable> tables;      ///< by term of the method: row i is of models[i]
@@ -55,6 +56,9 @@ struct ShapeIndex {
 /// Encodes an index as the bytes of a file: a line with the format, a line with the SHA-256 of the rest, and the data,
 /// which only programs of the same build and processor type read. `key` is SearchMethod::key().
 std::string encode_index(const ShapeIndex& index, const std::string& key);
+
+/// Returns true if a file with these leading bytes is an index, of this or another version of the format.
+bool begins_as_index(std::string_view bytes);
 
 /// Reason why an index file is unusable.
 enum class IndexFault { none, damaged, other_method };

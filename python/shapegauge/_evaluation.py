@@ -5,7 +5,7 @@ from __future__ import annotations
 import collections.abc as _abc
 import json as _json
 import numbers as _numbers
-from typing import TYPE_CHECKING, Any, Iterable, Iterator, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence, Union
 
 import numpy as _numpy
 
@@ -136,6 +136,33 @@ def _label(label: Any, row: str) -> Any:
     return str(label)
 
 
+def _rows_text(rows: Sequence[Any]) -> str:
+    """Returns "row 3", or "rows 3, 5" with at most ten rows."""
+    listed = ", ".join(map(str, rows[:10])) + (f" and {len(rows) - 10} more" if len(rows) > 10 else "")
+    return f"{'row' if len(rows) == 1 else 'rows'} {listed}"
+
+
+def _check_text(array: _numpy.ndarray) -> None:
+    """Rejects missing values that NumPy has made text: np.array(["a", nan])."""
+    made = [row for row, label in enumerate(array.tolist()) if label in ("nan", "NaT", b"nan", b"NaT")]
+    if made:
+        raise InputError(f'the text of the labels is "nan" in {_rows_text(made)} (counted from 0): NumPy makes it of '
+                         "missing values; give a list, or an array of dtype=object")
+
+
+def _check_kinds(classes: Sequence[Any], place: Callable[[int], str]) -> None:
+    """Rejects labels that differ only in their type: 1 and "1", 1 and True."""
+    first: dict[str, tuple[int, Any]] = {}
+    for row, label in enumerate(classes):
+        if label is None:
+            continue
+        for text in {str(label), str(int(label)) if isinstance(label, bool) else str(label)}:
+            earlier, other = first.setdefault(text, (row, label))
+            if type(other) is not type(label):
+                raise InputError(f"the labels of rows {place(earlier)} and {place(row)} (counted from 0) are {other!r} and "
+                                 f"{label!r}, which differ only in type; convert them to one type")
+
+
 def _label_list(labels: Any) -> list[Any]:
     """The labels in their order; a column or a row of a table is one dimension."""
     if hasattr(labels, "__array__") and not isinstance(labels, _numpy.generic):
@@ -146,6 +173,8 @@ def _label_list(labels: Any) -> list[Any]:
             raise InputError(f"labels must have one dimension, not be {' x '.join(map(str, array.shape))}; of a table "
                              "with a column for each class, take the argmax of its rows")
         flat = array.ravel()
+        if flat.dtype.kind in "US":
+            _check_text(flat)
         mask = _numpy.ma.getmaskarray(flat) if isinstance(flat, _numpy.ma.MaskedArray) else _numpy.zeros(len(flat), bool)
         return [None if hidden else label for label, hidden in zip(_numpy.asarray(flat).tolist(), mask)]
     return ordered(labels, "labels")
@@ -170,12 +199,12 @@ def _class_numbers(labels: Any, models: int, missing_labels: str, noun: str = "l
         raise InputError(f"there are {len(labels)} {noun} for {models} models")
     missing = [row for row, label in enumerate(labels) if _is_missing(label)]
     if missing and missing_labels == "error":
-        rows = ", ".join(map(place, missing[:10])) + (f" and {len(missing) - 10} more" if len(missing) > 10 else "")
-        found = f"label is missing, in row {rows}" if len(missing) == 1 else f"labels are missing, in rows {rows}"
-        raise InputError(f"{len(missing)} {found} (counted from 0); leave these models out, or say "
-                         'missing_labels="no_class": then they are no queries, and relevant to none')
+        found = "label is missing" if len(missing) == 1 else "labels are missing"
+        raise InputError(f"{len(missing)} {found}, in {_rows_text([place(row) for row in missing])} (counted from 0); leave "
+                         'these models out, or say missing_labels="no_class": then they are no queries, and relevant to none')
     hidden = set(missing)
     classes: list[Any] = [None if row in hidden else _label(label, place(row)) for row, label in enumerate(labels)]
+    _check_kinds(classes, place)
     if len({type(label) is str for row, label in enumerate(classes) if row not in hidden}) == 2:
         classes = [label if label is None else str(label) for label in classes]  # numbers and text are text
     names = sorted({label for row, label in enumerate(classes) if row not in hidden})
@@ -244,6 +273,12 @@ def _grades(relevance: Any, shape: tuple[int, ...]) -> _numpy.ndarray:
                          f"{' x '.join(map(str, shape))}")
     if not (grades == _numpy.round(grades)).all():
         raise InputError("relevance must be whole numbers or bools")
+    limits = _numpy.iinfo(_numpy.int32)
+    outside = _numpy.argwhere((grades < limits.min) | (grades > limits.max))
+    if len(outside) > 0:
+        row, column = outside[0]
+        raise InputError(f"relevance has the grade {grades[row, column]} in row {row}, column {column} (counted from 0); "
+                         f"grades are whole numbers from {limits.min} to {limits.max}")
     return _numpy.ascontiguousarray(grades, dtype=_numpy.int32)
 
 
@@ -407,5 +442,7 @@ def rerank(distances: Any, method: str = "diffusion", *, threads: int = 0, **set
     >>> better = sg.rerank(distances, neighbours="auto")
     """
     settings = {name: plain(value, name) for name, value in settings.items()}
-    return _native.rerank(square_matrix(distances), word(method, "method"), _json.dumps(settings),
-                          number_of_threads(threads))
+    reranked, warnings = _native.rerank(square_matrix(distances), word(method, "method"), _json.dumps(settings),
+                                        number_of_threads(threads))
+    warn(warnings)
+    return reranked

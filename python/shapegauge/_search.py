@@ -131,25 +131,28 @@ class Index:
         return f"<Index: {len(self)} shapes by {self.signature!r} in {self.file}>"
 
     def search(self, query: Any, k: int = 10, *, rerank: bool = False, page: Optional[PathLike] = None,
-               on_progress: Optional[Progress] = None) -> Any:
+               replace: bool = False, on_progress: Optional[Progress] = None) -> Any:
         """Returns an Answer with the k shapes most similar to the query, or a list of Answers for a list of queries.
 
         query: path of a file, an object with vertices and faces, or a tuple of arrays (vertices, faces). A file of the
         collection is excluded from its own answer. rerank: re-rank by diffusion over the collection. page: file for an
-        HTML page with pictures. An unusable single query raises InputError; in a list, its Answer has the failure.
+        HTML page with pictures (.html). replace: overwrite an existing page. An unusable single query raises InputError;
+        in a list, its Answer has the failure.
         """
         several = isinstance(query, list)
         given = [_query(one) for one in (query if several else [query])]
+        file = None if page is None else path_of(page, "page")
+        if file is not None:
+            self._native.check_page(given, file, switch(replace, "replace"))
         title = f"{len(given)} {'query' if len(given) == 1 else 'queries'}"
         answers, html = self._native.search(given, number_of(k, "k", REGISTERED["options"]["search"]["count"]), switch(rerank, "rerank"),
-                                            None if page is None else title, self._threads, progress_of(on_progress))
+                                            None if file is None else title, self._threads, progress_of(on_progress))
         found = [self._answer(*answer) for answer in answers]
         warn(self._native.notes)
         if not several and found[0].failure:
             raise InputError(found[0].failure)
-        if page is not None:
-            with open(path_of(page, "page"), "w", encoding="utf-8") as file:
-                file.write(html)
+        if file is not None:
+            _native.write_page(file, html)
         return found if several else found[0]
 
     def _answer(self, query: str, member: Optional[int], models: list[int], distances: _numpy.ndarray,

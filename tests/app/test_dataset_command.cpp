@@ -1,3 +1,5 @@
+#include <csignal>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -111,6 +113,18 @@ TEST_F(DatasetCommand, AMissingFolderIsAnError) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.errors, HasSubstr("/nowhere: no such folder"));
   }
+}
+
+TEST_F(DatasetCommand, AnInterruptedGenerationSaysWhatItLeaves) {
+  test_command_line::BackgroundRun run(
+      {"dataset", "generate", at("made"), "--classes", "1", "--models-per-class", "500", "--threads", "1"},
+      at("errors"));
+  ASSERT_TRUE(
+      run.wait_until([&] { return std::filesystem::exists(at("made")) && !std::filesystem::is_empty(at("made")); }));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
+  EXPECT_EQ(test::text_of(at("errors")),
+            "shapegauge: error: interrupted; the data set in " + at("made") + " is incomplete; --force replaces it\n");
 }
 
 TEST_F(DatasetCommand, GenerateMakesWhatInfoReads) {

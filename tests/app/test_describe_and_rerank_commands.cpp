@@ -1,8 +1,13 @@
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <limits>
+#include <set>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
@@ -16,6 +21,7 @@
 #include "tests/app/program.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -169,6 +175,23 @@ DistanceMatrix line() {
   return distances;
 }
 
+TEST_F(DescribeCommand, AnInterruptionSaysThatNothingIsWritten) {
+  write_off(at("ball.off"), test::sphere(1, 5));
+  std::vector<std::string> call{"describe"};
+  for (int i = 0; i < 200; ++i) {  // enough for many seconds
+    call.push_back(at("ball" + std::to_string(i) + ".off").string());
+    std::filesystem::create_hard_link(at("ball.off"), call.back());
+  }
+  for (const char* const word : {"--descriptor", "light_field", "--threads", "1", "-o"}) call.emplace_back(word);
+  call.push_back(at("new.csv").string());
+  test_command_line::BackgroundRun run(call, at("errors"));
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
+  EXPECT_FALSE(std::filesystem::exists(at("new.csv")));
+  EXPECT_EQ(test::text_of(at("errors")), "shapegauge: error: interrupted; no results were written\n");
+}
+
 TEST(RerankCommand, GivesWhatTheLibraryGives) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
@@ -189,6 +212,41 @@ TEST(RerankCommand, GivesWhatTheLibraryGives) {
   // The sparse form is accurate to 1e-6, as diffused_affinities() says; so is the difference of its two triangles.
   EXPECT_LT((rerank("--neighbours 3 --sparse") - diffused(line(), {.neighbours = 3})).cwiseAbs().maxCoeff(), 1e-5);
   EXPECT_LT((rerank("--neighbours auto --sparse") - diffused(line(), {.neighbours = {}})).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+/// Names of the folder's files.
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+TEST(RerankCommand, TheSparseResultTakesItsPlaceWhenItIsComplete) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  write_npy(at("d.npy"), line());
+  test::write_text(at("mine"), "mine");
+  std::filesystem::create_symlink(at("mine"), at("r.npy.part"));
+  EXPECT_EQ(run_executable(fmt::format("rerank '{}' -o '{}' --sparse", at("d.npy"), at("r.npy"))).status, 0);
+  EXPECT_EQ(test::text_of(at("mine")), "mine");
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"d.npy", "mine", "r.npy", "r.npy.part"}));
+}
+
+TEST(RerankCommand, AnInterruptionLeavesNoFile) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  constexpr Eigen::Index models = 2000;  // enough for some seconds
+  write_npy(at("d.npy"), DistanceMatrix::NullaryExpr(models, models, [](Eigen::Index i, Eigen::Index j) {
+              return static_cast<double>(std::abs(i - j));
+            }));
+  const test::TemporaryFolder messages;
+  test_command_line::BackgroundRun run({"rerank", at("d.npy"), "-o", at("r.npy"), "--sparse", "--neighbours", "auto"},
+                                       messages.path() / "errors");
+  ASSERT_TRUE(run.wait_until([&] { return names_in(folder.path()).size() == 2; }));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130);
+  EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"d.npy"});
+  EXPECT_EQ(test::text_of(messages.path() / "errors"), "shapegauge: error: interrupted; no results were written\n");
 }
 
 TEST(RerankCommand, IdsOfACsvStay) {

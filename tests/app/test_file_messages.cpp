@@ -57,6 +57,18 @@ TEST_F(FileMessages, OfFacesThatArePolygonsAreToldOnce) {
   EXPECT_THAT(run_executable("info " + quoted("quads.off")).output, testing::ContainsRegex("polygons +6\n"));
 }
 
+TEST_F(FileMessages, OfALinkToItselfAreOneLine) {
+  fs::create_directory(at("data"));
+  for (const char* const name : {"data/test.cla", "loop.npy", "loop.json"}) {
+    fs::create_symlink(fs::path(name).filename(), at(name));
+  }
+  test_command_line::expect_error_lines(
+      {{"dataset info " + quoted("data"), "cannot read " + at("data/test.cla").string() + ": Too many levels"},
+       {"rerank " + quoted("loop.npy") + " -o " + quoted("x.npy"),
+        "cannot read " + at("loop.npy").string() + ": Too many levels"},
+       {"run " + quoted("loop.json"), at("loop.json").string() + ": no such file, or it cannot be read"}});
+}
+
 TEST_F(FileMessages, OfFacesThatAreTrianglesSayNothing) {
   const Outcome sdf =
       run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("ball.off"), quoted("b.csv")));

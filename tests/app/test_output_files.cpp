@@ -84,6 +84,17 @@ class OutputFiles : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(OutputFiles, EmptyNamesAreErrors) {
+  const std::string evaluate = "evaluate @d.csv --labels @classes.csv ";
+  for (const char* option : {"--report", "--pr", "--per-query", "--ids", "--targets"}) {
+    expect_error_line(run(evaluate + option + " ''"), std::string(option) + ": must not be empty");
+    expect_error_line(run(evaluate + option + "="), option);
+  }
+  expect_error_line(run("run @d.csv -o ''"), "--output: must not be empty");
+  expect_error_line(run("search @box.off ''"), "paths: must not be empty");
+  expect_error_line(run("rerank '' -o @x.npy"), "distances: must not be empty");
+}
+
 TEST_F(OutputFiles, ExistingOnesAreKeptUnlessTheyMayBeReplaced) {
   for (const WriterOfFiles& writer : writers()) {
     SCOPED_TRACE(writer.call);

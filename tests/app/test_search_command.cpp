@@ -141,6 +141,9 @@ TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
   expect_error_line(search("query.off", "-k 0"), "--count");
   expect_error_line(search("query.off", "--signature d3"), "did you mean");
   expect_error_line(search("query.off", "--index " + quoted("query.off")), "--index");
+  expect_error_line(search("query.off", "--index " + quoted("models/T1.off")), "is not an index");
+  expect_error_line(search("query.off", "-o " + quoted("o.html") + " --index " + quoted("o.html")),
+                    "--index and --output would both be written to");
   expect_error_line(run_executable("search " + quoted("query.off") + " " + quoted("models") + " --signature d2"),
                     "require --method");
 }

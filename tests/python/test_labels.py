@@ -80,7 +80,7 @@ def test_labels_may_be_any_ordered_iterable():
     numbers = sg.evaluate(DISTANCES, [1, 1, 1, 2, 2, 2, 2])
     assert set(numbers.per_class) == {1, 2} and numbers.micro == expected.micro
     assert sg.evaluate(DISTANCES, [1.0, 1, np.int8(1), 2, 2, 2, 2]).per_class == numbers.per_class
-    assert set(sg.evaluate(DISTANCES, ["1", 1, 1, "x", "x", "x", "x"]).per_class) == {"1", "x"}
+    assert set(sg.evaluate(DISTANCES, [1, 1, 1, "x", "x", "x", "x"]).per_class) == {"1", "x"}
     generated = sg.compare({"a": DISTANCES, "b": DISTANCES}, (label for label in LABELS), resamples=100)
     assert generated.results == sg.compare({"a": DISTANCES, "b": DISTANCES}, LABELS, resamples=100).results
 
@@ -95,6 +95,11 @@ def test_labels_may_be_any_ordered_iterable():
     (LABELS[:6], "6 labels for 7 models"),
     (np.eye(7)[:, :2], "7 x 2"),
     ([1, 1, 1, 2, 2, 2, 2.5], "row 6 is 2.5"),
+    ([1, 1, "1", "x", "x", "x", "x"], "rows 0 and 2 .* are 1 and '1'"),
+    ([True, True, True, 1, 1, 1, 1], "rows 0 and 3 .* are True and 1"),
+    ([True, True, True, "True", "b", "b", "b"], "rows 0 and 3 "),
+    (np.array(["a", "a", "a", "b", "b", "b", np.nan]), "in row 6 .*dtype=object"),
+    (np.array(["a", np.nan, "a", "b", "b", np.nan, "b"]), "in rows 1, 5 "),
     ([1, 1, 1, 2, 2, 2, float("inf")], "row 6 is inf"),
     ([1, 1, 1, 2, 2, 2, (2,)], "row 6 is a tuple"),
     ([1, 1, 1, 2, 2, 2, np.ones(2)], "row 6 is an? ndarray"),

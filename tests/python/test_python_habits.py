@@ -123,7 +123,10 @@ def test_relevance_takes_the_place_of_labels():
     assert by_relevance.micro == by_labels.micro
     same[0] = False  # without relevant models it is not a query
     assert list(sg.evaluate(distances, relevance=same).queries) == [1, 2, 3, 4, 5, 6]
-    for wrong, words in [(same[:3], "3 x 7"), (same * 0.5, "whole numbers")]:
+    beyond = np.where(same, 2**32, 0)
+    for wrong, words in [(same[:3], "3 x 7"), (same * 0.5, "whole numbers"),
+                         (beyond, "grade 4294967296 in row 1, column 0 .* to 2147483647"),
+                         (beyond * -1.0, "grade -4294967296.0")]:
         with pytest.raises(sg.InputError, match=words):
             sg.evaluate(distances, relevance=wrong)
     with pytest.raises(sg.InputError, match="give them, or relevance"):
@@ -157,6 +160,32 @@ def test_run_takes_a_dict_and_tells_how_far_it_is(tmp_path, monkeypatch):
         sg.run(configuration, "stopped", cache="", on_progress=stop)
     with pytest.raises(sg.InputError, match="configuration: .*nonsense"):
         sg.run({**configuration, "nonsense": 1})
+
+
+def test_results_overwrite_no_input(tmp_path):
+    vertices, faces = bumpy_torus()
+    for name in ("a/1.off", "a/2.off", "b/3.off", "b/4.off"):
+        (tmp_path / "data" / name).parent.mkdir(parents=True, exist_ok=True)
+        sg.write(tmp_path / "data" / name, vertices, faces)
+    configuration = {"name": "small", "dataset": {"layout": "folders", "root": str(tmp_path / "data")},
+                     "signatures": [{"name": "d2", "descriptor": {"type": "d2", "points": 64}}]}
+    with pytest.raises(sg.InputError, match="the results would overwrite the input"):
+        sg.run(configuration, tmp_path / "data", replace=True, cache="")
+    (tmp_path / "summary.json").write_text(json.dumps(configuration))
+    with pytest.raises(sg.InputError, match="the results would overwrite the input"):
+        sg.run(tmp_path / "summary.json", tmp_path, replace=True, cache="")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["data", "summary.json"]
+    assert sorted(path.name for path in (tmp_path / "data").iterdir()) == ["a", "b"]
+
+
+def test_messages_of_runs_name_arguments(tmp_path):
+    (tmp_path / "summary.csv").write_text("")
+    configuration = {"name": "made", "dataset": {"generate": {"classes": 2, "models_per_class": 2, "faces": 1000}},
+                     "signatures": [{"name": "d2", "descriptor": {"type": "d2"}}]}
+    with pytest.raises(sg.InputError, match="another folder with output, or replace=True"):
+        sg.run(configuration, tmp_path, cache="")
+    with pytest.raises(sg.InputError, match="^settings foo: expected dotted.key=value"):
+        sg.run(configuration, tmp_path, settings="foo", cache="")
 
 
 def test_objects_of_other_packages_are_shapes(tmp_path):

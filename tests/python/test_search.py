@@ -1,6 +1,7 @@
 """Index and search: the same as the command line."""
 
 import json
+import pathlib
 import subprocess
 
 import numpy as np
@@ -93,6 +94,28 @@ def test_reranked_answers_and_pages(models, tmp_path):
     assert all(0 <= done <= total for _, done, total in told)
 
 
+def test_a_page_overwrites_no_input_and_nothing_unasked(models, tmp_path):
+    index = opened(models)
+    query = models / "flat0.off"
+    before = {path: path.read_bytes() for path in (query, pathlib.Path(index.file))}
+    for page, words in [(query, "must end in .html or .htm"), (index.file, "must end in .html or .htm"),
+                        (tmp_path / "absent" / "page.html", "cannot write")]:
+        with pytest.raises(sg.InputError, match=words):
+            index.search(query, page=page)
+    assert {path: path.read_bytes() for path in before} == before
+    page = tmp_path / "page.html"
+    page.symlink_to(query)
+    with pytest.raises(sg.InputError, match="page would overwrite the input"):
+        index.search(query, page=page, replace=True)
+    page.unlink()
+    page.write_text("mine")
+    with pytest.raises(sg.InputError, match="page.html exists; give another name, or overwrite it with replace=True"):
+        index.search(query, page=page)
+    assert page.read_text() == "mine"
+    index.search(query, page=page, replace=True)
+    assert "flat0.off" in page.read_text()
+
+
 def test_follows_files_and_keeps_to_its_own_method(models):
     opened(models)
     (models / "broken.off").unlink()
@@ -101,6 +124,26 @@ def test_follows_files_and_keeps_to_its_own_method(models):
     with pytest.warns(UserWarning, match="of another method or program"):
         other = {**METHOD, "signatures": [{"name": "d2", "descriptor": {"type": "d2", "bins": 20}}]}
         assert sg.Index(models, method=other, cache="").signature == "d2"
+
+
+def test_an_index_overwrites_no_other_file(models):
+    before = (models / "flat0.off").read_bytes()
+    with pytest.raises(sg.InputError, match="flat0.off is not an index"):
+        sg.Index(models, models / "flat0.off", method=METHOD, cache="")
+    assert (models / "flat0.off").read_bytes() == before
+
+
+def test_messages_name_arguments_of_the_package(models, tmp_path):
+    with pytest.warns(UserWarning, match="choose another file with index$"):
+        sg.Index(models, tmp_path / "absent" / "index", method=METHOD, cache="")
+    opened(models, index=tmp_path / "one")
+    other = {**METHOD, "signatures": [{"name": "d2", "descriptor": {"type": "d2", "bins": 20}}]}
+    with pytest.raises(sg.InputError, match="rebuild it by searching with update=True"):
+        sg.Index(models, tmp_path / "one", method=other, cache="", update=False)
+    reranked = {"name": "r", "signatures": [*METHOD["signatures"],
+                                            {"name": "better", "rerank": {"of": "d2", "method": "diffusion"}}]}
+    with pytest.raises(sg.InputError, match="re-rank the answers"):
+        sg.Index(models, method=reranked, signature="better", cache="")
 
 
 def test_frame_of_an_answer(models):

@@ -124,6 +124,17 @@ def test_models_left_out_are_counted():
     assert [sentence for sentence in found if "omitted as queries: 2 models" in sentence]
 
 
+def test_reranking_warns_as_the_command_line_does(tmp_path):
+    distances, _ = toy()
+    distances[0, 1] += 0.5
+    for number, matrix in enumerate([distances, distances.max() - distances]):
+        np.save(tmp_path / "d.npy", matrix)
+        told = program("rerank", tmp_path / "d.npy", "-o", tmp_path / f"r{number}.npy", "--neighbours", 2)
+        _, found = warned(lambda: sg.rerank(matrix, neighbours=2))
+        assert found == commands_warnings(told) and "not symmetric" in found[-1]
+    assert "looks like a matrix of similarities; re-ranking takes distances" in found[0]
+
+
 def test_similarities_are_told_with_the_packages_argument():
     distances, labels = untied()
     similarities = distances.max() - distances

@@ -80,6 +80,28 @@ TEST(CompressedFiles, DamagedOnesAreErrors) {
   EXPECT_THAT(error(whole.substr(0, whole.size() / 2)), HasSubstr("a.csv.gz"));
 }
 
+TEST(CompressedFiles, HaveTheirChecksumAndSizeAndNothingElse) {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& bytes) {
+    return test::input_error_of([&] { read_plain_bytes(folder.file("a.txt.gz", bytes)); });
+  };
+  const auto flipped = [](std::string bytes, std::size_t from_end) {
+    bytes[bytes.size() - from_end] ^= 1;
+    return bytes;
+  };
+  const std::string whole = gzipped("some text");
+  EXPECT_THAT(error(flipped(whole, 8)), HasSubstr("a.txt.gz: not a gzip file, or damaged: incorrect data check"));
+  EXPECT_THAT(error(flipped(whole, 4)), HasSubstr("a.txt.gz: not a gzip file, or damaged: incorrect length check"));
+  for (std::size_t size = 1; size < whole.size(); ++size) {
+    EXPECT_THAT(error(whole.substr(0, size)), HasSubstr("it ends too early")) << size;
+    EXPECT_THAT(error(whole + whole.substr(0, size)), HasSubstr("it ends too early")) << size;
+  }
+  for (const std::string& garbage : {std::string("garbage"), std::string(512, '\0')}) {
+    EXPECT_THAT(error(whole + garbage), HasSubstr("other bytes follow its end"));
+  }
+  EXPECT_EQ(read_plain_bytes(folder.file("a.txt.gz", whole + gzipped(" and more"))), "some text and more");
+}
+
 TEST(CompressedFiles, MayUnpackToALimitThatGrowsWithTheirSize) {
   constexpr std::size_t mebibyte = std::size_t{1} << 20;
   EXPECT_EQ(most_unpacked_bytes(1), 256 * mebibyte);

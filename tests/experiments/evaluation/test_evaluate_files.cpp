@@ -14,6 +14,7 @@ namespace shapegauge {
 
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -119,6 +120,19 @@ TEST_F(EvaluateFiles, FeaturesThatAreEqualInSinglePrecisionAreAWarning) {
 }
 
 /// Warnings for a matrix of four models in two classes.
+TEST_F(EvaluateFiles, IdsThatAreGivenAreThoseOfTheMatrix) {
+  test::write_text(at("m.csv"), "id,a,b,c\na,0,1,2\nb,1,0,3\nc,2,3,0\n");
+  test::write_text(at("classes.csv"), "id,class\na,x\nb,x\nc,y\n");
+  test::write_text(at("same.txt"), "a.off\nb\nc\n");
+  test::write_text(at("other.txt"), "a\nc\nb\n");
+  const auto opened = [&](const std::string& ids) {
+    return open_evaluation_files({.matrix = at("m.csv"), .labels = at("classes.csv"), .ids = at(ids)});
+  };
+  EXPECT_EQ(opened("same.txt").distances.rows, 3);
+  EXPECT_THAT(test::input_error_of([&] { (void)opened("other.txt"); }),
+              AllOf(HasSubstr("row 2 is \"b\" in "), HasSubstr("m.csv but \"c\" in "), HasSubstr("other.txt")));
+}
+
 class MatrixWarnings : public testing::Test {
  protected:
   [[nodiscard]] std::vector<std::string> warnings_of(const std::string& matrix, bool similarity = false) const {

@@ -201,6 +201,8 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
               HasSubstr("model \"11\" is classified but is not"));
   EXPECT_THAT(error({.matrix = file("r.run", "1 Q0 77 1 1 t\n"), .labels = labels}),
               HasSubstr("model \"77\" is in no class"));
+  EXPECT_THAT(error({.matrix = file("r.lists", "1 2 10 T2\n"), .labels = labels}),
+              HasSubstr("the answer to \"1\" has a model twice, once as \"T2\""));
 }
 
 // In Python, row i of the list refers to row i of the matrix. Rows of the CSV: 10 and 2 of one class, 1 of the

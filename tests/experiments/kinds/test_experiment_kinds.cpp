@@ -99,6 +99,13 @@ TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
               HasSubstr("test.json: unknown key \"nmae\""));
 }
 
+TEST_F(ExperimentKinds, DoNotWriteIntoTheirDataSet) {
+  Cache none;
+  EXPECT_THAT(test::input_error_of([&] { (void)run(retrieval(), "data", none, *single_process()); }),
+              HasSubstr("the results would overwrite the input " + at("data").string()));
+  EXPECT_FALSE(fs::exists(at("data") / "manifest.json"));
+}
+
 TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
   for (const auto& [name, document] : {std::pair{"retrieval", retrieval()},
                                        {"comparison", comparison()},

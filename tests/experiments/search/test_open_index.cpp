@@ -133,7 +133,8 @@ TEST(OpenIndex, IsMadeAnewWithANoteWhereItIsDamagedOrOfAnotherMethod) {
   const std::string bytes = test::bytes_of(folder.index());
   std::string damaged = bytes;
   damaged[damaged.size() / 2] ^= 1;
-  for (const std::string& wrong : {std::string(), std::string("index"), bytes.substr(0, bytes.size() / 2), damaged}) {
+  for (const std::string& wrong :
+       {std::string(), std::string("shapegauge search index 0\n"), bytes.substr(0, bytes.size() / 2), damaged}) {
     test::write_text(folder.index(), wrong);
     IndexUpdate update;
     folder.open(update);
@@ -144,6 +145,44 @@ TEST(OpenIndex, IsMadeAnewWithANoteWhereItIsDamagedOrOfAnotherMethod) {
   IndexUpdate update;
   folder.open(update, "d2");
   EXPECT_THAT(update.notes, ElementsAre(HasSubstr("of another method or program")));
+}
+
+TEST(OpenIndex, OverwritesNoFileThatIsNoIndex) {
+  const SearchedFolder folder;
+  Cache cache(folder.at("cache"));
+  test::write_text(folder.at("notes.txt"), "index");
+  for (const std::filesystem::path& file : {folder.at("notes.txt"), folder.models() / "T1.off"}) {
+    const std::string before = test::bytes_of(file);
+    IndexUpdate update;
+    EXPECT_THAT(input_error_of([&] { open_index(folder.method(), folder.models(), file, {}, cache, update); }),
+                HasSubstr(file.string() + " is not an index and is not overwritten"));
+    EXPECT_EQ(test::bytes_of(file), before);
+  }
+}
+
+TEST(OpenIndex, IsOfOneCollectionThatMayMove) {
+  const SearchedFolder folder;
+  Cache cache(folder.at("cache"));
+  folder.open();
+  const std::string bytes = test::bytes_of(folder.index());
+  const std::filesystem::path other = folder.at("other");
+  std::filesystem::create_directory(other);
+  write_off(other / "T0.off", test::small_shape("box", 40));  // the name alone does not make it the same file
+  IndexUpdate update;
+  const auto expected = testing::AllOf(HasSubstr(folder.models().filename().string() + ", none of whose files is in "),
+                                       HasSubstr(other.string()), HasSubstr(folder.index().string()));
+  EXPECT_THAT(input_error_of([&] { open_index(folder.method(), other, folder.index(), {}, cache, update); }), expected);
+  EXPECT_THAT(input_error_of([&] { open_index_as_it_is(folder.method(), other, folder.index()); }), expected);
+  EXPECT_EQ(test::bytes_of(folder.index()), bytes);
+
+  std::filesystem::remove_all(other);
+  std::filesystem::rename(folder.models(), other);
+  EXPECT_EQ(open_index_as_it_is(folder.method(), other, folder.index()).contents.models.size(), 9U);
+  EXPECT_EQ(open_index(folder.method(), other, folder.index(), {}, cache, update).contents.models.size(), 9U);
+  EXPECT_FALSE(update.rebuilt);
+  for (int i = 0; i < 9; ++i) write_off(other / ("T" + std::to_string(i) + ".off"), test::small_shape("box", 20 + i));
+  open_index(folder.method(), other, folder.index(), {}, cache, update);  // known by its place
+  EXPECT_TRUE(update.rebuilt);
 }
 
 TEST(OpenIndex, AsItIsNeedsNoModelsAndSaysWhatIsWrong) {

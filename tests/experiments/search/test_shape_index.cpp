@@ -16,6 +16,7 @@ MappedBytes in_memory(std::string bytes) {
 
 TEST(ShapeIndex, ComesBackFromItsBytes) {
   ShapeIndex index;
+  index.collection = "/models";
   index.models = {{.id = "a", .path = "b/a", .bytes = 3, .modified = -4, .sha256 = "12"}};
   index.failures = {{.id = "c", .path = "c", .sha256 = "", .failure = "why"}};
   for (const Signatures& table :
@@ -42,6 +43,7 @@ TEST(ShapeIndex, ComesBackFromItsBytes) {
     EXPECT_EQ(back->tables[k].signatures(), index.tables[k].signatures());
   }
   EXPECT_TRUE(std::signbit(back->tables[2].signatures()(0, 0)));
+  EXPECT_EQ(back->collection, "/models");
   EXPECT_EQ(back->failures.front().failure, "why");
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_FALSE(decode_index(in_memory(bytes.substr(0, size)), key, fault));

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/base/setting_names.h"
+
+/// Checks of output files before any work: inputs are never overwritten.
+
+namespace shapegauge {
+
+/// Returns true for "-", which names standard input or output in place of a file.
+bool is_standard_stream(const std::filesystem::path& path);
+
+/// File to be written.
+struct OutputFile {
+  std::filesystem::path path;  ///< empty if not requested; "-" for standard output
+  std::string what;            ///< name in messages: "--per-query"
+  /// Extensions of the formats, with the dot, in lower case. Not checked if empty. A name without extension is
+  /// accepted.
+  std::vector<std::string> extensions = {};
+  bool takes_stream = false;  ///< "-" is accepted
+  bool may_be_input = false;  ///< with `replace`; all inputs must be read before anything is written
+  bool is_updated = false;    ///< may exist without `replace`: its contents are checked before it is overwritten
+};
+
+/// Extensions of pages, for OutputFile::extensions.
+inline const std::vector<std::string> page_extensions{".html", ".htm"};
+
+/// Returns true if the name ends in one of page_extensions, ignoring case.
+bool is_page(const std::filesystem::path& output);
+
+/// Throws InputError if an output is an input or another output (including links and other spellings of a path), if it
+/// exists and `replace` is not set, if its extension is not supported, and if standard input or standard output is
+/// named twice. Devices and pipes are always accepted.
+void check_output_files(std::span<const std::filesystem::path> inputs, std::span<const OutputFile> outputs,
+                        bool replace, Audience audience = Audience::command_line);
+
+}  // namespace shapegauge
