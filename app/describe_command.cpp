@@ -86,11 +86,12 @@ DescriptorChoice choice_of(const DescribeArguments& arguments) {
 }
 
 /// Computes the fields of a shape and, unless the descriptor learns first, its features.
-Described described(const DescriptorChoice& choice, const Shape& given, bool denoise) {
+Described described(const DescriptorChoice& choice, const Shape& given, bool denoise, Remarks& remarks) {
   const Shape shape = prepare_shape(given, {.denoise = denoise}).shape;
   Described result;
   FieldSource source(shape);
   result.fields = compute_fields(choice, source);
+  remarks.warnings = offset_warnings(choice, source, Audience::command_line);
   if (needs_learning(choice.descriptor, choice.values)) return result;
   const DescriptorInput input{.shape = shape, .fields = result.fields, .proxy = &source.proxy()};
   result.features = compute_features(choice.descriptor, input, {}, choice.values);
@@ -160,9 +161,9 @@ int run(DescribeArguments& arguments) {
   const std::vector<std::string> ids = ids_of(arguments.files.inputs);
   arguments.files.others = {{.path = arguments.output, .what = "--output"}};
   std::vector<std::optional<Described>> shapes(arguments.files.inputs.size());
-  const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks&) {
+  const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
     try {
-      shapes[job.index] = described(choice, shape, arguments.denoise);
+      shapes[job.index] = described(choice, shape, arguments.denoise, remarks);
     } catch (const std::exception& error) {
       throw InputError(fmt::format("{}: {}", job.input, error.what()));
     }

@@ -118,9 +118,14 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
   return py::make_tuple(array_of(std::move(computed.labels)), computed.warnings);
 }
 
-py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
+/// Returns the features and warnings.
+py::tuple describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                    const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
-  return array_of(compute(threads, [&] {
+  struct Computed {
+    Eigen::VectorXf features;
+    std::vector<std::string> warnings;
+  };
+  Computed computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "descriptor", "the descriptor");
     const DescriptorChoice choice = make_descriptor(json);
@@ -131,9 +136,12 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
     const Shape shape = prepare_shape(shape_of(vertices, faces, normals), {}).shape;
     FieldSource source(shape);
     const std::vector<ScalarField> fields = compute_fields(choice, source);
-    return compute_features(choice.descriptor, {.shape = shape, .fields = fields, .proxy = &source.proxy()}, {},
-                            choice.values);
-  }));
+    return Computed{
+        .features = compute_features(choice.descriptor, {.shape = shape, .fields = fields, .proxy = &source.proxy()},
+                                     {}, choice.values),
+        .warnings = offset_warnings(choice, source, Audience::python)};
+  });
+  return py::make_tuple(array_of(std::move(computed.features)), computed.warnings);
 }
 
 }  // namespace

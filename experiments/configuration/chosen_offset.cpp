@@ -30,15 +30,13 @@ std::string advice(const ChosenOffset& chosen, Audience audience) {
 
 }  // namespace
 
+ChosenOffset chosen_automatically(const AutomaticOffset& automatic) {
+  return {.offset = automatic.offset, .gap = automatic.widest_gap, .automatic = automatic};
+}
+
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
-  ChosenOffset chosen;
-  if (!given) {
-    chosen.automatic = automatic_offset(shape);
-    chosen.offset = chosen.automatic->offset;
-    chosen.gap = chosen.automatic->widest_gap;
-    return chosen;
-  }
-  chosen.offset = *given;
+  if (!given) return chosen_automatically(automatic_offset(shape));
+  ChosenOffset chosen{.offset = *given, .automatic = {}};
   const double gap = gap_size(shape);
   if (gap > 0) chosen.gap = gap / bounding_box_diagonal(shape);
   return chosen;

@@ -17,6 +17,9 @@ struct ChosenOffset {
   std::optional<AutomaticOffset> automatic;  ///< the choice made for "auto"
 };
 
+/// Returns the choice of automatic_offset().
+ChosenOffset chosen_automatically(const AutomaticOffset& automatic);
+
 /// Returns the given offset or, without one, automatic_offset(). Throws InputError for a shape without extent.
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 

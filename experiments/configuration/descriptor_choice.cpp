@@ -1,9 +1,11 @@
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 
+#include <algorithm>
 #include <fmt/format.h>
-#include <string>
+#include <optional>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
@@ -81,6 +83,23 @@ std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, FieldSou
     fields.push_back({.values = field.compute(source, samples, true).values, .weights = samples.weights});
   }
   return fields;
+}
+
+std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSource& source, Audience audience) {
+  std::vector<std::string> warnings;
+  const auto add = [&](const std::optional<std::string>& warning) {
+    if (warning && std::ranges::find(warnings, *warning) == warnings.end()) warnings.push_back(*warning);
+  };
+  for (const Field& field : choice.fields) {
+    const Json settings = to_json(field.settings);
+    const auto offset = settings.find("offset");
+    if (offset == settings.end()) continue;
+    add(leak_warning(offset->is_number() ? choose_offset(offset->get<double>(), source.shape())
+                                         : chosen_automatically(source.automatic_offset()),
+                     audience));
+    add(hollow_remark(source.shape(), true));
+  }
+  return warnings;
 }
 
 }  // namespace shapegauge

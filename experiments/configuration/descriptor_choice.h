@@ -1,8 +1,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
+#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
@@ -23,5 +25,9 @@ DescriptorChoice make_descriptor(const nlohmann::json& settings);
 
 /// Computes the descriptor's fields on a prepared shape. Throws InputError as the fields do.
 std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, FieldSource& source);
+
+/// Returns warnings about the offsets of the descriptor's fields: where one is smaller than the gaps of the shape
+/// (leak_warning()), and for a hollow shape, whose hull they measure (hollow_remark()). Each once.
+std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSource& source, Audience audience);
 
 }  // namespace shapegauge

@@ -46,7 +46,8 @@ def field(
 def segment(
     vertices: ndarray, faces: ndarray, normals: ndarray, settings: str, threads: int
 ) -> tuple[ndarray, list[str]]: ...
-def describe(vertices: ndarray, faces: ndarray, normals: ndarray, settings: str, threads: int) -> ndarray: ...
+def describe(vertices: ndarray, faces: ndarray, normals: ndarray, settings: str,
+             threads: int) -> tuple[ndarray, list[str]]: ...
 def evaluate(
     distances: ndarray,
     labels: list[int],

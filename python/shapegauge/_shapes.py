@@ -223,6 +223,8 @@ def describe(shape: ShapeArrays, descriptor: str = "light_field", *, normals: An
     """
     document = _with_settings("describe", {"type": word(descriptor, "descriptor")}, settings)
     try:
-        return _native.describe(*shape, document, number_of_threads(threads))
+        features, warnings = _native.describe(*shape, document, number_of_threads(threads))
     except InputError as error:
         raise InputError(str(error).replace("the descriptor: type:", "descriptor:")) from None
+    warn(warnings)
+    return features

@@ -50,6 +50,11 @@ def test_leaks_are_warned_of(tmp_path):
         _, found = warned(lambda: sg.sdf(shape, offset=offset))
         assert found == [in_python(sentence) for sentence in commands_warnings(told)]
         assert any("leaks" in sentence for sentence in found)
+        fields = [{"type": "offset_sdf", "offset": offset}, {"type": "cone_sdf"}]
+        told = program("describe", tmp_path / "open.off", "--descriptor", "joint_histogram", "--set",
+                       f"fields={json.dumps(fields)}", "--replace", "-o", tmp_path / "x.npy")
+        _, found = warned(lambda: sg.describe(shape, "joint_histogram", fields=fields))
+        assert found == [in_python(sentence) for sentence in commands_warnings(told)]
         told = program("normals", tmp_path / "open.off", "--offset", offset, "--replace", "-o",
                        tmp_path / "x.xyz")
         _, found = warned(lambda: sg.normals(shape, offset))

@@ -71,6 +71,32 @@ TEST(DescriptorConfiguration, MistakesGiveThePlace) {
   EXPECT_THAT(descriptor_error_with(wrong), HasSubstr("signatures.0.descriptor"));
 }
 
+TEST(OffsetWarnings, AreOfGapsAndHollowShapesForFieldsWithAnOffset) {
+  const auto warnings = [](const Json& offset, const Shape& shape) {
+    const Json fields{{{"type", "offset_sdf"}, {"offset", offset}}, {{"type", "offset_sdf"}, {"offset", offset}}};
+    FieldSource source(shape);
+    return offset_warnings(make_descriptor({{"type", "joint_histogram"}, {"fields", fields}}), source,
+                           Audience::command_line);
+  };
+  const Shape box = test::box({4, 3, 1}, 1);
+  EXPECT_THAT(warnings(0.01, box), testing::IsEmpty());
+  Shape open = box;
+  open.triangles = box.triangles.topRows(box.triangles.rows() - 1);
+  for (const Json& offset : {Json(0.01), Json("auto")}) {
+    const std::vector<std::string> found = warnings(offset, open);
+    ASSERT_EQ(found.size(), 1U) << "one for both fields";
+    EXPECT_THAT(found[0], HasSubstr("leaks"));
+  }
+  const Shape wall =
+      test::joined({box, test::flipped(test::transformed(box, 0.5, Eigen::Matrix3d::Identity(), {0, 0, 0}))});
+  EXPECT_THAT(warnings(0.01, wall), testing::ElementsAre(HasSubstr("hollow")));
+  FieldSource source(open);
+  const Json cones{{{"type", "cone_sdf"}}, {{"type", "cone_sdf"}}};
+  EXPECT_THAT(offset_warnings(make_descriptor({{"type", "joint_histogram"}, {"fields", cones}}), source,
+                              Audience::command_line),
+              testing::IsEmpty());
+}
+
 TEST(DescriptorConfiguration, PicturesAreColouredByTheFirstFieldOrThereAreNone) {
   const ReportConfiguration with_fields = configuration_of_descriptor(joint_settings()).report;
   EXPECT_TRUE(with_fields.pictures);
