@@ -48,9 +48,8 @@ struct RerankArguments {
 /// Number of models above which the sparse solver is used, and the matrix need not be in memory.
 constexpr Eigen::Index most_dense = 5000;
 
-/// Runs the work until Ctrl-C, which then leaves no unfinished file. Throws Interrupted.
+/// Runs the work until Ctrl-C, after catch_interruption(). Throws Interrupted.
 void run_until_interrupted(const std::function<void()>& work) {
-  catch_interruption();
   Cancellation cancellation;
   const std::jthread watch([&](const std::stop_token& done) {
     while (!done.stop_requested() && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -62,6 +61,7 @@ void run_until_interrupted(const std::function<void()>& work) {
 /// Diffuses a matrix of any size into a .npy file in blocks of rows. Throws Interrupted.
 void diffuse_file(const OpenMatrix& matrix, const DiffusionOptions& options, const fs::path& output) {
   const auto size = static_cast<std::size_t>(matrix.rows);
+  catch_interruption();  // an interruption from now on leaves no unfinished file
   AtomicFile file(output);
   file.write(npy_header_of_matrix(size, size));
   const RowSource rows = [&](Eigen::Index first, Eigen::Index count) {

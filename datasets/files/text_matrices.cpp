@@ -93,7 +93,7 @@ void check_header(const std::vector<CsvRow>& table, const std::string& source) {
   if (header.cells.front().starts_with('#') && other_length) {
     throw InputError(fmt::format("{}:{}: a CSV matrix has no comments; remove the line", source, header.line));
   }
-  if (header.cells.size() > 1) return;
+  if (header.cells.size() > 1 || table.size() == 1) return;
   throw InputError(fmt::format(
       "{}:{}: {} is neither a number nor a row of ids; a CSV matrix needs commas, semicolons or tabs between "
       "its numbers",

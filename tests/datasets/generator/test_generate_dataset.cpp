@@ -220,7 +220,7 @@ TEST(GenerateDataset, RefusesOptionsOutOfRange) {
   EXPECT_THAT(error_with([](auto& o) { o.classes = 0; }),
               HasSubstr("classes is 0; it must be a whole number from 1 to"));
   EXPECT_THAT(error_with([](auto& o) { o.classes = 1000; }), HasSubstr("classes is 1000"));
-  EXPECT_THAT(error_with([](auto& o) { o.models_per_class = 0; }), HasSubstr("models of each class is 0"));
+  EXPECT_THAT(error_with([](auto& o) { o.models_per_class = 0; }), HasSubstr("models_per_class is 0"));
   EXPECT_THAT(error_with([](auto& o) { o.faces = 999; }),
               HasSubstr("faces is 999; it must be a whole number from 1000"));
   EXPECT_EQ(folder.size(), 0U);
