@@ -62,7 +62,7 @@ template <typename Distances>
 double mean_distance(const Distances& distances) {
   const double plain = distances.size() > 0 ? distances.mean() : 0;
   if (std::isfinite(plain)) return plain;
-  const double count = static_cast<double>(distances.array().isFinite().count());
+  const auto count = static_cast<double>(distances.array().isFinite().count());
   double mean = 0;
   for (const double distance : distances.reshaped()) mean += std::isfinite(distance) ? distance / count : 0;
   return std::min(mean, std::numeric_limits<double>::max());
