@@ -25,13 +25,13 @@ std::size_t rows_merged_in_single_precision(std::span<const double> numbers, std
   const auto row = [&](std::size_t i) { return numbers.subspan(i * columns, columns); };
   std::ranges::sort(order, [&](std::size_t i, std::size_t j) {
     const auto by_rounded = compare_rounded(row(i), row(j));
-    return by_rounded < 0 || (by_rounded == 0 && std::ranges::lexicographical_compare(row(i), row(j)));
+    return std::is_lt(by_rounded) || (std::is_eq(by_rounded) && std::ranges::lexicographical_compare(row(i), row(j)));
   });
   std::size_t merged = 0;
   for (std::size_t k = 1; k < order.size(); ++k) {
     const std::span<const double> a = row(order[k - 1]);
     const std::span<const double> b = row(order[k]);
-    if (compare_rounded(a, b) == 0 && !std::ranges::equal(a, b)) ++merged;
+    if (std::is_eq(compare_rounded(a, b)) && !std::ranges::equal(a, b)) ++merged;
   }
   return merged;
 }

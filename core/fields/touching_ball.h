@@ -18,13 +18,13 @@ struct FacingTriangle {
   double distance;         ///< of the plane, along the normal
   double rounding;         ///< distance below which points coincide with the origin
 
-  /// `unit_normal` is oriented_normal() of the triangle.
+  /// `unit_normal` is oriented_normal() of the triangle, `tolerance` is `rounding`.
   FacingTriangle(const Triangle& triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& unit_normal,
-                 double rounding)
+                 double tolerance)
       : corners{triangle.a - origin, triangle.b - origin, triangle.c - origin},
         normal(unit_normal),
         distance(unit_normal.dot(corners[0])),
-        rounding(rounding) {}
+        rounding(tolerance) {}
 
   /// Returns the normal that points away from the origin.
   [[nodiscard]] Eigen::Vector3d away() const { return distance < 0 ? Eigen::Vector3d(-normal) : normal; }

@@ -46,6 +46,13 @@ struct EndInflation {
   void operator()(z_stream* stream) const { inflateEnd(stream); }
 };
 
+// Describes the fault of a gzip file that inflate() refuses.
+std::string_view inflation_fault(const z_stream& stream, int status, bool is_first_member) {
+  if (status == Z_DATA_ERROR && !is_first_member && stream.total_out == 0) return "other bytes follow its end";
+  if (status == Z_BUF_ERROR) return "it ends too early";
+  return stream.msg != nullptr ? stream.msg : "its data is invalid";
+}
+
 // Returns the contents of a gzip file of one or several members. zlib compares the checksum and the size of each.
 std::string unpacked_gzip(std::string_view packed, const std::string& source) {
   const std::size_t most = most_unpacked_bytes(packed.size());
@@ -76,12 +83,8 @@ std::string unpacked_gzip(std::string_view packed, const std::string& source) {
       inflateReset(&stream);
       is_first_member = false;
     } else if (status != Z_OK) {
-      const bool is_garbage = status == Z_DATA_ERROR && !is_first_member && stream.total_out == 0;
-      throw InputError(fmt::format("{}: not a gzip file, or damaged: {}", source,
-                                   is_garbage              ? "other bytes follow its end"
-                                   : status == Z_BUF_ERROR ? "it ends too early"
-                                   : stream.msg != nullptr ? stream.msg
-                                                           : "its data is invalid"));
+      throw InputError(
+          fmt::format("{}: not a gzip file, or damaged: {}", source, inflation_fault(stream, status, is_first_member)));
     }
   }
 }
@@ -108,7 +111,7 @@ void fail_unpacking(const std::string& source, std::size_t packed) {
 }
 
 std::string read_plain_bytes(const std::filesystem::path& path) {
-  const std::string bytes = read_file_bytes(path);
+  std::string bytes = read_file_bytes(path);
   if (lower_case(path.extension().string()) != ".gz") return bytes;
   return unpacked_gzip(bytes, path.string());
 }

@@ -61,10 +61,11 @@ std::vector<ParameterValues> axes_of(const Json& list, const Descriptor& descrip
 DescriptorChoice make_descriptor(const Json& settings) {
   const Descriptor& chosen = descriptors().at(settings.at("type").get<std::string>());
   std::vector<Field> fields = fields_of(list_in(settings, "fields"), chosen);
+  const std::size_t count = fields.size();
   DescriptorChoice choice{.settings = {},
                           .descriptor = chosen,
                           .values = {.values = read_parameters(chosen.parameters, settings),
-                                     .axes = axes_of(list_in(settings, "axes"), chosen, fields.size())},
+                                     .axes = axes_of(list_in(settings, "axes"), chosen, count)},
                           .fields = std::move(fields)};
   if (chosen.check != nullptr) chosen.check(choice.values);
   choice.settings = to_json(choice.values.values);

@@ -105,7 +105,7 @@ void set_all_described(const nlohmann::json& json, Submission& submission) {
   }
   if (submission.similarity.value_or(false) && !submission.distance.empty()) {
     throw InputError(
-        "\"distance\" applies to features, which are not similarities; remove \"distance\" or \"similarity\"");
+        R"("distance" applies to features, which are not similarities; remove "distance" or "similarity")");
   }
 }
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 

@@ -67,6 +67,7 @@ std::vector<IndexedFile> states_of(const Collection& collection, const ShapeInde
 /// Returns the data of files that determines the contents of an index.
 std::vector<std::pair<std::string, std::string>> contents_of(const std::vector<IndexedFile>& files) {
   std::vector<std::pair<std::string, std::string>> contents;
+  contents.reserve(files.size());
   for (const IndexedFile& file : files) contents.emplace_back(file.id, file.path + " " + file.sha256);
   return contents;
 }

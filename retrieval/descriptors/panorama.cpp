@@ -38,7 +38,7 @@ constexpr std::array table = {
 constexpr auto parameters = parameters_of(table);
 
 constexpr std::size_t poses = 2;
-constexpr std::size_t maps = 3 * 2;  // maps of a pose: distances and cosines for each axis
+constexpr std::size_t maps = 6;  // maps of a pose: distances and cosines for each axis
 
 constexpr int wavelet_levels = 6;
 constexpr std::size_t subband_features = 3;  // mean, standard deviation, skewness
