@@ -69,7 +69,8 @@ TEST_F(EvaluateCommand, StandardInputIsAsGoodAsAFile) {
   }
   expect_error_lines(
       {{"evaluate - --labels '" + at("toy.cla") + "' < /dev/null", "standard input is empty"},
-       {"evaluate - --labels '" + at("toy.cla") + "' < '" + at("toy.cla") + "'", "standard input:1: \"PSB 1\" is neither a number"},
+       {"evaluate - --labels '" + at("toy.cla") + "' < '" + at("toy.cla") + "'",
+        "standard input:1: \"PSB 1\" is neither a number"},
        {"evaluate '" + at("toy.npy") + "' --labels '" + at("toy.cla") + "' --input-format npy", "standard input (-)"}});
 }
 
