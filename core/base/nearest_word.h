@@ -20,7 +20,7 @@ std::optional<std::string> nearest_word(std::string_view word, std::span<const s
 /// known here: "at", "offset"`. Empty without candidates.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
-/// Returns the message about a word that is none of the candidates of that kind: `there is no field "ofset"; did you
+/// Formats the message about an unknown word, with the nearest candidate: `there is no field "ofset"; did you
 /// mean "offset"?`. Quotes 40 bytes of the word at most.
 std::string no_such_word(std::string_view kind, std::string_view word, std::span<const std::string> candidates);
 

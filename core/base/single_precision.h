@@ -5,9 +5,8 @@
 
 namespace shapegauge {
 
-/// Returns the number of rows of a table that equal another row, from which they differ, when all numbers are rounded
-/// to single precision; repeated rows count once, and one row of each group does not count. `numbers` are row by row
-/// and not NaN.
+/// Counts the distinct rows of a table that become equal when rounded to single precision. One row of each group of
+/// equal ones is not counted. `numbers` are row by row and not NaN.
 std::size_t rows_merged_in_single_precision(std::span<const double> numbers, std::size_t columns);
 
 }  // namespace shapegauge

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <fmt/format.h>
 #include <system_error>
 
 #include "shapegauge/core/base/error.h"
@@ -51,6 +53,11 @@ std::optional<double> parse_number(std::string_view word) {
 
 std::string count_text(std::int64_t count, std::string_view one, std::string_view several) {
   return std::to_string(count).append(" ").append(count == 1 ? one : several);
+}
+
+std::string two_digits(double number) {
+  const bool is_short = std::abs(number) < 99.5 || std::abs(number) >= 1e6;
+  return is_short ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number);
 }
 
 std::string quoted_word(std::string_view word) { return '"' + printable(word, 40) + '"'; }

@@ -31,6 +31,9 @@ std::optional<double> parse_number(std::string_view word);
 /// Returns a number of things with the word for one or for several of them: "1 row", "3 rows".
 std::string count_text(std::int64_t count, std::string_view one, std::string_view several);
 
+/// Formats a number for messages with two significant digits, and from 100 to 10^6 as an integer: "0.12", "250".
+std::string two_digits(double number);
+
 /// Quotes a word for a one-line message: in quotation marks, sanitised by printable(), truncated to 40 bytes.
 std::string quoted_word(std::string_view word);
 

@@ -28,8 +28,8 @@ MappedBytes map_file(const std::filesystem::path& path);
 /// Flushing of a file to disk before it is renamed, which protects it from power failures.
 enum class Flush { no, yes };
 
-/// File written in pieces that takes its place only when it is complete, as write_file_atomically() says. Without
-/// publish(), as after an exception, nothing remains of it.
+/// File that is written in pieces and renamed to its path when complete (write_file_atomically()). Deleted without
+/// publish(), for example after an exception.
 class AtomicFile {
  public:
   /// Opens the file for writing. Throws InputError.

@@ -11,7 +11,7 @@
 
 namespace shapegauge {
 
-/// Returns true for "-", which names standard input or output in place of a file.
+/// Returns true for "-", the name of standard input and standard output.
 bool is_standard_stream(const std::filesystem::path& path);
 
 /// File to be written.

@@ -16,7 +16,6 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/little_endian.h"
-#include "shapegauge/core/base/number_text.h"
 #include "shapegauge/core/base/single_precision.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"

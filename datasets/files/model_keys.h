@@ -15,7 +15,7 @@ class ModelKeys {
   ModelKeys() = default;
   explicit ModelKeys(const std::vector<std::string>& known_ids);
 
-  /// Distinguishes the models that the other keys distinguish, too.
+  /// Also distinguishes the models that the other keys distinguish.
   void add(const ModelKeys& other) { ambiguous_.insert(other.ambiguous_.begin(), other.ambiguous_.end()); }
 
   [[nodiscard]] std::string of(std::string_view id) const;

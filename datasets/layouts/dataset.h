@@ -57,7 +57,7 @@ bool leads_nowhere(const std::filesystem::path& path);
 /// Returns true for a symbolic link that leads back to itself.
 bool is_cyclic_link(const std::filesystem::path& path);
 
-/// Returns the path without links; the path itself if it leads nowhere.
+/// Resolves all links of a path. Returns the path unchanged if it does not exist.
 std::filesystem::path canonical_or_same(const std::filesystem::path& path);
 
 /// Counts the entries of the folder, and of its subfolders with models, that are not models.

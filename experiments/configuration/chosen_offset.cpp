@@ -3,7 +3,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "shapegauge/core/base/number_text.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/preparation/cavities.h"
 #include "shapegauge/core/preparation/gap_size.h"

@@ -17,7 +17,7 @@ struct ChosenOffset {
   std::optional<AutomaticOffset> automatic;  ///< the choice made for "auto"
 };
 
-/// Returns the choice of automatic_offset().
+/// Converts the result of automatic_offset().
 ChosenOffset chosen_automatically(const AutomaticOffset& automatic);
 
 /// Returns the given offset or, without one, automatic_offset(). Throws InputError for a shape without extent.

@@ -65,6 +65,14 @@ TEST(Counted, HasTheWordForOneOrForSeveral) {
   EXPECT_EQ(count_text(1234, "row", "rows"), "1234 rows");
 }
 
+TEST(TwoDigits, HaveNoShortExponent) {
+  EXPECT_EQ(two_digits(0.1234), "0.12");
+  EXPECT_EQ(two_digits(99.4), "99");
+  EXPECT_EQ(two_digits(99.9), "100");
+  EXPECT_EQ(two_digits(-1234.5), "-1234");
+  EXPECT_EQ(two_digits(1e9), "1e+09");
+}
+
 TEST(QuotedWord, StandsInQuotationMarksOnOneLine) {
   EXPECT_EQ(quoted_word("T12"), "\"T12\"");
   EXPECT_EQ(quoted_word(""), "\"\"");
