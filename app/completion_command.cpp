@@ -96,7 +96,7 @@ complete -o filenames -F _shapegauge shapegauge
 }
 
 /// Text for a description in a specification of zsh's _arguments.
-std::string zsh_text(std::string text) {
+std::string zsh_text(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     if (c == '[' || c == ']' || c == ':' || c == '\\') escaped += '\\';
@@ -140,8 +140,8 @@ _shapegauge "$@"
                        for (const auto& [path, app] : all_commands(program)) {
                          for (const CLI::App* command : commands_of(*app)) {
                            const std::string& name = command->get_name();
-                           steps += fmt::format("      '{}/{}') command='{}' ;;\n", path, name,
-                                                path.empty() ? name : path + " " + name);
+                           steps += fmt::format("      '{}/{}') command='{}{}{}' ;;\n", path, name, path,
+                                                path.empty() ? "" : " ", name);
                          }
                        }
                        return steps;

@@ -3,8 +3,8 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <fcntl.h>
-#include <stdlib.h>
 #include <system_error>
 #include <unistd.h>
 

@@ -41,7 +41,7 @@ void plain(benchmark::State& state) {
     }
     benchmark::DoNotOptimize(matrix.data());
   }
-  count_pairs(state, static_cast<double>(count * (count - 1) / 2));
+  count_pairs(state, static_cast<double>(count * (count - 1)) / 2);
 }
 
 void ours(benchmark::State& state) {
@@ -51,7 +51,7 @@ void ours(benchmark::State& state) {
   for ([[maybe_unused]] const auto iteration : state) {
     one_thread.execute([&] { benchmark::DoNotOptimize(distance_matrix(signatures)); });
   }
-  count_pairs(state, static_cast<double>(count * (count - 1) / 2));
+  count_pairs(state, static_cast<double>(count * (count - 1)) / 2);
 }
 
 void rows(benchmark::State& state) {
@@ -90,7 +90,7 @@ void memory(benchmark::State& state) {
     DistanceMatrix matrix = DistanceMatrix::Constant(count, count, 1);
     benchmark::DoNotOptimize(matrix.data());
   }
-  count_pairs(state, static_cast<double>(count * (count - 1) / 2));
+  count_pairs(state, static_cast<double>(count * (count - 1)) / 2);
 }
 
 BENCHMARK(plain)->Arg(2'000)->Arg(20'000)->Unit(benchmark::kMillisecond);

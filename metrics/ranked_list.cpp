@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -228,7 +229,7 @@ void append_tied(Runs& runs, const Tied& tied, Ties ties) {
       break;
     case Ties::pessimistic:
       append(runs, misses);
-      for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit) append(runs, *hit);
+      for (const Hit& hit : std::views::reverse(hits)) append(runs, hit);
       break;
     case Ties::expected:
       for (const Hit& hit : hits) grades += hit.grade;

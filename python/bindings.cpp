@@ -111,6 +111,7 @@ PYBIND11_MODULE(_native, module) {
   module.doc() = "Native functions of shapegauge; see the package.";
   py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
   static PyObject* const input_error = module.attr("InputError").ptr();
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the type that pybind11 expects
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) std::rethrow_exception(pointer);

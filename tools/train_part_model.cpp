@@ -54,7 +54,7 @@ Shape ellipsoid(const Eigen::Vector3d& radii) {
   constexpr int sectors = 56;
   Shape shape;
   shape.vertices.resize((rings - 1) * sectors + 2, 3);
-  shape.triangles.resize(2 * (rings - 1) * sectors, 3);
+  shape.triangles.resize(Eigen::Index{2} * (rings - 1) * sectors, 3);
   const auto vertex = [](int ring, int sector) { return (ring - 1) * sectors + sector % sectors; };
   const int north = (rings - 1) * sectors;
   const int south = north + 1;

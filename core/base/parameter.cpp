@@ -119,8 +119,8 @@ std::string to_string(const Bounds& bounds) {
   if (has_low && has_high && !bounds.low_open && !bounds.high_open) {
     return fmt::format("from {} to {}", bounds.low, bounds.high);
   }
-  const std::string low = fmt::format("{} {}", bounds.low_open ? "above" : "at least", bounds.low);
-  const std::string high = fmt::format("{} {}", bounds.high_open ? "below" : "at most", bounds.high);
+  std::string low = fmt::format("{} {}", bounds.low_open ? "above" : "at least", bounds.low);
+  std::string high = fmt::format("{} {}", bounds.high_open ? "below" : "at most", bounds.high);
   if (!has_high) return low;
   return has_low ? low + " and " + high : high;
 }

@@ -67,6 +67,7 @@ constexpr std::array motion_parameters{
               .bounds = motion_scale_bounds,
               .description = "Largest scale factor; the logarithm is uniform. 1: no scaling."}};
 
+// NOLINTBEGIN(performance-unnecessary-value-param): all have the type of Perturbation::apply.
 Shape apply_vertex_noise(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
   return vertex_noise(std::move(shape), options_from(vertex_noise_table, settings), random);
 }
@@ -98,6 +99,7 @@ Shape apply_flip_orientation(Shape shape, const ParameterValues& settings, Rando
 Shape apply_random_motion(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
   return random_motion(std::move(shape), settings.number("scale"), random);
 }
+// NOLINTEND(performance-unnecessary-value-param)
 
 std::vector<ShapePerturbation> own_perturbations() {
   return {

@@ -14,7 +14,7 @@ class Draw {
   double operator()(double low, double high) { return random_.uniform(low, high); }
   bool happens(double probability) { return random_.uniform(0, 1) < probability; }
   int from(int low, int high) {
-    return low + static_cast<int>(random_.below(static_cast<std::uint64_t>(high - low + 1)));
+    return low + static_cast<int>(random_.below(static_cast<std::uint64_t>(high - low) + 1));
   }
 
  private:

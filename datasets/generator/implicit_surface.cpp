@@ -108,7 +108,7 @@ ImplicitSurface::ImplicitSurface(const Skeleton& skeleton) {
   radius_ *= 1.2;
 }
 
-double ImplicitSurface::lower_bound(const LimbField& field, const Eigen::Vector3d& point) const {
+double ImplicitSurface::lower_bound(const LimbField& field, const Eigen::Vector3d& point) {
   const double outside = (field.to_round * point - field.ball_centre).norm() - field.ball_radius;
   return outside > 0 ? outside * field.flatness : -std::numeric_limits<double>::infinity();
 }

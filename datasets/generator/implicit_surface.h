@@ -69,7 +69,7 @@ class ImplicitSurface {
   };
 
   static LimbField make_field(const Limb& limb);
-  [[nodiscard]] double lower_bound(const LimbField& field, const Eigen::Vector3d& point) const;
+  [[nodiscard]] static double lower_bound(const LimbField& field, const Eigen::Vector3d& point);
 
   std::vector<LimbField> limbs_;
   std::vector<Eigen::Vector3d> inner_points_;

@@ -43,7 +43,7 @@ class TimeStamped : public Base {
     using Other = TimeStamped<typename Base::template Rebind_TDS<DataStructure>::Other>;
   };
 
-  std::size_t time_stamp() const { return time_stamp_; }
+  [[nodiscard]] std::size_t time_stamp() const { return time_stamp_; }
   void set_time_stamp(const std::size_t& time_stamp) { time_stamp_ = time_stamp; }
 
  private:
@@ -81,7 +81,7 @@ Eigen::Vector3d surface_point_between(const ImplicitSurface& surface, Eigen::Vec
                                       Eigen::Vector3d b, double value_b) {
   const double tolerance = 1e-7 * surface.radius();
   for (int i = 0; i < 60; ++i) {
-    const Eigen::Vector3d middle = a + value_a / (value_a - value_b) * (b - a);
+    Eigen::Vector3d middle = a + value_a / (value_a - value_b) * (b - a);
     const double value = surface(middle);
     if (std::abs(value) <= tolerance) return middle;
     // b is the end that moves; the value of an end that stays is halved.
@@ -132,8 +132,8 @@ class SurfaceTraits {
     }
   };
 
-  Intersect_3 intersect_3_object() const { return {}; }
-  Construct_initial_points construct_initial_points_object() const { return {}; }
+  [[nodiscard]] static Intersect_3 intersect_3_object() { return {}; }
+  [[nodiscard]] static Construct_initial_points construct_initial_points_object() { return {}; }
 
  private:
   static Eigen::Vector3d direction(const Kernel::Vector_3& v) {

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 // Collects models by the names of their classes and rejects repeated models.
 class Collector {
  public:
-  explicit Collector(const std::string& where, ModelKeys keys = {}) : where_(where), keys_(std::move(keys)) {}
+  explicit Collector(std::string where, ModelKeys keys = {}) : where_(std::move(where)), keys_(std::move(keys)) {}
 
   void add(const std::string& id, const std::string& class_name, const std::string& where) {
     const auto [known, added] = class_of_model_.emplace(keys_.of(id), class_name);

@@ -61,7 +61,7 @@ class Strictness {
 };
 
 std::string value_of_variable(const std::string& name) {
-  const std::string value = environment_variable(name).value_or("");
+  std::string value = environment_variable(name).value_or("");
   if (value.empty()) {
     throw InputError(fmt::format(
         "the environment variable {0} is not set; set it, for example with 'export {0}=/path/to/folder'", name));

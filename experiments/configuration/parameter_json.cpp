@@ -83,7 +83,7 @@ OrderedJson number_schema(const Parameter& parameter) {
 
 /// Describes the parameter's values in Markdown: "integer from 1 to 9".
 std::string markdown_values(const Parameter& parameter) {
-  const std::string words = fmt::format("`{}`", fmt::join(parameter.choices, "`, `"));
+  std::string words = fmt::format("`{}`", fmt::join(parameter.choices, "`, `"));
   switch (parameter.kind) {
     case ParameterKind::boolean:
       return "true or false";

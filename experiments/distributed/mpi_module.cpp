@@ -176,8 +176,8 @@ class MpiFile : public SharedFile {
     for (std::size_t at = 0; at < bytes.size(); at += piece_bytes) {
       const std::string_view piece = bytes.substr(at, piece_bytes);
       MPI_Status status;
-      check(MPI_File_write_at(file_, static_cast<MPI_Offset>(offset + at), piece.data(), static_cast<int>(piece.size()),
-                              MPI_BYTE, &status));
+      check(MPI_File_write_at(file_, static_cast<MPI_Offset>(offset) + static_cast<MPI_Offset>(at), piece.data(),
+                              static_cast<int>(piece.size()), MPI_BYTE, &status));
       int written = 0;
       MPI_Get_count(&status, MPI_BYTE, &written);
       if (static_cast<std::size_t>(written) != piece.size()) fail("not all bytes could be written");

@@ -102,7 +102,7 @@ Drawing scores_plot(std::span<const std::string> methods, std::span<const std::s
       bars.values.push_back(100 * comparison.averages[static_cast<Eigen::Index>(method)]);
       if (comparison.intervals.empty()) continue;
       const ConfidenceInterval& interval = comparison.intervals[method];
-      bars.intervals.push_back(ConfidenceInterval{100 * interval.low, 100 * interval.high});
+      bars.intervals.emplace_back(ConfidenceInterval{100 * interval.low, 100 * interval.high});
     }
     chart.bars.push_back(std::move(bars));
   }

@@ -38,6 +38,14 @@ void add_columns(Row& row, std::span<const ConfidenceInterval> intervals, const 
   }
 }
 
+/// Appends the names of the columns of intervals.
+void add_columns(Row& header, std::span<const std::string> measures) {
+  for (const std::string& measure : measures) {
+    header.push_back(measure + "_low");
+    header.push_back(measure + "_high");
+  }
+}
+
 /// Formats a fraction in percent exactly: moves the decimal point of its shortest text, since a multiplication by 100
 /// would round.
 std::string exact_percent(double fraction) {
@@ -89,12 +97,7 @@ TextTable summary_table(std::span<const NamedEvaluation> evaluations, const Scor
   TextTable table = table_with_measures(evaluations, std::move(words));
   const std::size_t text_columns = table.text_columns;
   const bool columns = intervals == IntervalCells::columns && all_have_intervals(evaluations);
-  if (columns && !evaluations.empty()) {
-    for (const std::string& measure : evaluations.front().evaluation->measures) {
-      table.header.push_back(measure + "_low");
-      table.header.push_back(measure + "_high");
-    }
-  }
+  if (columns && !evaluations.empty()) add_columns(table.header, evaluations.front().evaluation->measures);
   for (const NamedEvaluation& named : evaluations) {
     const Evaluation& evaluation = *named.evaluation;
     for (const bool micro : {true, false}) {

@@ -106,7 +106,8 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   stop_on_failures(dataset, described.failures, configuration.on_error);
   const std::vector<std::size_t> remaining = models_without(described.failures, dataset.models.size());
   // Processing shapes in parallel needs no synchronisation, but a few shapes do not occupy all threads.
-  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency() * ranks.size());
+  const auto threads =
+      static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) * static_cast<std::size_t>(ranks.size());
   const bool parallel_within = remaining.size() < 2 * threads;
   const bool stops = configuration.on_error == OnError::stop;
   std::mutex mutex;
@@ -186,7 +187,7 @@ std::vector<Eigen::Index> lengths_of(const std::vector<Signatures>& tables, Comm
           Unpacker unpacker(part);
           for (Eigen::Index& length : lengths) {
             const auto other = unpacker.take_value<Eigen::Index>();
-            if (length > 0 && other > 0 && length != other) throw different_feature_counts(other, length);
+            if (length > 0 && other > 0 && length != other) throw different_feature_counts(length, other);
             length = std::max(length, other);
           }
         }

@@ -158,7 +158,7 @@ std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configu
         ModelDescription& model = models.at(i);
         model.features[d] = describe(lessons.at(i), model.shape_key, choice, learnt, context.cache);
       };
-      const std::vector<ModelFailure> failures =
+      std::vector<ModelFailure> failures =
           failures_of_all(for_each_model(own, signature.name, stops, context.control, job), context.ranks);
       learnt_features[d] = learnt.features;
       if (stops && !failures.empty()) return failures;

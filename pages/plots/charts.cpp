@@ -103,7 +103,8 @@ class Legend {
 
   [[nodiscard]] double height() const {
     if (names_.size() < 2) return 0;
-    return row_height * static_cast<double>((names_.size() + columns_ - 1) / columns_) + 8;
+    const std::size_t rows = (names_.size() + columns_ - 1) / columns_;
+    return row_height * static_cast<double>(rows) + 8;
   }
 
   void draw(Drawing& drawing, double left, double top, bool with_lines) const {
@@ -111,7 +112,8 @@ class Legend {
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const MethodLook look = method_look(i);
       const double x = left + column_width_ * static_cast<double>(i % columns_);
-      const double y = top + row_height * static_cast<double>(i / columns_) + 9;
+      const std::size_t row = i / columns_;
+      const double y = top + row_height * static_cast<double>(row) + 9;
       if (with_lines) {
         drawing.path({.points = {{x, y - 3.5}, {x + swatch, y - 3.5}},
                       .stroke = look.colour,

@@ -210,7 +210,8 @@ Image to_image(const Drawing& drawing, double pixels_per_point, bool transparent
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column) {
       std::uint32_t pixel = 0;  // opacity, red, green, blue; premultiplied, in the machine's order of bytes
-      std::copy_n(data + row * stride + 4 * column, 4, reinterpret_cast<unsigned char*>(&pixel));
+      std::copy_n(data + std::ptrdiff_t{row} * stride + std::ptrdiff_t{4} * column, 4,
+                  reinterpret_cast<unsigned char*>(&pixel));
       const std::uint32_t opacity = pixel >> 24U;
       for (const unsigned shift : {16U, 8U, 0U}) {
         const std::uint32_t channel = (pixel >> shift) & 0xFFU;
