@@ -71,8 +71,8 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
     }
     result.row(i) /= total * factor;
     for (Eigen::Index j = 0; j < result.cols(); ++j) {
-      const bool far = is_far_from_all(distances, nearest, i, j);
-      result(i, j) = far ? infinity : std::min(result(i, j), std::numeric_limits<double>::max());
+      result(i, j) = std::min(result(i, j), std::numeric_limits<double>::max());
+      if (is_far_from_all(distances, nearest, i, j)) result(i, j) = infinity;
     }
   });
   return symmetrised(result);

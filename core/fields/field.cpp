@@ -69,7 +69,7 @@ FieldFunction with_outcomes(FieldFunction compute) {
 }  // namespace
 
 FieldSource::FieldSource(const Shape& shape, std::optional<ShapeDiagnostics> known)
-    : shape_(&shape), known_(std::move(known)), proxy_(shape) {}
+    : shape_(&shape), known_(known), proxy_(shape) {}
 
 FieldSource::~FieldSource() = default;
 

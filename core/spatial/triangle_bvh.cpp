@@ -59,7 +59,8 @@ class BallShrinking {
  private:
   void visit_child(std::int32_t child) {
     if (child >= 0) return visit(nodes_[static_cast<std::size_t>(child)]);
-    for (const std::int32_t triangle : leaves_[static_cast<std::size_t>(~child)].triangle) shrink_(triangle, ball_);
+    const std::int32_t leaf = ~child;
+    for (const std::int32_t triangle : leaves_[static_cast<std::size_t>(leaf)].triangle) shrink_(triangle, ball_);
   }
 
   /// Widened by the error of single precision for coordinates of the order of 1.

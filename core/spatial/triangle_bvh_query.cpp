@@ -157,7 +157,8 @@ HWY_INLINE void visit_leaves(const std::vector<TriangleBvhNode>& nodes, const st
     if (next.child >= 0) {
       top = push_children(nodes[static_cast<std::size_t>(next.child)], x_single, squared_limit, stack, top);
     } else {
-      visit(leaves[static_cast<std::size_t>(~next.child)], squared_limit);
+      const std::int32_t leaf = ~next.child;
+      visit(leaves[static_cast<std::size_t>(leaf)], squared_limit);
     }
   }
 }
