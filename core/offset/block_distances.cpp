@@ -5,43 +5,26 @@
 #include "shapegauge/core/offset/block_distances.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 #include <limits>
 #include <vector>
 
+#include "shapegauge/core/offset/point_groups-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// Query point of distances.
-template <typename D>
-struct QueryPoint {
-  QueryPoint(D d, const Eigen::Vector3f& at) : x(hn::Set(d, at.x())), y(hn::Set(d, at.y())), z(hn::Set(d, at.z())) {}
-
-  /// Computes the squared distances to a vector of points.
-  [[nodiscard]] HWY_INLINE hn::Vec<D> squared(D d, const float* px, const float* py, const float* pz) const {
-    const auto dx = hn::Sub(hn::LoadU(d, px), x);
-    const auto dy = hn::Sub(hn::LoadU(d, py), y);
-    const auto dz = hn::Sub(hn::LoadU(d, pz), z);
-    return hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-  }
-
-  hn::Vec<D> x, y, z;
-};
-
 float squared_distances_to(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
                            float* squared) {
-  const hn::CappedTag<float, grid_padding> d;
+  const PointLanes d;
   const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
-  const QueryPoint<decltype(d)> place(d, from);
+  const QueryPoint place(from);
   auto smallest = infinite;
   for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-    const auto sum = place.squared(d, x + i, y + i, z + i);
+    const auto sum = place.squared(x + i, y + i, z + i);
     hn::StoreU(sum, d, squared + i);
     smallest = hn::Min(smallest, hn::IfThenElse(hn::FirstN(d, n - i), sum, infinite));
   }
@@ -52,22 +35,18 @@ float squared_distances_to(const float* x, const float* y, const float* z, std::
 /// that begins at i.
 template <typename IsChosen>
 HWY_INLINE std::size_t indices_where(std::size_t n, const IsChosen& is_selected, std::uint32_t* indices) {
-  const hn::CappedTag<float, grid_padding> d;
+  const PointLanes d;
   std::size_t count = 0;
   for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
     const auto chosen = hn::And(hn::FirstN(d, n - i), is_selected(i));
     if (hn::AllFalse(d, chosen)) continue;
-    std::array<std::uint8_t, 8> bytes{};
-    hn::StoreMaskBits(d, chosen, bytes.data());
-    for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
-      indices[count++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(std::countr_zero(bits));
-    }
+    for_each_lane_of(chosen, [&](std::size_t lane) { indices[count++] = static_cast<std::uint32_t>(i + lane); });
   }
   return count;
 }
 
 std::size_t indices_up_to(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
-  const hn::CappedTag<float, grid_padding> d;
+  const PointLanes d;
   const auto most = hn::Set(d, limit);
   return indices_where(
       n, [&](std::size_t i) HWY_ATTR { return hn::Le(hn::LoadU(d, numbers + i), most); }, indices);
@@ -78,7 +57,7 @@ std::size_t indices_up_to(const float* numbers, std::size_t n, float limit, std:
 /// if |c - p|^2 - |c - a|^2 <= 2 e (p - a), and no coordinate of e exceeds 3 / 2.
 std::size_t candidates_in(const GridPoints& points, GridPoints::Run run, const float* squared, const Eigen::Vector3f& a,
                           float smallest, std::uint32_t* indices) {
-  const hn::CappedTag<float, grid_padding> d;
+  const PointLanes d;
   constexpr float rounding = 1e-3F;  // of squared distances up to a hundred or two
   const auto x = hn::Set(d, a.x());
   const auto y = hn::Set(d, a.y());
@@ -92,72 +71,6 @@ std::size_t candidates_in(const GridPoints& points, GridPoints::Run run, const f
     return hn::Le(hn::LoadU(d, squared + i), hn::MulAdd(edge, apart, least));
   };
   return indices_where(run.end - run.begin, is_candidate, indices);
-}
-
-/// Collects the points of the runs whose squared distance exceeds the smallest by at most the margin; keeps the
-/// nearest.
-void nearest_candidates(const GridPoints& points, const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& from,
-                        float margin, NearestPoints& nearest) {
-  const hn::CappedTag<float, grid_padding> d;
-  const std::size_t lanes = hn::Lanes(d);
-  std::size_t vectors = 0;
-  for (const auto& [begin, end] : runs) vectors += (end - begin + lanes - 1) / lanes;
-  if (nearest.squared.size() < vectors * lanes) nearest.squared.resize(vectors * lanes);
-  if (nearest.first.size() < vectors) nearest.first.resize(vectors);
-  const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
-  const QueryPoint<decltype(d)> place(d, from);
-  auto smallest = infinite;
-  vectors = 0;
-  for (const auto& [begin, end] : runs) {
-    for (std::uint32_t i = begin; i < end; i += static_cast<std::uint32_t>(lanes)) {
-      const auto all = place.squared(d, points.x.data() + i, points.y.data() + i, points.z.data() + i);
-      const auto sum = hn::IfThenElse(hn::FirstN(d, end - i), all, infinite);
-      hn::StoreU(sum, d, nearest.squared.data() + vectors * lanes);
-      nearest.first[vectors++] = i;
-      smallest = hn::Min(smallest, sum);
-    }
-  }
-  const auto limit = hn::Set(d, hn::GetLane(hn::MinOfLanes(d, smallest)) + margin);
-  nearest.count = 0;
-  for (std::size_t v = 0; v < vectors; ++v) {
-    std::array<std::uint8_t, 8> bytes{};
-    const float* squared = nearest.squared.data() + v * lanes;
-    const auto is_within = hn::Le(hn::LoadU(d, squared), limit);
-    if (hn::AllFalse(d, is_within)) continue;
-    hn::StoreMaskBits(d, is_within, bytes.data());
-    for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
-      nearest.add(squared[lane], points.triangle[nearest.first[v] + lane]);
-    }
-  }
-}
-
-/// Returns the triangle of the nearest point of the runs (ties: the first); -1 if they are empty.
-std::int32_t nearest_in(const GridPoints& points, const std::vector<GridPoints::Run>& runs,
-                        const Eigen::Vector3f& from) {
-  const hn::CappedTag<float, grid_padding> d;
-  const hn::RebindToSigned<decltype(d)> di;
-  const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
-  const QueryPoint<decltype(d)> place(d, from);
-  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
-  const auto numbers = hn::Iota(di, 0);
-  auto best = infinite;
-  auto index = hn::Set(di, std::numeric_limits<std::int32_t>::max());
-  for (const auto& [begin, end] : runs) {
-    for (std::uint32_t i = begin; i < end; i += lanes) {
-      const auto all = place.squared(d, points.x.data() + i, points.y.data() + i, points.z.data() + i);
-      const auto sum = hn::IfThenElse(hn::FirstN(d, end - i), all, infinite);
-      const auto is_nearer = hn::Lt(sum, best);
-      best = hn::Min(sum, best);
-      index = hn::IfThenElse(hn::RebindMask(di, is_nearer), hn::Add(numbers, hn::Set(di, static_cast<std::int32_t>(i))),
-                             index);
-    }
-  }
-  const auto smallest = hn::MinOfLanes(d, best);
-  const auto is_smallest = hn::RebindMask(di, hn::Eq(best, smallest));
-  const auto largest = hn::Set(di, std::numeric_limits<std::int32_t>::max());
-  const std::int32_t first = hn::GetLane(hn::MinOfLanes(di, hn::IfThenElse(is_smallest, index, largest)));
-  return first == std::numeric_limits<std::int32_t>::max() ? -1 : points.triangle[static_cast<std::size_t>(first)];
 }
 
 /// Computes the triangle of the nearest point for each of a block's 64 cells, given the centre of the first, and
@@ -225,9 +138,7 @@ HWY_AFTER_NAMESPACE();
 namespace shapegauge {
 
 HWY_EXPORT(squared_distances_to);
-HWY_EXPORT(nearest_candidates);
 HWY_EXPORT(nearest_of_cells);
-HWY_EXPORT(nearest_in);
 HWY_EXPORT(indices_up_to);
 HWY_EXPORT(candidates_in);
 
@@ -314,25 +225,6 @@ float squared_distances(const float* x, const float* y, const float* z, std::siz
 
 std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
   return HWY_DYNAMIC_DISPATCH(indices_up_to)(numbers, n, limit, indices);
-}
-
-std::int32_t closest_triangle_near(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
-                                   double reach, const Eigen::Vector3d& x) {
-  thread_local std::vector<GridPoints::Run> runs;
-  surface.points.find_runs(grid, place, reach, runs);
-  if (surface.squared_margin == 0) return HWY_DYNAMIC_DISPATCH(nearest_in)(surface.points, runs, x.cast<float>());
-  thread_local NearestPoints nearest;
-  HWY_DYNAMIC_DISPATCH(nearest_candidates)
-  (surface.points, runs, x.cast<float>(), static_cast<float>(surface.squared_margin), nearest);
-  if (nearest.count < 2) return nearest.count == 0 ? -1 : nearest.list.front().triangle;
-  std::array<std::int32_t, NearestPoints::capacity> triangles;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    triangles[i] = nearest.list[i < nearest.count ? i : 0].triangle;
-  }
-  TriangleTable::Vectors vectors;
-  surface.triangles.vectors_to(x, triangles.data(), vectors);
-  return triangles[static_cast<std::size_t>(std::min_element(vectors.squared.begin(), vectors.squared.end()) -
-                                            vectors.squared.begin())];
 }
 
 BlockNeighbourhood::BlockNeighbourhood(double within) : distance(within) {

@@ -18,26 +18,6 @@ struct NearbyPoints {
   std::vector<GridPoints::Run> runs;
 };
 
-/// The nearest of a set of points, by ascending distance, with scratch buffers.
-struct NearestPoints {
-  static constexpr std::size_t capacity = TriangleTable::batch_size;
-  struct Candidate {
-    float squared;
-    std::int32_t triangle;
-  };
-  std::array<Candidate, capacity> list;
-  std::size_t count = 0;
-  std::vector<float> squared;        ///< scratch: squared distances, by vector of points
-  std::vector<std::uint32_t> first;  ///< scratch: first point of each vector
-
-  void add(float distance2, std::int32_t triangle) {
-    if (count == capacity && distance2 >= list.back().squared) return;
-    std::size_t at = count < capacity ? count++ : capacity - 1;
-    for (; at > 0 && list[at - 1].squared > distance2; --at) list[at] = list[at - 1];
-    list[at] = {distance2, triangle};
-  }
-};
-
 /// Rows of blocks around a central one that contain all points within a distance of its cells.
 struct BlockNeighbourhood {
   struct Row {
@@ -54,14 +34,6 @@ struct BlockNeighbourhood {
 /// extends to r + band. For a mixed block, sets the free cells and the triangle nearest to each cell.
 BlockKind classify_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
                          const BlockNeighbourhood& around, NearbyPoints& nearby, BoundaryBlock& found);
-
-/// Search radius of closest_triangle_near(), in cells, about a point close to the closest triangle.
-inline constexpr double closest_reach = 0.5;
-
-/// Returns the triangle closest to x among those with points in the octants within `reach` of a place on the surface;
-/// -1 if there is none. The result is approximate for triangles much smaller than the spacing of the points.
-std::int32_t closest_triangle_near(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
-                                   double reach, const Eigen::Vector3d& x);
 
 /// Computes the squared distances from a position to n points, and returns the smallest. All arrays are padded.
 float squared_distances(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,

@@ -10,6 +10,7 @@
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/offset/block_cells.h"
 #include "shapegauge/core/offset/block_distances.h"
+#include "shapegauge/core/offset/exterior_cubes.h"
 #include "shapegauge/core/offset/far_blocks.h"
 
 namespace shapegauge {
@@ -219,6 +220,34 @@ void ExteriorGrid::classify_diagonal_neighbours(const std::vector<std::uint8_t>&
   exterior_.resize(next);
 }
 
+/// Sets the cubes of all blocks. Gives blocks without exterior cells, but with cubes, states of their own.
+void ExteriorGrid::find_cubes(bool parallel) {
+  const auto halves = [](BlockCells cubes) {
+    return Cubes{static_cast<std::uint32_t>(cubes), static_cast<std::uint32_t>(cubes >> 32U)};
+  };
+  std::vector<std::uint8_t> is_near(state_.size());
+  for (std::size_t i = 0; i < state_.size(); ++i) is_near[i] = exterior_cells(i) != 0 ? 1 : 0;
+  dilate_down(grid_, is_near);
+  std::vector<Cubes> of_others;
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    if (is_near[i] == 0 || state_[i] != none_exterior) continue;
+    const BlockCells cubes = cubes_at_exterior(*this, grid_.block_at(i));
+    if (cubes == 0) continue;
+    of_others.push_back(halves(cubes));
+    state_[i] = none_exterior - static_cast<std::int32_t>(of_others.size());
+  }
+  std::reverse(of_others.begin(), of_others.end());
+  cubes_ = std::move(of_others);
+  cubes_.push_back(halves(0));
+  cubes_.push_back(halves(all_cells));
+  first_cubes_ = static_cast<std::ptrdiff_t>(cubes_.size());
+  cubes_.resize(cubes_.size() + boundary_.size());
+  for_each_index(parallel, std::size_t{0}, boundary_.size(), [&](std::size_t place) {
+    const Eigen::Vector3i block = grid_.block_at(boundary_[place].index);
+    cubes_[static_cast<std::size_t>(first_cubes_) + place] = halves(cubes_at_exterior(*this, block));
+  });
+}
+
 ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel)
     : grid_(grid), surface_(surface), state_(grid.block_count(), unknown) {
   std::vector<std::uint8_t> near_surface(grid.block_count());
@@ -227,12 +256,8 @@ ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, do
   dilate(grid, near_surface, static_cast<int>(std::ceil((grid.r + band) / block_edge)));
   Flood(*this, near_surface).run(band, parallel);
   classify_diagonal_neighbours(near_surface, band, parallel);
-  near_.resize(state_.size());
-  for (std::size_t i = 0; i < state_.size(); ++i) {
-    if (state_[i] == unknown) state_[i] = none_exterior;
-    near_[i] = exterior_cells(i) != 0 ? 1 : 0;
-  }
-  dilate_down(grid, near_);
+  std::replace(state_.begin(), state_.end(), unknown, none_exterior);
+  find_cubes(parallel);
   for (std::size_t place = 0; place < boundary_.size(); ++place) {
     for (BlockCells cells = exterior_[place]; cells != 0; cells &= cells - 1) {
       std::int32_t& nearest = boundary_[place].nearest[static_cast<std::size_t>(std::countr_zero(cells))];

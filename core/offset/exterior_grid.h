@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,12 +27,19 @@ class ExteriorGrid {
   /// Returns the exterior cells of a block of boundary().
   [[nodiscard]] std::uint64_t boundary_cells(std::size_t place) const { return exterior_[place]; }
 
-  /// State of a block: all of its cells are exterior, none is, or its index in boundary().
+  /// State of a block: its index in boundary(), all_exterior, or at most none_exterior.
   static constexpr std::int32_t all_exterior = -1;
   static constexpr std::int32_t none_exterior = -2;
   [[nodiscard]] std::int32_t block(std::size_t index) const { return state_[index]; }
   /// Returns the states of all blocks.
   [[nodiscard]] const std::int32_t* blocks() const { return state_.data(); }
+
+  /// Cubes of a block with an exterior corner (cubes_at_exterior()): the bits of the two lower and the two upper
+  /// layers.
+  using Cubes = std::array<std::uint32_t, 2>;
+  /// Returns the cubes of block 0 of boundary(). Those of a block have its state as the offset. The cubes of
+  /// none_exterior are empty, those of smaller states are not.
+  [[nodiscard]] const Cubes* cubes() const { return cubes_.data() + first_cubes_; }
 
   /// Returns the exterior cells of a block.
   [[nodiscard]] std::uint64_t exterior_cells(std::size_t index) const {
@@ -38,9 +47,6 @@ class ExteriorGrid {
     if (state < 0) return state == all_exterior ? ~std::uint64_t{0} : 0;
     return boundary_cells(static_cast<std::size_t>(state));
   }
-
-  /// Returns true if the block, or a neighbour by one step up along any subset of the axes, has exterior cells.
-  [[nodiscard]] bool is_near_exterior(std::size_t index) const { return near_[index] != 0; }
 
  private:
   /// Block near the surface that the flood fill reached, with its cells adjacent to exterior ones.
@@ -54,13 +60,15 @@ class ExteriorGrid {
   std::vector<Reached> flood_far_blocks(const std::vector<std::uint8_t>& near_surface);
   std::vector<BlockKind> classify(const std::vector<Reached>& blocks, double band, bool parallel);
   void classify_diagonal_neighbours(const std::vector<std::uint8_t>& near_surface, double band, bool parallel);
+  void find_cubes(bool parallel);
 
   const BlockGrid& grid_;
   const GridSurface& surface_;
   std::vector<std::int32_t> state_;
-  std::vector<std::uint8_t> near_;
   std::vector<BoundaryBlock> boundary_;
   std::vector<std::uint64_t> exterior_;  ///< by block of boundary_: cells that belong to E(r)
+  std::vector<Cubes> cubes_;             ///< by state
+  std::ptrdiff_t first_cubes_ = 0;       ///< index of those of state 0
 };
 
 }  // namespace shapegauge

@@ -69,9 +69,19 @@ struct Point {
   float x, y, z, area;
   std::int32_t triangle;
   std::uint32_t block;
-  std::uint8_t octant;
-  bool is_small;  ///< its triangle is small enough to be represented by another
+  std::uint16_t code;  ///< its place in the block, along a Morton curve
+  bool is_small;       ///< its triangle is small enough to be represented by another
 };
+
+/// Number of parts of a block along each axis that are sorted along a Morton curve.
+constexpr int parts_of_block = 8;
+
+/// Returns the Morton code of a part of a block.
+std::uint16_t morton_code(const Eigen::Vector3i& part) {
+  constexpr std::array<std::uint16_t, parts_of_block> spread{0, 1, 8, 9, 64, 65, 72, 73};
+  const auto of = [&](int k) { return spread[static_cast<std::size_t>(part[k] % parts_of_block)]; };
+  return static_cast<std::uint16_t>(of(0) | of(1) << 1U | of(2) << 2U);
+}
 
 /// Samples the triangles from begin to end, and sets their records.
 std::vector<Point> sampled_points(const BlockGrid& grid, const Shape& shape, double spacing, std::size_t begin,
@@ -91,11 +101,10 @@ std::vector<Point> sampled_points(const BlockGrid& grid, const Shape& shape, dou
     const bool is_small = columns.longest <= cube_edge * grid.r;
     const std::size_t own = points.size();
     columns.for_each_point([&](const Eigen::Vector3d& at) {
-      const Eigen::Vector3i octant = (at / GridPoints::octant_edge).cast<int>();
-      const auto block = static_cast<std::uint32_t>(grid.block_index(octant / 2));
-      const int number = (octant.x() & 1) + 2 * (octant.y() & 1) + 4 * (octant.z() & 1);
+      const Eigen::Vector3i part = (at * (parts_of_block / block_edge)).cast<int>();
+      const auto block = static_cast<std::uint32_t>(grid.block_index(part / parts_of_block));
       points.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()), 0,
-                        static_cast<std::int32_t>(f), block, static_cast<std::uint8_t>(number), is_small});
+                        static_cast<std::int32_t>(f), block, morton_code(part), is_small});
     });
     const double area = (t.b - t.a).cross(t.c - t.a).norm() / 2;
     const auto share = static_cast<float>(area / static_cast<double>(points.size() - own));
@@ -155,45 +164,74 @@ class CubeRepresentatives {
   std::vector<Cube> cubes_;
 };
 
-/// Returns the omitted points, or the others. The points are sorted by block; `begins` has the first of each block with
-/// points, and one more entry at the end.
-GridPoints selected(const BlockGrid& grid, const std::vector<Point>& points, const std::vector<std::size_t>& begins,
-                    const std::vector<std::uint8_t>& is_omitted, std::uint8_t which) {
+/// All points, sorted by block.
+struct SortedPoints {
+  std::vector<Point> list;
+  std::vector<std::size_t> begins;       ///< first point of each block with points; one more entry at the end
+  std::vector<std::uint8_t> is_omitted;  ///< by point
+};
+
+/// Returns the bounding boxes of the groups of the points.
+PointBoxes boxes_of_groups(const GridPoints& points, std::size_t count, bool parallel) {
+  constexpr std::size_t size = PointBoxes::group_size;
+  const std::size_t groups = (count + size - 1) / size;
+  PointBoxes boxes;
+  const std::array<const float*, 3> places{points.x.data(), points.y.data(), points.z.data()};
+  for_each_index(parallel, std::size_t{0}, places.size(), [&](std::size_t k) {
+    boxes.low[k].resize(groups + grid_padding);
+    boxes.high[k].resize(groups + grid_padding);
+    for (std::size_t i = 0; i < groups; ++i) {
+      float low = places[k][size * i];
+      float high = low;
+      for (std::size_t j = size * i + 1; j < std::min(size * (i + 1), count); ++j) {
+        low = std::min(low, places[k][j]);
+        high = std::max(high, places[k][j]);
+      }
+      boxes.low[k][i] = low;
+      boxes.high[k][i] = high;
+    }
+  });
+  return boxes;
+}
+
+/// Copies the points of a block, from a place on, that are omitted, or the others.
+void copy_block(const SortedPoints& all, std::size_t block, std::uint8_t which, std::size_t place, GridPoints& result) {
+  constexpr unsigned index_bits = 32;
+  thread_local std::vector<std::uint64_t> order;  // code in the high bits, index in the low ones
+  order.clear();
+  for (std::size_t i = all.begins[block]; i < all.begins[block + 1]; ++i) {
+    if (all.is_omitted[i] == which) order.push_back(std::uint64_t{all.list[i].code} << index_bits | i);
+  }
+  std::sort(order.begin(), order.end());
+  for (const std::uint64_t entry : order) {
+    const Point& point = all.list[static_cast<std::uint32_t>(entry)];
+    result.x[place] = point.x;
+    result.y[place] = point.y;
+    result.z[place] = point.z;
+    result.area[place] = point.area;
+    result.triangle[place++] = point.triangle;
+  }
+}
+
+/// Returns the omitted points, or the others.
+GridPoints selected(const BlockGrid& grid, const SortedPoints& all, std::uint8_t which, bool parallel) {
   GridPoints result;
-  const auto count = static_cast<std::size_t>(std::count(is_omitted.begin(), is_omitted.end(), which));
+  const auto count = static_cast<std::size_t>(std::count(all.is_omitted.begin(), all.is_omitted.end(), which));
   if (count == 0) return result;
-  for (std::vector<float>* values : {&result.x, &result.y, &result.z, &result.area}) {
-    values->resize(count + grid_padding);
+  for (std::vector<float>* values : {&result.x, &result.y, &result.z}) {
+    values->resize(count + grid_padding, std::numeric_limits<float>::infinity());
   }
-  result.triangle.resize(count);
+  result.area.resize(count + grid_padding);
+  result.triangle.resize(count + grid_padding, -1);
   result.first.resize(grid.block_count() + 1);
-  result.octants_of.assign(grid.block_count(), GridPoints::no_octants);
-  result.octants.reserve(begins.size() - 1);
-  std::uint32_t end = 0;
-  std::size_t next_block = 0;
-  for (std::size_t b = 0; b + 1 < begins.size(); ++b) {
-    const std::size_t block = points[begins[b]].block;
-    while (next_block <= block) result.first[next_block++] = end;
-    std::array<std::uint32_t, 9> octants{end};
-    for (std::size_t i = begins[b]; i < begins[b + 1]; ++i) {
-      if (is_omitted[i] == which) ++octants[points[i].octant + 1U];
-    }
-    std::partial_sum(octants.begin(), octants.end(), octants.begin());
-    if (octants.back() == end) continue;
-    end = octants.back();
-    result.octants_of[block] = static_cast<std::uint32_t>(result.octants.size());
-    result.octants.push_back(octants);
-    for (std::size_t i = begins[b]; i < begins[b + 1]; ++i) {
-      if (is_omitted[i] != which) continue;
-      const std::uint32_t place = octants[points[i].octant]++;
-      result.x[place] = points[i].x;
-      result.y[place] = points[i].y;
-      result.z[place] = points[i].z;
-      result.area[place] = points[i].area;
-      result.triangle[place] = points[i].triangle;
-    }
+  for (std::size_t i = 0; i < all.list.size(); ++i) {
+    if (all.is_omitted[i] == which) ++result.first[all.list[i].block + 1];
   }
-  while (next_block < result.first.size()) result.first[next_block++] = end;
+  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+  for_each_index(parallel, std::size_t{0}, all.begins.size() - 1, [&](std::size_t block) {
+    copy_block(all, block, which, result.first[all.list[all.begins[block]].block], result);
+  });
+  result.boxes = boxes_of_groups(result, count, parallel);
   return result;
 }
 
@@ -216,19 +254,14 @@ std::vector<Point> sorted_by_blocks(const std::vector<std::vector<Point>>& chunk
 void GridPoints::find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, double reach,
                            std::vector<Run>& runs) const {
   runs.clear();
-  const auto octant = [&](double by) -> Eigen::Vector3i { return ((place.array() + by) / octant_edge).cast<int>(); };
-  const Eigen::Vector3i low = octant(-reach).cwiseMax(0);
-  const Eigen::Vector3i high = octant(reach).cwiseMin(2 * grid.blocks - Eigen::Vector3i::Ones());
+  const Eigen::Vector3i low = grid.block_of(place.array() - reach).cwiseMax(0);
+  const Eigen::Vector3i high = grid.block_of(place.array() + reach).cwiseMin(grid.blocks - Eigen::Vector3i::Ones());
   for (int k = low.z(); k <= high.z(); ++k) {
     for (int j = low.y(); j <= high.y(); ++j) {
-      const auto row = static_cast<std::size_t>(4 * (k & 1) + 2 * (j & 1));
-      for (int i = low.x() / 2; i <= high.x() / 2; ++i) {
-        const std::size_t block = grid.block_index({i, j / 2, k / 2});
-        if (octants_of[block] == no_octants) continue;
-        const auto& firsts = octants[octants_of[block]];
-        const Run run{firsts[row + (2 * i < low.x() ? 1 : 0)], firsts[row + (2 * i + 1 > high.x() ? 1 : 2)]};
-        if (run.begin != run.end) runs.push_back(run);
-      }
+      const std::size_t row = grid.block_index({0, j, k});
+      const Run run{first[row + static_cast<std::size_t>(low.x())],
+                    first[row + static_cast<std::size_t>(high.x()) + 1]};
+      if (run.begin != run.end) runs.push_back(run);
     }
   }
 }
@@ -263,24 +296,25 @@ GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double apart
     chunks[chunk] =
         sampled_points(grid, shape, spacing, chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size), triangles);
   });
-  std::vector<Point> all = sorted_by_blocks(chunks, grid.block_count());
+  SortedPoints all{sorted_by_blocks(chunks, grid.block_count()), {}, {}};
   chunks.clear();
   // No point of a triangle is farther than this from the nearest of its samples.
-  if (all.size() > 2 * n) squared_margin = 0.5 * spacing * spacing;
-  std::vector<std::size_t> begins;  // first point of each block with points
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i == 0 || all[i].block != all[i - 1].block) begins.push_back(i);
+  if (all.list.size() > 2 * n) squared_margin = 0.5 * spacing * spacing;
+  for (std::size_t i = 0; i < all.list.size(); ++i) {
+    if (i == 0 || all.list[i].block != all.list[i - 1].block) all.begins.push_back(i);
   }
-  begins.push_back(all.size());
-  std::vector<std::uint8_t> is_omitted(all.size(), 0);
+  all.begins.push_back(all.list.size());
+  all.is_omitted.assign(all.list.size(), 0);
   tbb::enumerable_thread_specific<CubeRepresentatives> cubes([&] { return CubeRepresentatives(grid); });
-  for_each(begins.size() - 1, [&](std::size_t block) {
-    const std::size_t count = begins[block + 1] - begins[block];
+  for_each(all.begins.size() - 1, [&](std::size_t block) {
+    const std::size_t begin = all.begins[block];
+    const std::size_t count = all.begins[block + 1] - begin;
     if (count < 2) return;
-    cubes.local().omit(grid, {&all[begins[block]], count}, {&is_omitted[begins[block]], count});
+    cubes.local().omit(grid, {&all.list[begin], count}, {&all.is_omitted[begin], count});
   });
-  points = selected(grid, all, begins, is_omitted, 0);
-  omitted = selected(grid, all, begins, is_omitted, 1);
+  points = selected(grid, all, 0, parallel);
+  omitted = selected(grid, all, 1, parallel);
+  points_per_block = static_cast<double>(points.size()) / std::max(1.0, static_cast<double>(all.begins.size() - 1));
 }
 
 }  // namespace shapegauge

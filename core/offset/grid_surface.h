@@ -16,26 +16,28 @@ namespace shapegauge {
 /// Number of padding entries of padded arrays; no vector is wider.
 inline constexpr std::size_t grid_padding = 16;
 
-/// Points on triangles, sorted by block of a grid, and within a block by octant.
-struct GridPoints {
-  std::vector<float> x, y, z;          ///< in cells; padded
-  std::vector<float> area;             ///< area represented by each; padded
-  std::vector<std::int32_t> triangle;  ///< triangle that contains each
-  std::vector<std::uint32_t> first;    ///< by block: index of its first point; one more entry at the end
-  static constexpr int octant_edge = block_edge / 2;
-  /// By block with points: index of each octant's first point (the octant's number has bits x, y, z), and one entry at
-  /// the end.
-  std::vector<std::array<std::uint32_t, 9>> octants;
-  std::vector<std::uint32_t> octants_of;  ///< by block: index into `octants`; no_octants for a block without points
-  static constexpr std::uint32_t no_octants = 0xFFFFFFFF;
+/// Bounding boxes of groups of points, by axis and group. Padded.
+struct PointBoxes {
+  /// Number of consecutive points of a group. The first point of group i has the index i times this.
+  static constexpr std::size_t group_size = grid_padding;
+  std::array<std::vector<float>, 3> low, high;
+};
 
-  [[nodiscard]] bool empty() const { return triangle.empty(); }
+/// Points on triangles, sorted by block of a grid, and within a block along a Morton curve.
+struct GridPoints {
+  std::vector<float> x, y, z;          ///< in cells; padded by infinite ones
+  std::vector<float> area;             ///< area represented by each; padded
+  std::vector<std::int32_t> triangle;  ///< triangle that contains each; padded
+  std::vector<std::uint32_t> first;    ///< by block: index of its first point; one more entry at the end
+  PointBoxes boxes;                    ///< of groups of points
+
+  [[nodiscard]] std::size_t size() const { return first.empty() ? 0 : first.back(); }
 
   /// Range of points.
   struct Run {
     std::uint32_t begin, end;
   };
-  /// Collects the points of all octants within `reach` of a place along each axis.
+  /// Collects the points of all blocks within `reach` of a place along each axis. The runs are ascending and not empty.
   void find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, double reach, std::vector<Run>& runs) const;
 };
 
@@ -54,6 +56,7 @@ struct GridSurface {
   /// Maximum difference of squared distances between the nearest point and the nearest point of the closest triangle; 0
   /// if most triangles have one point.
   double squared_margin = 0;
+  double points_per_block = 0;  ///< mean number of points in blocks with points
 
   /// Samples points at a spacing of `apart` cells.
   GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel);

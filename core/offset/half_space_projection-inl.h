@@ -1,5 +1,5 @@
-// Projection of points onto intersections of half-spaces, one per lane of the processor's vectors, with the numbers,
-// vectors and masks of lanes that it needs. For sources compiled for each instruction set supported by Highway.
+// Projection of points onto intersections of half-spaces, one per lane of the processor's vectors, for sources compiled
+// for each instruction set supported by Highway.
 
 #if defined(SHAPEGAUGE_CORE_OFFSET_HALF_SPACE_PROJECTION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHAPEGAUGE_CORE_OFFSET_HALF_SPACE_PROJECTION_INL_H
@@ -8,102 +8,21 @@
 #define SHAPEGAUGE_CORE_OFFSET_HALF_SPACE_PROJECTION_INL_H
 #endif
 
-#include <Eigen/Core>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <hwy/highway.h>
-#include <limits>
 
-#include "shapegauge/core/offset/triangle_lanes-inl.h"
+#include "shapegauge/core/offset/search_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 
-using D = hn::CappedTag<float, 16>;
-using DI = hn::RebindToSigned<D>;
-using Reals = hn::Vec<D>;
-using Integers = hn::Vec<DI>;
-using Mask = hn::Mask<D>;
-using Vectors = LaneVectors<D>;
-using LaneBits = std::uint32_t;
-
-constexpr std::size_t max_lanes = 16;
 constexpr std::size_t max_contacts = 5;
-constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Tolerance of half-spaces, in cells: about 3e-5 r.
 constexpr float tolerance = 1e-4F;
 /// Height of a half-space that contains everything.
 constexpr float no_height = -1e30F;
-
-/// Numbers by lane, in memory.
-struct alignas(64) RealLanes : std::array<float, max_lanes> {};
-struct alignas(64) IntegerLanes : std::array<std::int32_t, max_lanes> {};
-struct VectorLanes {
-  RealLanes x, y, z;
-
-  void set(std::size_t lane, const Eigen::Vector3f& to) {
-    x[lane] = to.x();
-    y[lane] = to.y();
-    z[lane] = to.z();
-  }
-  [[nodiscard]] Eigen::Vector3d at(std::size_t lane) const {
-    return {static_cast<double>(x[lane]), static_cast<double>(y[lane]), static_cast<double>(z[lane])};
-  }
-};
-
-HWY_INLINE Reals load(const RealLanes& lanes) { return hn::Load(D(), lanes.data()); }
-HWY_INLINE Integers load(const IntegerLanes& lanes) { return hn::Load(DI(), lanes.data()); }
-HWY_INLINE Vectors load(const VectorLanes& lanes) { return {load(lanes.x), load(lanes.y), load(lanes.z)}; }
-HWY_INLINE void store(Reals from, RealLanes& lanes) { hn::Store(from, D(), lanes.data()); }
-HWY_INLINE void store(Integers from, IntegerLanes& lanes) { hn::Store(from, DI(), lanes.data()); }
-HWY_INLINE void store(const Vectors& from, VectorLanes& lanes) {
-  store(from.x, lanes.x);
-  store(from.y, lanes.y);
-  store(from.z, lanes.z);
-}
-
-HWY_INLINE Reals real(float value) { return hn::Set(D(), value); }
-HWY_INLINE Integers integer(std::int32_t value) { return hn::Set(DI(), value); }
-HWY_INLINE Vectors no_vector() { return {real(0), real(0), real(0)}; }
-HWY_INLINE Mask no_lane() { return hn::Lt(real(0), real(0)); }
-HWY_INLINE Mask of_reals(hn::Mask<DI> mask) { return hn::RebindMask(D(), mask); }
-HWY_INLINE hn::Mask<DI> of_integers(Mask mask) { return hn::RebindMask(DI(), mask); }
-HWY_INLINE Mask is_triangle(Integers number) { return of_reals(hn::Gt(number, integer(-1))); }
-
-constexpr LaneBits all_lanes() { return (LaneBits{1} << hn::MaxLanes(D())) - 1; }
-HWY_INLINE LaneBits bits_of(Mask mask) {
-  std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(D(), mask, bytes.data());
-  return (bytes[0] | static_cast<LaneBits>(bytes[1]) << 8U) & all_lanes();
-}
-HWY_INLINE Mask mask_of(LaneBits bits) {
-  const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)};
-  return hn::LoadMaskBits(D(), bytes.data());
-}
-/// Calls visit(lane) for each bit.
-template <typename Visit>
-void for_each_lane(LaneBits bits, const Visit& visit) {
-  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
-}
-
-HWY_INLINE Vectors sum(const Vectors& u, const Vectors& v) {
-  return {hn::Add(u.x, v.x), hn::Add(u.y, v.y), hn::Add(u.z, v.z)};
-}
-HWY_INLINE Vectors difference(const Vectors& u, const Vectors& v) {
-  return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
-}
-HWY_INLINE Vectors product(Reals s, const Vectors& v) { return {hn::Mul(s, v.x), hn::Mul(s, v.y), hn::Mul(s, v.z)}; }
-/// Computes u + s v.
-HWY_INLINE Vectors plus_product(const Vectors& u, Reals s, const Vectors& v) {
-  return {hn::MulAdd(s, v.x, u.x), hn::MulAdd(s, v.y, u.y), hn::MulAdd(s, v.z, u.z)};
-}
-HWY_INLINE Vectors cross(const Vectors& u, const Vectors& v) {
-  return {hn::NegMulAdd(u.z, v.y, hn::Mul(u.y, v.z)), hn::NegMulAdd(u.x, v.z, hn::Mul(u.z, v.x)),
-          hn::NegMulAdd(u.y, v.x, hn::Mul(u.x, v.y))};
-}
-HWY_INLINE Reals length_of(const Vectors& v) { return hn::Sqrt(dot<D>(v, v)); }
 
 /// Triangle, -1 if there is none, with the half-space outside the tangent plane of a ball of radius r about one of its
 /// points: normal . x >= height.

@@ -10,58 +10,64 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/offset/point_groups-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
+/// Six sums by lane of groups.
+using LaneSums = std::array<std::array<float, grid_padding>, 6>;
 /// Arrays of three coordinates.
 using Coordinates = std::array<const float*, 3>;
 
-/// Accumulates area n n^T over the points of the runs, weighted by proximity. Each of the six entries has sixteen
-/// partial sums, whatever the vector width: the same bits on every machine.
-void add_normals(const Coordinates& points, const Coordinates& normals, const float* area,
-                 const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& from, float inverse_reach2,
-                 std::array<std::array<float, grid_padding>, 6>& sums) {
-  const hn::CappedTag<float, grid_padding> d;
-  const auto one = hn::Set(d, 1.0F);
-  const auto zero = hn::Zero(d);
-  for (std::size_t lane = 0; lane < grid_padding; lane += hn::Lanes(d)) {
-    auto xx = zero;
-    auto xy = zero;
-    auto xz = zero;
-    auto yy = zero;
-    auto yz = zero;
-    auto zz = zero;
-    for (const auto& [begin, end] : runs) {
-      for (std::size_t i = begin + lane; i < end; i += grid_padding) {
-        const auto dx = hn::Sub(hn::LoadU(d, points[0] + i), hn::Set(d, from.x()));
-        const auto dy = hn::Sub(hn::LoadU(d, points[1] + i), hn::Set(d, from.y()));
-        const auto dz = hn::Sub(hn::LoadU(d, points[2] + i), hn::Set(d, from.z()));
-        const auto squared = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-        auto nearness = hn::Max(hn::NegMulAdd(squared, hn::Set(d, inverse_reach2), one), zero);
-        nearness = hn::IfThenElse(hn::FirstN(d, end - i), nearness, zero);
-        const auto weight = hn::Mul(hn::Mul(nearness, nearness), hn::LoadU(d, area + i));
-        const auto x = hn::LoadU(d, normals[0] + i);
-        const auto y = hn::LoadU(d, normals[1] + i);
-        const auto z = hn::LoadU(d, normals[2] + i);
-        const auto weighted_x = hn::Mul(weight, x);
-        const auto weighted_y = hn::Mul(weight, y);
-        xx = hn::MulAdd(weighted_x, x, xx);
-        xy = hn::MulAdd(weighted_x, y, xy);
-        xz = hn::MulAdd(weighted_x, z, xz);
-        yy = hn::MulAdd(weighted_y, y, yy);
-        yz = hn::MulAdd(weighted_y, z, yz);
-        zz = hn::MulAdd(hn::Mul(weight, z), z, zz);
-      }
+/// Sums of area n n^T over points, weighted by proximity.
+class NormalSums {
+ public:
+  HWY_INLINE NormalSums(const GridPoints& points, const Coordinates& normals, const QueryPoint& from, float reach)
+      : points_(points), normals_(normals), from_(from), inverse_reach2_(hn::Set(PointLanes(), 1 / (reach * reach))) {
+    for (Numbers& sum : sums_) sum = hn::Zero(PointLanes());
+  }
+
+  /// Adds a vector of points.
+  HWY_INLINE void add(std::size_t i) {
+    const PointLanes d;
+    const Numbers squared = from_.squared(&points_.x[i], &points_.y[i], &points_.z[i]);
+    const Numbers nearness = hn::Max(hn::NegMulAdd(squared, inverse_reach2_, hn::Set(d, 1.0F)), hn::Zero(d));
+    const Numbers weight = hn::Mul(hn::Mul(nearness, nearness), hn::LoadU(d, &points_.area[i]));
+    const std::array<Numbers, 3> normal{hn::LoadU(d, normals_[0] + i), hn::LoadU(d, normals_[1] + i),
+                                        hn::LoadU(d, normals_[2] + i)};
+    std::size_t sum = 0;
+    for (std::size_t k = 0; k < normal.size(); ++k) {
+      const Numbers weighted = hn::Mul(weight, normal[k]);
+      for (std::size_t j = k; j < normal.size(); ++j, ++sum) sums_[sum] = hn::MulAdd(weighted, normal[j], sums_[sum]);
     }
-    hn::StoreU(xx, d, sums[0].data() + lane);
-    hn::StoreU(xy, d, sums[1].data() + lane);
-    hn::StoreU(xz, d, sums[2].data() + lane);
-    hn::StoreU(yy, d, sums[3].data() + lane);
-    hn::StoreU(yz, d, sums[4].data() + lane);
-    hn::StoreU(zz, d, sums[5].data() + lane);
+  }
+
+  /// Writes the sums of some lanes of groups.
+  HWY_INLINE void store(std::size_t lane, LaneSums& sums) const {
+    for (std::size_t k = 0; k < sums_.size(); ++k) hn::StoreU(sums_[k], PointLanes(), sums[k].data() + lane);
+  }
+
+ private:
+  const GridPoints& points_;
+  const Coordinates& normals_;
+  const QueryPoint& from_;
+  Numbers inverse_reach2_;
+  std::array<Numbers, 6> sums_;  ///< xx, xy, xz, yy, yz, zz
+};
+
+/// Accumulates area n n^T over the groups of the runs within reach. Each of the six entries has sixteen partial sums,
+/// whatever the vector width: the same bits on every machine.
+void add_normals(const GridPoints& points, const Coordinates& normals, const std::vector<GridPoints::Run>& runs,
+                 const Eigen::Vector3f& from, float reach, LaneSums& sums) {
+  const QueryPoint place(from);
+  for (std::size_t lane = 0; lane < PointBoxes::group_size; lane += hn::Lanes(PointLanes())) {
+    NormalSums part(points, normals, place, reach);
+    for_each_group(runs, place, points.boxes, reach,
+                   [&](std::size_t group) HWY_ATTR { part.add(group * PointBoxes::group_size + lane); });
+    part.store(lane, sums);
   }
 }
 
@@ -74,23 +80,23 @@ namespace shapegauge {
 
 HWY_EXPORT(add_normals);
 
-MeanNormals::MeanNormals(const BlockGrid& grid, const Shape& shape, const GridSurface& surface)
+MeanNormals::MeanNormals(const BlockGrid& grid, const Shape& shape, const GridSurface& surface, bool parallel)
     : grid_(grid), surface_(surface) {
   if (is_cloud(shape)) return;
   std::vector<Eigen::Vector3f> normals(static_cast<std::size_t>(shape.triangles.rows()));
-  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+  for_each_index(parallel, Eigen::Index{0}, shape.triangles.rows(), [&](Eigen::Index f) {
     const auto corner = [&](int k) -> Eigen::Vector3d { return shape.vertices.row(shape.triangles(f, k)); };
     const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
     normals[static_cast<std::size_t>(f)] = normal.stableNormalized().cast<float>();
-  }
-  const std::size_t count = surface.points.triangle.size();
+  });
+  const std::size_t count = surface.points.size();
   for (std::vector<float>* values : {&x_, &y_, &z_}) values->resize(count + grid_padding);
-  for (std::size_t i = 0; i < count; ++i) {
+  for_each_index(parallel, std::size_t{0}, count, [&](std::size_t i) {
     const Eigen::Vector3f& normal = normals[static_cast<std::size_t>(surface.points.triangle[i])];
     x_[i] = normal.x();
     y_[i] = normal.y();
     z_[i] = normal.z();
-  }
+  });
 }
 
 Eigen::Vector3d MeanNormals::at(const Eigen::Vector3d& p, const Eigen::Vector3d& n) const {
@@ -98,12 +104,10 @@ Eigen::Vector3d MeanNormals::at(const Eigen::Vector3d& p, const Eigen::Vector3d&
   if (x_.empty()) return n;
   const double reach = radius * grid_.r;
   std::array<std::array<float, grid_padding>, 6> sums;
-  const GridPoints& points = surface_.points;
   thread_local std::vector<GridPoints::Run> runs;
-  points.find_runs(grid_, p, reach, runs);
+  surface_.points.find_runs(grid_, p, reach, runs);
   HWY_DYNAMIC_DISPATCH(add_normals)
-  ({points.x.data(), points.y.data(), points.z.data()}, {x_.data(), y_.data(), z_.data()}, points.area.data(), runs,
-   p.cast<float>(), static_cast<float>(1 / (reach * reach)), sums);
+  (surface_.points, {x_.data(), y_.data(), z_.data()}, runs, p.cast<float>(), static_cast<float>(reach), sums);
   std::array<double, 6> total;
   for (std::size_t k = 0; k < sums.size(); ++k) {
     std::array<float, grid_padding>& lanes = sums[k];

@@ -25,7 +25,7 @@ inline Eigen::Vector3d raised(const Eigen::Vector3d& p, const Eigen::Vector3d& n
 /// (docs/methods/offset_sdf.md#why-the-sample-is-raised).
 class MeanNormals {
  public:
-  MeanNormals(const BlockGrid& grid, const Shape& shape, const GridSurface& surface);
+  MeanNormals(const BlockGrid& grid, const Shape& shape, const GridSurface& surface, bool parallel);
 
   /// Returns M M n, where M is the mean of n_j n_j^T over the normals n_j of the surface within r/2 of p (in cells),
   /// weighted by proximity. Its length is 1 on a flat surface and less where normals differ. The orientation of the n_j

@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "shapegauge/core/offset/nearest_offset_point.cpp"
 #include "shapegauge/core/offset/nearest_offset_point.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -13,22 +14,13 @@
 #include <limits>
 #include <span>
 
-#include "shapegauge/core/offset/block_distances.h"
 #include "shapegauge/core/offset/half_space_projection-inl.h"
+#include "shapegauge/core/offset/point_search.h"
 #include "shapegauge/core/offset/triangle_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 namespace {
-
-constexpr std::size_t cells_around_point = 8;
-
-/// Triangles, -1 if there is none, with the vectors from their closest points to the current point.
-struct Surrounding {
-  IntegerLanes triangle;
-  VectorLanes vector;
-  RealLanes squared;  ///< infinite without a triangle
-};
 
 /// Features of triangles.
 struct Features {
@@ -61,8 +53,9 @@ HWY_INLINE Features features_at(const float* records, Integers triangle, const V
 /// Searches in the lanes of vectors. A lane whose search ends takes the next one.
 class OffsetPointLanes {
  public:
-  OffsetPointLanes(const ExteriorGrid& exterior, std::span<OffsetPointTask> tasks)
+  OffsetPointLanes(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetPointTask> tasks)
       : exterior_(exterior),
+        closest_(closest),
         records_(exterior.surface().triangles.records()),
         r_(static_cast<float>(exterior.grid().r)),
         tasks_(tasks) {
@@ -92,7 +85,7 @@ class OffsetPointLanes {
     }
     if (started == 0) return false;
     active_ |= started;
-    measure(at_contacts_[0]);
+    measure(records_, sum(load(origin_), load(x_)), at_contacts_[0]);
     set(contacts_[0], mask_of(started), at_contacts_[0]);
     return true;
   }
@@ -206,63 +199,30 @@ class OffsetPointLanes {
   void look_around(LaneBits moving) {
     constexpr float nearly_settled = 0.05F;  // of a step's length, in units of r
     const Vectors x = sum(load(origin_), load(x_));
-    find_cells(x);
+    touches_exterior_ = bits_of(find_cells(exterior_, lowest_cells_around(exterior_, x), others_.data()));
     others_count_ = cells_around_point;
     // On fine meshes the closest triangle is seldom one of the cells' but close to a contact.
     const LaneBits close = moving & bits_of(hn::Lt(load(step_length_), real(nearly_settled * r_)));
+    std::array<VectorLanes, max_contacts> places;
     for (std::size_t i = 0; i < max_contacts; ++i) {
-      const LaneBits lanes = close & contacts_[i].kept;
-      if (lanes == 0) continue;
-      VectorLanes place;
-      store(minus_product<D>(x, real(r_), load(contacts_[i].normal)), place);
-      IntegerLanes& found = others_[others_count_++].triangle;
-      found.fill(-1);
-      for_each_lane(lanes, [&](std::size_t lane) {
-        found[lane] = closest_triangle_near(exterior_.grid(), exterior_.surface(), place.at(lane), closest_reach,
-                                            origin_.at(lane) + x_.at(lane));
-      });
+      if ((close & contacts_[i].kept) != 0) store(minus_product<D>(x, real(r_), load(contacts_[i].normal)), places[i]);
     }
+    for_each_lane(close, [&](std::size_t lane) { look_at_contacts(lane, places); });
   }
 
-  /// Finds the triangles of the eight cells around x, as cells_around() does.
-  HWY_INLINE void find_cells(const Vectors& x) {
-    const DI di;
-    constexpr std::int32_t block_size = sizeof(BoundaryBlock) / sizeof(std::int32_t);
-    const std::int32_t* nearest = exterior_.boundary().front().nearest.data();
-    const std::array<Reals, 3> coordinates{x.x, x.y, x.z};
-    std::array<std::array<Integers, 2>, 3> blocks;
-    std::array<std::array<Integers, 2>, 3> bits;
-    std::int32_t stride = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int32_t size = exterior_.grid().blocks[static_cast<Eigen::Index>(k)];
-      const Integers nearest_corner = hn::ConvertTo(di, hn::Add(coordinates[k], real(0.5F)));
-      const Integers low =
-          hn::Min(hn::Max(hn::Sub(nearest_corner, integer(1)), integer(0)), integer(block_edge * size - 2));
-      for (std::size_t i = 0; i < 2; ++i) {
-        const Integers cell = i == 0 ? low : hn::Add(low, integer(1));
-        blocks[k][i] = hn::Mul(hn::ShiftRight<2>(cell), integer(stride));
-        bits[k][i] = hn::Mul(hn::And(cell, integer(3)), integer(1 << (2 * k)));
-      }
-      stride *= size;
+  /// Collects the triangles nearest to the kept contacts of a lane, given places on them, unless they are contacts.
+  void look_at_contacts(std::size_t lane, const std::array<VectorLanes, max_contacts>& places) {
+    const Eigen::Vector3d x = origin_.at(lane) + x_.at(lane);
+    std::size_t next = cells_around_point;
+    for (std::size_t i = 0; i < max_contacts; ++i) {
+      if ((contacts_[i].kept >> lane & 1U) == 0) continue;
+      const std::int32_t triangle = closest_.near(places[i].at(lane), x);
+      const bool is_contact = std::any_of(contacts_.begin(), contacts_.end(),
+                                          [&](const Contact& contact) { return contact.triangle[lane] == triangle; });
+      if (triangle < 0 || is_contact) continue;
+      if (next == others_count_) others_[others_count_++].triangle.fill(-1);
+      others_[next++].triangle[lane] = triangle;
     }
-    hn::Mask<DI> touches = of_integers(no_lane());
-    for (std::size_t cell = 0; cell < cells_around_point; ++cell) {
-      const std::size_t i = cell & 1U;
-      const std::size_t j = cell >> 1U & 1U;
-      const std::size_t k = cell >> 2U;
-      const Integers block = hn::Add(hn::Add(blocks[0][i], blocks[1][j]), blocks[2][k]);
-      const Integers bit = hn::Or(hn::Or(bits[0][i], bits[1][j]), bits[2][k]);
-      const Integers state = hn::GatherIndex(di, exterior_.blocks(), block);
-      const hn::Mask<DI> has_triangles = hn::Gt(state, integer(-1));
-      const Integers place = hn::Max(state, integer(0));
-      const Integers found = hn::GatherIndex(di, nearest, hn::Add(hn::Mul(place, integer(block_size)), bit));
-      const hn::Mask<DI> is_exterior = hn::Lt(found, integer(0));
-      const Integers triangle = hn::IfThenElse(is_exterior, hn::Not(found), found);
-      store(hn::IfThenElse(has_triangles, triangle, integer(-1)), others_[cell].triangle);
-      touches = hn::Or(touches,
-                       hn::Or(hn::Eq(state, integer(ExteriorGrid::all_exterior)), hn::And(has_triangles, is_exterior)));
-    }
-    touches_exterior_ = bits_of(of_reals(touches));
   }
 
   /// Computes the vectors from triangles to x, and decides which lanes are free and settled. Returns those that go on.
@@ -295,28 +255,18 @@ class OffsetPointLanes {
 
   /// Computes the vectors from all surrounding triangles to x. Returns the smallest squared length.
   HWY_INLINE Reals measure_all() {
+    const Vectors x = sum(load(origin_), load(x_));
     Reals least = real(infinity);
     for (std::size_t i = 0; i < max_contacts; ++i) {
       at_contacts_[i].triangle = contacts_[i].triangle;
-      measure(at_contacts_[i]);
+      measure(records_, x, at_contacts_[i]);
       least = hn::Min(least, load(at_contacts_[i].squared));
     }
     for (std::size_t i = 0; i < others_count_; ++i) {
-      measure(others_[i]);
+      measure(records_, x, others_[i]);
       least = hn::Min(least, load(others_[i].squared));
     }
     return least;
-  }
-
-  HWY_INLINE void measure(Surrounding& surrounding) const {
-    const Integers triangle = load(surrounding.triangle);
-    const Mask has_triangle = is_triangle(triangle);
-    if (hn::AllFalse(D(), has_triangle)) return store(real(infinity), surrounding.squared);
-    IntegerLanes numbers;
-    store(hn::Max(triangle, integer(0)), numbers);
-    const auto [vector, squared] = vectors_from_triangles(D(), records_, numbers.data(), sum(load(origin_), load(x_)));
-    store(vector, surrounding.vector);
-    store(hn::IfThenElse(has_triangle, squared, real(infinity)), surrounding.squared);
   }
 
   /// Updates the kept contacts at x, and adds up to two new ones that cover x: the closest, and the closest in another
@@ -409,6 +359,7 @@ class OffsetPointLanes {
   }
 
   const ExteriorGrid& exterior_;
+  ClosestTriangles& closest_;
   const float* records_;
   float r_;
   std::span<OffsetPointTask> tasks_;
@@ -429,8 +380,8 @@ class OffsetPointLanes {
   std::size_t others_count_ = 0;
 };
 
-void find_points(const ExteriorGrid& exterior, std::span<OffsetPointTask> tasks) {
-  OffsetPointLanes(exterior, tasks).run();
+void find_points(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetPointTask> tasks) {
+  OffsetPointLanes(exterior, closest, tasks).run();
 }
 
 }  // namespace
@@ -442,8 +393,9 @@ namespace shapegauge {
 
 HWY_EXPORT(find_points);
 
-void find_nearest_offset_points(const ExteriorGrid& exterior, std::span<OffsetPointTask> tasks) {
-  if (!tasks.empty()) HWY_DYNAMIC_DISPATCH(find_points)(exterior, tasks);
+void find_nearest_offset_points(const ExteriorGrid& exterior, ClosestTriangles& closest,
+                                std::span<OffsetPointTask> tasks) {
+  if (!tasks.empty()) HWY_DYNAMIC_DISPATCH(find_points)(exterior, closest, tasks);
 }
 
 }  // namespace shapegauge

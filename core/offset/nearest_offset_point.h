@@ -6,6 +6,7 @@
 #include <span>
 
 #include "shapegauge/core/offset/cells_around.h"
+#include "shapegauge/core/offset/point_search.h"
 
 namespace shapegauge {
 
@@ -21,6 +22,7 @@ struct OffsetPointTask {
 /// Solves tasks: iterates projections of p onto the half-spaces tangent to the balls about the triangles nearest to the
 /// current point (docs/methods/offset_sdf.md#the-steps-to-q). Each task runs in a lane of the processor's vectors, in
 /// single precision relative to p. Results do not depend on the other tasks.
-void find_nearest_offset_points(const ExteriorGrid& exterior, std::span<OffsetPointTask> tasks);
+void find_nearest_offset_points(const ExteriorGrid& exterior, ClosestTriangles& closest,
+                                std::span<OffsetPointTask> tasks);
 
 }  // namespace shapegauge

@@ -1,149 +1,283 @@
+// Rays in the lanes of vectors, compiled for each instruction set supported by Highway.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shapegauge/core/offset/offset_exit.cpp"
 #include "shapegauge/core/offset/offset_exit.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
 
-#include "shapegauge/core/offset/block_distances.h"
-#include "shapegauge/core/offset/triangle_table.h"
+#include "shapegauge/core/offset/point_search.h"
+#include "shapegauge/core/offset/search_lanes-inl.h"
 
-namespace shapegauge {
-
+HWY_BEFORE_NAMESPACE();
+namespace shapegauge::HWY_NAMESPACE {
 namespace {
 
-/// Ray through the cubes between the cells' centres, in cells relative to the first centre.
-struct Ray {
-  Eigen::Vector3d origin, direction, inverse;
+using Unsigned = hn::Vec<hn::RebindToUnsigned<D>>;
 
-  [[nodiscard]] Eigen::Vector3d at(double t) const { return origin + t * direction; }
+/// Coordinates along one axis of rays through the cubes between the cells' centres.
+struct RayAxis {
+  Reals origin, direction, inverse;
+  Mask is_descending;
+  Integers cube;
+  std::int32_t cells;   ///< number of cells
+  std::int32_t stride;  ///< of block indices
+
+  /// Enters the cube that contains the rays' points.
+  HWY_INLINE void enter(Mask where, Reals t) { cube = hn::IfThenElse(of_integers(where), cube_at(t), cube); }
+
+  [[nodiscard]] HWY_INLINE Integers cube_at(Reals t) const {
+    return hn::ConvertTo(DI(), hn::Floor(hn::MulAdd(t, direction, origin)));
+  }
+  [[nodiscard]] HWY_INLINE hn::Mask<DI> is_in_grid() const {
+    return hn::And(hn::Gt(cube, integer(-1)), hn::Lt(cube, integer(cells)));
+  }
+  [[nodiscard]] HWY_INLINE Integers block() const { return hn::Mul(hn::ShiftRight<2>(cube), integer(stride)); }
+  [[nodiscard]] HWY_INLINE Integers place_in_block() const { return hn::And(cube, integer(block_edge - 1)); }
 };
 
-/// Returns the distance from x at which the ray leaves the cube, of a lattice with this edge, that contains x. The
-/// coordinates of x are not negative.
-template <int edge>
-double distance_to_cube_exit(const Eigen::Vector3d& x, const Ray& ray) {
-  constexpr double inverse_edge = 1.0 / edge;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k) {
-    const double place = x[k] * inverse_edge;
-    // Truncation equals floor except between -1 and 0, where the ray still advances.
-    const double low = static_cast<int>(place);
-    const double way = ray.inverse[k] > 0 ? low + 1 - place : low - place;
-    least = std::min(least, way * edge * ray.inverse[k]);
+/// Box of cubes that rays leave: one cube, or those of a block.
+struct RayBox {
+  Integers low, high;  ///< first and last cube along one axis
+  Reals end;           ///< parameter at which the rays leave the box along this axis
+
+  HWY_INLINE RayBox(const RayAxis& axis, hn::Mask<DI> is_block)
+      : low(hn::IfThenElse(is_block, hn::AndNot(integer(block_edge - 1), axis.cube), axis.cube)),
+        high(hn::IfThenElse(is_block, hn::Or(axis.cube, integer(block_edge - 1)), axis.cube)) {
+    const Integers side = hn::IfThenElse(of_integers(axis.is_descending), low, hn::Add(high, integer(1)));
+    end = hn::Mul(hn::Sub(hn::ConvertTo(D(), side), axis.origin), axis.inverse);
   }
-  return std::max(least, 0.0) + 1e-6;
-}
 
-/// Returns the cubes between the centres of a block's cells and their neighbours that have an exterior corner. Each is
-/// the bit of its lowest cell.
-std::uint64_t cubes_at_exterior(const ExteriorGrid& exterior, const Eigen::Vector3i& block) {
-  constexpr std::uint64_t low_x = 0x1111111111111111;
-  constexpr std::uint64_t low_y = 0x000F000F000F000F;
-  const BlockGrid& grid = exterior.grid();
-  const auto cells = [&](int i, int j, int k) {
-    const Eigen::Vector3i at = (block + Eigen::Vector3i(i, j, k)).cwiseMin(grid.blocks - Eigen::Vector3i::Ones());
-    return exterior.exterior_cells(grid.block_index(at));
-  };
-  const auto along_x = [&](int j, int k) {
-    const std::uint64_t own = cells(0, j, k);
-    return own | (own & ~low_x) >> 1U | (cells(1, j, k) & low_x) << 3U;
-  };
-  const auto along_y = [&](int k) {
-    const std::uint64_t own = along_x(0, k);
-    return own | (own & ~low_y) >> 4U | (along_x(1, k) & low_y) << 12U;
-  };
-  const std::uint64_t own = along_y(0);
-  return own | own >> 16U | along_y(1) << 48U;
-}
-
-/// Returns the cubes of a block that intersect the box from a to b, both relative to its corner.
-std::uint64_t cubes_along(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  constexpr std::array<std::uint64_t, 3> every{0x1111111111111111, 0x0001000100010001, 1};
-  std::uint64_t cubes = ~std::uint64_t{0};
-  for (int k = 0; k < 3; ++k) {
-    const int low = std::clamp(static_cast<int>(std::min(a[k], b[k])), 0, block_edge - 1);
-    const int high = std::clamp(static_cast<int>(std::max(a[k], b[k])), 0, block_edge - 1);
-    const int layer = 1 << (2 * k);  // bits
-    const std::uint64_t from_low = ~std::uint64_t{0} << static_cast<unsigned>(low * layer);
-    const std::uint64_t to_high = ~std::uint64_t{0} >> static_cast<unsigned>(64 - (high + 1) * layer);
-    cubes &= (from_low & to_high) * every[static_cast<std::size_t>(k)];
+  /// Returns the cube entered at t.
+  [[nodiscard]] HWY_INLINE Integers next(const RayAxis& axis, Reals t) const {
+    const Integers beyond =
+        hn::IfThenElse(of_integers(axis.is_descending), hn::Sub(low, integer(1)), hn::Add(high, integer(1)));
+    const Integers beside = hn::Min(hn::Max(axis.cube_at(t), low), high);
+    return hn::IfThenElse(of_integers(hn::Le(end, t)), beyond, beside);
   }
-  return cubes;
-}
+};
 
-/// Returns the parameter, from t on, at which the ray enters a cube with an exterior corner or leaves the grid.
-double next_exterior_cube(const ExteriorGrid& exterior, const Ray& ray, double t) {
-  const BlockGrid& grid = exterior.grid();
-  while (true) {
-    const Eigen::Vector3d x = ray.at(t);
-    const Eigen::Vector3i block = (x / block_edge).cast<int>();
-    if (!grid.has_block(block)) return t;
-    const double end = t + distance_to_cube_exit<block_edge>(x, ray);
-    if (exterior.is_near_exterior(grid.block_index(block))) {
-      const Eigen::Vector3d corner = (block_edge * block).cast<double>();
-      const std::uint64_t candidates =
-          cubes_at_exterior(exterior, block) & cubes_along(x - corner, ray.at(end) - corner);
-      while (candidates != 0 && t < end) {
-        const Eigen::Vector3d from = ray.at(t);
-        const Eigen::Vector3i cube = (from - corner).cast<int>().cwiseMax(0).cwiseMin(block_edge - 1);
-        if ((candidates >> static_cast<unsigned>(cube.x() + 4 * cube.y() + 16 * cube.z()) & 1U) != 0) return t;
-        t += distance_to_cube_exit<1>(from, ray);
-      }
+/// Rays in the lanes of vectors. A lane whose ray ends takes the next one.
+class OffsetExitLanes {
+ public:
+  OffsetExitLanes(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks)
+      : exterior_(exterior),
+        closest_(closest),
+        records_(exterior.surface().triangles.records()),
+        r_(static_cast<float>(exterior.grid().r)),
+        tasks_(tasks) {
+    for (VectorLanes* vectors : {&origin_, &direction_}) store(no_vector(), *vectors);
+    store(real(0), t_);
+  }
+
+  void run() {
+    while (start() || active_ != 0) {
+      const LaneBits arrived = walk();
+      finish(advance(arrived));
     }
-    t = end;
   }
-}
 
-/// Returns the end of the part of a ray covered by the balls of radius r about the triangles' closest points; 0 if none
-/// covers its origin.
-double end_of_balls(const TriangleTable::Vectors& vectors, const Eigen::Vector3d& direction, double r) {
-  const double outside = r * (1 + 1e-4);
-  double end = 0;
-  for (std::size_t i = 0; i < TriangleTable::batch_size; ++i) {
-    const auto squared = static_cast<double>(vectors.squared[i]);
-    if (squared >= r * r) continue;
-    const double along = vectors.vector(i).dot(direction);
-    end = std::max(end, std::sqrt(along * along + outside * outside - squared) - along);
+ private:
+  /// Starts waiting tasks in idle lanes. Returns false if there is none.
+  bool start() {
+    bool is_any = false;
+    for (LaneBits idle = all_lanes() & ~active_; idle != 0 && next_task_ < tasks_.size(); idle &= idle - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(idle));
+      const OffsetExitTask& task = tasks_[next_task_];
+      origin_.set(lane, task.origin.cast<float>());
+      direction_.set(lane, task.direction.cast<float>());
+      t_[lane] = r_;
+      task_[lane] = next_task_++;
+      active_ |= LaneBits{1} << lane;
+      entering_ |= LaneBits{1} << lane;
+      is_any = true;
+    }
+    return is_any;
   }
-  return end;
+
+  /// Ends rays.
+  void finish(LaneBits lanes) {
+    for_each_lane(lanes, [&](std::size_t lane) { tasks_[task_[lane]].exit = static_cast<double>(t_[lane]); });
+    active_ &= ~lanes;
+  }
+
+  HWY_INLINE RayAxis axis(const RealLanes& origin, const RealLanes& direction, const IntegerLanes& cube, int k) const {
+    constexpr float least = 1e-12F;  // of directions
+    const Reals along = load(direction);
+    const Mask is_descending = hn::Lt(along, real(0));
+    const Reals length = hn::Max(hn::Abs(along), real(least));
+    const Eigen::Vector3i& blocks = exterior_.grid().blocks;
+    std::int32_t stride = 1;
+    for (int i = 0; i < k; ++i) stride *= blocks[i];
+    return {.origin = hn::Sub(load(origin), real(0.5F)),
+            .direction = along,
+            .inverse = hn::Div(hn::IfThenElse(is_descending, real(-1), real(1)), length),
+            .is_descending = is_descending,
+            .cube = load(cube),
+            .cells = block_edge * blocks[k],
+            .stride = stride};
+  }
+
+  /// Advances rays to the next cube with an exterior corner or out of the grid, until most of them are there. Returns
+  /// those.
+  LaneBits walk() {
+    constexpr int most = std::max(1, 3 * static_cast<int>(hn::MaxLanes(D())) / 4);
+    RayAxis x = axis(origin_.x, direction_.x, cube_[0], 0);
+    RayAxis y = axis(origin_.y, direction_.y, cube_[1], 1);
+    RayAxis z = axis(origin_.z, direction_.z, cube_[2], 2);
+    Reals t = load(t_);
+    for (RayAxis* along : {&x, &y, &z}) along->enter(mask_of(entering_), t);
+    entering_ = 0;
+    LaneBits arrived = 0;
+    while (true) {
+      const hn::Mask<DI> is_in_grid = hn::And(x.is_in_grid(), hn::And(y.is_in_grid(), z.is_in_grid()));
+      const Integers block = hn::IfThenElseZero(is_in_grid, hn::Add(hn::Add(x.block(), y.block()), z.block()));
+      const Integers state = hn::GatherIndex(DI(), exterior_.blocks(), block);
+      arrived |= active_ & ~bits_of(of_reals(hn::AndNot(has_exterior_corner(x, y, z, state), is_in_grid)));
+      if (arrived == active_ || std::popcount(arrived) >= most) break;
+      const hn::Mask<DI> is_block = hn::Eq(state, integer(ExteriorGrid::none_exterior));
+      const RayBox along_x(x, is_block);
+      const RayBox along_y(y, is_block);
+      const RayBox along_z(z, is_block);
+      const Mask moves = mask_of(active_ & ~arrived);
+      const Reals end = hn::Max(hn::Min(along_x.end, hn::Min(along_y.end, along_z.end)), t);
+      t = hn::IfThenElse(moves, end, t);
+      x.cube = hn::IfThenElse(of_integers(moves), along_x.next(x, t), x.cube);
+      y.cube = hn::IfThenElse(of_integers(moves), along_y.next(y, t), y.cube);
+      z.cube = hn::IfThenElse(of_integers(moves), along_z.next(z, t), z.cube);
+    }
+    store(t, t_);
+    store(x.cube, cube_[0]);
+    store(y.cube, cube_[1]);
+    store(z.cube, cube_[2]);
+    return arrived;
+  }
+
+  /// Returns the lanes whose cube, in a block of a state, has an exterior corner.
+  HWY_INLINE hn::Mask<DI> has_exterior_corner(const RayAxis& x, const RayAxis& y, const RayAxis& z,
+                                              Integers state) const {
+    const hn::RebindToUnsigned<D> du;
+    const Integers place_z = z.place_in_block();
+    const Integers half = hn::Add(hn::Add(state, state), hn::ShiftRight<1>(place_z));
+    const Unsigned cubes = hn::GatherIndex(du, exterior_.cubes()->data(), half);
+    const Integers bit = hn::Add(x.place_in_block(), hn::Add(hn::ShiftLeft<2>(y.place_in_block()),
+                                                             hn::ShiftLeft<4>(hn::And(place_z, integer(1)))));
+    const Unsigned selected = hn::And(hn::Shr(cubes, hn::BitCast(du, bit)), hn::Set(du, 1));
+    return hn::Gt(hn::BitCast(DI(), selected), integer(0));
+  }
+
+  /// Advances rays out of the balls of radius r about the closest points of the surrounding triangles. Returns those
+  /// that end.
+  LaneBits advance(LaneBits arrived) {
+    // After a step below this length, in units of r, the surrounding triangles are the same.
+    constexpr float negligible = 0.02F;
+    const Vectors direction = load(direction_);
+    const Vectors x = plus_product(load(origin_), load(t_), direction);
+    const auto in_grid = [&](std::size_t k) HWY_ATTR {
+      const std::int32_t last = block_edge * exterior_.grid().blocks[static_cast<Eigen::Index>(k)] - 2;
+      return hn::Min(hn::Max(load(cube_[k]), integer(0)), integer(last));
+    };
+    find_cells(exterior_, {in_grid(0), in_grid(1), in_grid(2)}, cells_.data());
+    Reals covered = real(0);
+    Reals least = real(infinity);
+    Vectors closest = no_vector();
+    for (Surrounding& cell : cells_) {
+      measure(records_, x, cell);
+      covered = hn::Max(covered, end_of_balls(cell, direction));
+      const Reals squared = load(cell.squared);
+      closest = select<D>(hn::Lt(squared, least), load(cell.vector), closest);
+      least = hn::Min(squared, least);
+    }
+    const LaneBits has_triangles = arrived & bits_of(hn::Lt(least, real(infinity)));
+    move(has_triangles, covered);
+    LaneBits going = has_triangles & bits_of(hn::Gt(covered, real(negligible * r_)));
+    const LaneBits looking = look_near(has_triangles & ~going, x, difference(x, closest));
+    if (looking != 0) {
+      measure(records_, plus_product(load(origin_), load(t_), direction), look_);
+      covered = end_of_balls(look_, direction);
+      move(looking, covered);
+      going |= looking & bits_of(hn::Gt(covered, real(negligible * r_)));
+    }
+    entering_ |= going;
+    return arrived & ~going;
+  }
+
+  HWY_INLINE void move(LaneBits lanes, Reals by) {
+    const Reals t = load(t_);
+    store(hn::IfThenElse(mask_of(lanes), hn::Add(t, by), t), t_);
+  }
+
+  /// Returns the ends of the parts of rays covered by balls of radius r about the triangles' closest points; 0 if the
+  /// current point is not covered.
+  HWY_INLINE Reals end_of_balls(const Surrounding& surrounding, const Vectors& direction) const {
+    const float outside = r_ * (1 + 1e-4F);
+    const Reals squared = load(surrounding.squared);
+    const Mask is_covered = hn::Lt(squared, real(r_ * r_));
+    if (hn::AllFalse(D(), is_covered)) return real(0);
+    const Reals along = dot<D>(load(surrounding.vector), direction);
+    const Reals half_chord2 = hn::MulAdd(along, along, hn::Sub(real(outside * outside), squared));
+    return hn::IfThenElseZero(is_covered, hn::Sub(hn::Sqrt(half_chord2), along));
+  }
+
+  /// Finds triangles that are nearest to none of the cells but may be closer to x: they are near the closest one, whose
+  /// place is given. Returns the lanes with one.
+  LaneBits look_near(LaneBits lanes, const Vectors& x, const Vectors& place) {
+    VectorLanes positions;
+    VectorLanes places;
+    store(x, positions);
+    store(place, places);
+    store(integer(-1), look_.triangle);
+    LaneBits found = 0;
+    for_each_lane(lanes, [&](std::size_t lane) {
+      const std::int32_t triangle = closest_.near(places.at(lane), positions.at(lane));
+      for (const Surrounding& cell : cells_) {
+        if (cell.triangle[lane] == triangle) return;
+      }
+      if (triangle < 0) return;
+      look_.triangle[lane] = triangle;
+      found |= LaneBits{1} << lane;
+    });
+    return found;
+  }
+
+  const ExteriorGrid& exterior_;
+  ClosestTriangles& closest_;
+  const float* records_;
+  float r_;
+  std::span<OffsetExitTask> tasks_;
+  std::size_t next_task_ = 0;
+  std::array<std::size_t, max_lanes> task_{};
+  LaneBits active_ = 0;
+  LaneBits entering_ = 0;  ///< rays whose cube has to be found
+  VectorLanes origin_, direction_;
+  RealLanes t_;
+  std::array<IntegerLanes, 3> cube_{};
+  std::array<Surrounding, cells_around_point> cells_{};
+  Surrounding look_{};
+};
+
+void find_exits(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks) {
+  OffsetExitLanes(exterior, closest, tasks).run();
 }
 
 }  // namespace
+}  // namespace shapegauge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
-double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-  constexpr int max_steps = 100000;
-  // After a step below this length, in units of r, the surrounding triangles are the same.
-  constexpr double negligible = 0.02;
-  const double r = exterior.grid().r;
-  const Ray ray{(origin.array() - 0.5).matrix(), direction, direction.cwiseInverse()};
-  TriangleTable::Vectors vectors;
-  double t = r;
-  for (int step = 0; step < max_steps; ++step) {
-    t = next_exterior_cube(exterior, ray, t);
-    const Eigen::Vector3d x = origin + t * direction;
-    const CellsAround around = cells_around(exterior, x);
-    // The balls about the closest points of the surrounding triangles cover a part of the ray; advance to its end.
-    if (!vectors_around(exterior, around, x, vectors)) return t;
-    double covered = end_of_balls(vectors, direction, r);
-    t += covered;
-    if (covered > negligible * r) continue;
-    // A triangle that is nearest to none of the cells may be closer; it is near the closest one.
-    const auto closest = static_cast<std::size_t>(std::min_element(vectors.squared.begin(), vectors.squared.end()) -
-                                                  vectors.squared.begin());
-    const std::int32_t triangle =
-        closest_triangle_near(exterior.grid(), exterior.surface(), x - vectors.vector(closest), closest_reach, x);
-    const bool is_known =
-        std::find(around.triangles.begin(), around.triangles.end(), triangle) != around.triangles.end();
-    if (triangle < 0 || is_known) return t;
-    std::array<std::int32_t, TriangleTable::batch_size> triangles;
-    triangles.fill(triangle);
-    exterior.surface().triangles.vectors_to(origin + t * direction, triangles.data(), vectors);
-    covered = end_of_balls(vectors, direction, r);
-    t += covered;
-    if (covered <= negligible * r) return t;
-  }
-  return t;
+#if HWY_ONCE
+namespace shapegauge {
+
+HWY_EXPORT(find_exits);
+
+void find_offset_exits(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks) {
+  if (!tasks.empty()) HWY_DYNAMIC_DISPATCH(find_exits)(exterior, closest, tasks);
 }
 
 }  // namespace shapegauge
+#endif  // HWY_ONCE

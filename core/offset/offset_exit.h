@@ -1,13 +1,22 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
-#include "shapegauge/core/offset/cells_around.h"
+#include "shapegauge/core/offset/exterior_grid.h"
+#include "shapegauge/core/offset/point_search.h"
 
 namespace shapegauge {
 
-/// Returns the distance (in cells) along a ray with a unit direction, from a point of the surface to E(r), which is at
-/// least r away.
-double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction);
+/// Ray from a point of the surface to E(r), which is at least r away. In cells.
+struct OffsetExitTask {
+  Eigen::Vector3d origin;
+  Eigen::Vector3d direction;  ///< unit vector
+  double exit = 0;            ///< result: distance along the ray
+};
+
+/// Solves tasks. Each runs in a lane of the processor's vectors, in single precision. Results do not depend on the
+/// other tasks.
+void find_offset_exits(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks);
 
 }  // namespace shapegauge

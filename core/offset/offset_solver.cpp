@@ -14,9 +14,11 @@
 #include "shapegauge/core/offset/grid_layout.h"
 #include "shapegauge/core/offset/mean_normals.h"
 #include "shapegauge/core/offset/nearest_offset_point.h"
+#include "shapegauge/core/offset/offset_depth.h"
 #include "shapegauge/core/offset/offset_exit.h"
 #include "shapegauge/core/offset/offset_sites.h"
 #include "shapegauge/core/offset/on_surface.h"
+#include "shapegauge/core/offset/point_search.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -70,8 +72,13 @@ class Solver {
 
  private:
   struct Sample {
+    Eigen::Index index;
     Eigen::Vector3d p, normal;
     std::int32_t triangle;  ///< that probably contains it
+    std::size_t group;      ///< index of its group
+    bool is_direct = false;
+    Eigen::Vector3d q = no_point;    ///< if direct
+    std::array<double, 2> depths{};  ///< by side: of p raised by r along the normal
   };
 
   static constexpr std::size_t max_starts = 9;
@@ -84,7 +91,6 @@ class Solver {
   /// Sample whose q is found by iteration, from p raised on either side: the nearer side first, whatever the
   /// orientation of the normal.
   struct Search {
-    Eigen::Index index;
     Sample sample;
     std::array<Eigen::Vector3d, 2> places;
     std::array<double, 2> distances{};  ///< by side: to the nearest site
@@ -108,26 +114,35 @@ class Solver {
 
   /// Scratch data of a batch. The buffers are reused by later ones.
   struct Scratch {
-    explicit Scratch(const Solver& solver) : sites(solver.exterior_, solver.sites_) {}
+    explicit Scratch(const Solver& solver)
+        : sites(solver.exterior_, solver.sites_), closest(solver.grid_, solver.exterior_.surface()) {}
     NearbySites sites;
+    ClosestTriangles closest;
     Eigen::AlignedBox3d places;  ///< of the group whose sites have been collected
     double reach = 0;            ///< sites within this distance of the places have been collected
+    std::vector<Sample> samples;
+    std::vector<OffsetDepthTask> depths;
+    std::vector<std::size_t> tested;  ///< samples of the depths
     std::vector<Search> searches;
     std::vector<SearchGroup> groups;
     std::vector<OffsetPointTask> tasks;
     std::vector<std::size_t> running;  ///< searches with new starts; then by task
     std::vector<NearbySites::Site> starts;
+    std::vector<OffsetExitTask> rays;
+    std::vector<Eigen::Index> ray_samples;
     NearbyPoints surface;
   };
 
   void sort();
   void solve_batch(const Batch& batch, Scratch& scratch) const;
-  void solve_direct(const Group& group, Scratch& scratch) const;
-  void finish(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::Vector3d& q) const;
-  [[nodiscard]] std::optional<Eigen::Vector3d> direct(const Sample& sample,
-                                                      std::array<Eigen::Vector3d, 2>& places) const;
-  [[nodiscard]] std::optional<double> depth_of(const Eigen::Vector3d& x) const;
-  [[nodiscard]] std::int32_t covering_triangle(const Sample& sample, const Eigen::Vector3d& x) const;
+  void collect_samples(const Batch& batch, Scratch& scratch) const;
+  void find_direct(Scratch& scratch) const;
+  void add_searches(Scratch& scratch) const;
+  void set_q(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::Vector3d& q, Scratch& scratch) const;
+  void find_values(Scratch& scratch) const;
+  [[nodiscard]] std::array<Eigen::Vector3d, 2> raised_sample(const Sample& sample) const;
+  [[nodiscard]] std::int32_t covering_triangle(const Sample& sample, const Eigen::Vector3d& x,
+                                               ClosestTriangles& triangles) const;
   bool find_starts(Scratch& scratch) const;
   void find_starts(Search& search, Scratch& scratch) const;
   void set_starts(Search& search, std::size_t side, double margin, double apart, std::size_t max_count,
@@ -136,7 +151,7 @@ class Solver {
   [[nodiscard]] Eigen::Vector3d nearest_site(const Search& search) const;
   bool begin_iteration(Search& search, OffsetPointTask& task) const;
   [[nodiscard]] const NearbySites::Site* next_start(Search& search) const;
-  bool is_continued(Search& search, OffsetPointTask& task) const;
+  bool is_continued(Search& search, OffsetPointTask& task, ClosestTriangles& triangles) const;
   std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places, Scratch& scratch) const;
 
   /// Maximum decrease of the distance, in cells, from a site to its refined point, with few exceptions. With fine cells
@@ -188,28 +203,6 @@ void Solver::sort() {
   }
 }
 
-/// Returns the depth of a place inside O(r), in units of r; 1 if no surrounding cell has a triangle. Returns nothing
-/// for an exterior place.
-std::optional<double> Solver::depth_of(const Eigen::Vector3d& x) const {
-  constexpr double slack = 1e-3;
-  const CellsAround around = cells_around(exterior_, x);
-  TriangleTable::Vectors vectors;
-  if (!vectors_around(exterior_, around, x, vectors)) {
-    return around.touches_exterior ? std::nullopt : std::optional<double>(1);
-  }
-  const auto closest = std::min_element(vectors.squared.begin(), vectors.squared.end());
-  auto squared = static_cast<double>(*closest);
-  const double least = (1 - slack) * grid_.r;
-  if (squared >= least * least && around.touches_exterior) return std::nullopt;
-  if (squared >= std::pow((1 - blend_depth) * grid_.r, 2)) {
-    // A small depth must be accurate: a triangle that is nearest to no cell may be closer.
-    const Eigen::Vector3d place = x - vectors.vector(static_cast<std::size_t>(closest - vectors.squared.begin()));
-    const std::int32_t triangle = closest_triangle_near(grid_, exterior_.surface(), place, closest_reach, x);
-    if (triangle >= 0) squared = std::min(squared, exterior_.surface().triangles.squared_distance(x, triangle));
-  }
-  return std::max(1 - std::sqrt(squared) / grid_.r, 0.0);
-}
-
 /// Returns the distances from a sample raised on either side to the nearest site, after collecting all sites that the
 /// search may use: those up to extended_margin() beyond a distance that exceeds the smaller one by at most gain(). If
 /// the larger exceeds the smaller by more, it is a lower bound.
@@ -231,11 +224,12 @@ std::array<double, 2> Solver::measure(const std::array<Eigen::Vector3d, 2>& plac
 
 /// Returns a triangle that covers x, a result of the iteration: the sample's own or, if no surrounding cell is exterior
 /// (at the end of a wedge), any. Returns -1 if there is none.
-std::int32_t Solver::covering_triangle(const Sample& sample, const Eigen::Vector3d& x) const {
+std::int32_t Solver::covering_triangle(const Sample& sample, const Eigen::Vector3d& x,
+                                       ClosestTriangles& triangles) const {
   constexpr double slack = 1e-3;  // of r
   if ((x - sample.p).norm() < (1 - slack) * grid_.r) return sample.triangle;
   if (cells_around(exterior_, x).touches_exterior) return -1;
-  const std::int32_t closest = closest_triangle_near(grid_, exterior_.surface(), x, grid_.r, x);
+  const std::int32_t closest = triangles.within(grid_.r, x);
   if (closest < 0) return -1;
   const double least = (1 - slack) * grid_.r;
   return exterior_.surface().triangles.squared_distance(x, closest) < least * least ? closest : -1;
@@ -322,13 +316,13 @@ bool Solver::begin_iteration(Search& search, OffsetPointTask& task) const {
 }
 
 /// Evaluates an iteration. Returns true if it is continued, with a triangle that covers its result.
-bool Solver::is_continued(Search& search, OffsetPointTask& task) const {
+bool Solver::is_continued(Search& search, OffsetPointTask& task, ClosestTriangles& triangles) const {
   constexpr int max_repeats = 3;
   constexpr double nearly_free = 0.8;  // of r
   if (!task.found) return false;
   Eigen::Vector3d x = *task.found;
   const Eigen::Vector3d& p = search.sample.p;
-  const std::int32_t triangle = search.repeats < max_repeats ? covering_triangle(search.sample, x) : -1;
+  const std::int32_t triangle = search.repeats < max_repeats ? covering_triangle(search.sample, x, triangles) : -1;
   if (triangle >= 0) {
     ++search.repeats;
     task.start = x;
@@ -362,9 +356,9 @@ void Solver::iterate(Scratch& scratch) const {
   };
   keep([this](Search& search, OffsetPointTask& task) { return begin_iteration(search, task); });
   while (!tasks.empty()) {
-    find_nearest_offset_points(exterior_, tasks);
-    keep([this](Search& search, OffsetPointTask& task) {
-      return is_continued(search, task) || begin_iteration(search, task);
+    find_nearest_offset_points(exterior_, scratch.closest, tasks);
+    keep([&](Search& search, OffsetPointTask& task) {
+      return is_continued(search, task, scratch.closest) || begin_iteration(search, task);
     });
   }
 }
@@ -376,71 +370,107 @@ Eigen::Vector3d Solver::nearest_site(const Search& search) const {
   return sites_.place(starts.list.front().site);
 }
 
-/// Returns q if it is p + r n or p - r n. Otherwise returns nothing and sets `places` to p raised on either side.
-std::optional<Eigen::Vector3d> Solver::direct(const Sample& sample, std::array<Eigen::Vector3d, 2>& places) const {
-  const auto& [p, normal, triangle] = sample;
-  places = {p, p};
-  if (normal.isZero()) return std::nullopt;
-  std::array<double, 2> depths;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Eigen::Vector3d end = p + sides[i] * grid_.r * normal;
-    const std::optional<double> depth = depth_of(end);
-    if (!depth) return end;
-    depths[i] = *depth;
-  }
-  const Eigen::Vector3d mean = means_.at(p, normal);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    places[i] = raised(p, sides[i] * normal, sides[i] * mean, depths[i], grid_.r);
-  }
-  return std::nullopt;
+/// Returns a sample raised on either side.
+std::array<Eigen::Vector3d, 2> Solver::raised_sample(const Sample& sample) const {
+  const Eigen::Vector3d& p = sample.p;
+  if (sample.normal.isZero()) return {p, p};
+  const Eigen::Vector3d mean = means_.at(p, sample.normal);
+  return {raised(p, sample.normal, mean, sample.depths[0], grid_.r),
+          raised(p, -sample.normal, -mean, sample.depths[1], grid_.r)};
 }
 
-/// Computes the results that follow from q.
-void Solver::finish(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::Vector3d& q) const {
-  const double r = grid_.r;
+/// Sets the results that follow from q, and adds the ray to q'.
+void Solver::set_q(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::Vector3d& q, Scratch& scratch) const {
   const double height = (q - p).norm();
   const Eigen::Vector3d outward = (q - p) / height;
   results_.directions.row(index) = outward.transpose();
   results_.heights[index] = height * grid_.cell;
-  // Both ends are at least r away from p, except for rounding in single precision.
-  const double exit = offset_exit(exterior_, p, -outward);
-  results_.values[index] = std::max(0.0, (height - r) + (exit - r)) * grid_.cell;
+  scratch.rays.push_back({.origin = p, .direction = -outward});
+  scratch.ray_samples.push_back(index);
 }
 
-/// Solves the direct samples of a group, and adds the others to the searches.
-void Solver::solve_direct(const Group& group, Scratch& scratch) const {
-  SearchGroup searches{scratch.searches.size(), 0, {}};
-  for (std::size_t k = group.begin; k < group.end; ++k) {
-    Search search;
-    search.index = order_[k];
-    const auto i = static_cast<std::size_t>(search.index);
-    search.sample = {grid_.to_cells(points_.row(search.index).transpose()), normals_.row(search.index).transpose(),
-                     likely_[i]};
-    if (!is_on_surface(exterior_, shape_, search.sample.p, search.sample.triangle, scratch.surface)) continue;
-    if (const auto q = direct(search.sample, search.places)) {
-      results_.outcomes[i] = OffsetOutcome::direct;
-      finish(search.index, search.sample.p, *q);
+/// Computes the values from the rays.
+void Solver::find_values(Scratch& scratch) const {
+  find_offset_exits(exterior_, scratch.closest, scratch.rays);
+  for (std::size_t i = 0; i < scratch.rays.size(); ++i) {
+    const Eigen::Index index = scratch.ray_samples[i];
+    // Both ends are at least r away from p, except for rounding in single precision.
+    const double beyond = (scratch.rays[i].exit - 2 * grid_.r) * grid_.cell;
+    results_.values[index] = std::max(0.0, results_.heights[index] + beyond);
+  }
+}
+
+/// Collects the samples of a batch that lie on the surface.
+void Solver::collect_samples(const Batch& batch, Scratch& scratch) const {
+  scratch.samples.clear();
+  for (std::size_t g = batch.begin; g < batch.end; ++g) {
+    for (std::size_t k = groups_[g].begin; k < groups_[g].end; ++k) {
+      const Eigen::Index index = order_[k];
+      const Eigen::Vector3d p = grid_.to_cells(points_.row(index).transpose());
+      const std::int32_t triangle = likely_[static_cast<std::size_t>(index)];
+      if (!is_on_surface(exterior_, shape_, p, triangle, scratch.surface)) continue;
+      scratch.samples.push_back(
+          {.index = index, .p = p, .normal = normals_.row(index).transpose(), .triangle = triangle, .group = g});
+    }
+  }
+}
+
+/// Finds the samples whose q is p + r n or, if that is covered, p - r n.
+void Solver::find_direct(Scratch& scratch) const {
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    scratch.depths.clear();
+    scratch.tested.clear();
+    for (std::size_t i = 0; i < scratch.samples.size(); ++i) {
+      const Sample& sample = scratch.samples[i];
+      if (sample.is_direct || sample.normal.isZero()) continue;
+      scratch.depths.push_back({.x = sample.p + sides[side] * grid_.r * sample.normal});
+      scratch.tested.push_back(i);
+    }
+    find_offset_depths(exterior_, scratch.closest, scratch.depths);
+    for (std::size_t i = 0; i < scratch.tested.size(); ++i) {
+      const OffsetDepthTask& place = scratch.depths[i];
+      Sample& sample = scratch.samples[scratch.tested[i]];
+      sample.is_direct = place.is_exterior;
+      sample.q = place.x;
+      sample.depths[side] = place.depth;
+    }
+  }
+}
+
+/// Sets q of the direct samples, and adds the others to the searches.
+void Solver::add_searches(Scratch& scratch) const {
+  scratch.searches.clear();
+  scratch.groups.clear();
+  std::size_t group = groups_.size();
+  for (const Sample& sample : scratch.samples) {
+    if (sample.is_direct) {
+      results_.outcomes[static_cast<std::size_t>(sample.index)] = OffsetOutcome::direct;
+      set_q(sample.index, sample.p, sample.q, scratch);
       continue;
     }
-    for (const Eigen::Vector3d& place : search.places) searches.places.extend(place);
-    scratch.searches.push_back(search);
+    if (sample.group != group) scratch.groups.push_back({scratch.searches.size(), 0, {}});
+    group = sample.group;
+    scratch.searches.push_back({.sample = sample, .places = raised_sample(sample)});
+    for (const Eigen::Vector3d& place : scratch.searches.back().places) scratch.groups.back().places.extend(place);
+    scratch.groups.back().end = scratch.searches.size();
   }
-  searches.end = scratch.searches.size();
-  if (searches.end > searches.begin) scratch.groups.push_back(searches);
 }
 
 /// Solves the direct samples first; sites are collected around the others only.
 void Solver::solve_batch(const Batch& batch, Scratch& scratch) const {
-  scratch.searches.clear();
-  scratch.groups.clear();
-  for (std::size_t g = batch.begin; g < batch.end; ++g) solve_direct(groups_[g], scratch);
+  scratch.rays.clear();
+  scratch.ray_samples.clear();
+  collect_samples(batch, scratch);
+  find_direct(scratch);
+  add_searches(scratch);
   while (find_starts(scratch)) iterate(scratch);
   for (const Search& search : scratch.searches) {
     const bool is_found = search.best < infinity;
-    results_.outcomes[static_cast<std::size_t>(search.index)] =
+    results_.outcomes[static_cast<std::size_t>(search.sample.index)] =
         is_found ? OffsetOutcome::searched : OffsetOutcome::undecided;
-    finish(search.index, search.sample.p, is_found ? search.q : nearest_site(search));
+    set_q(search.sample.index, search.sample.p, is_found ? search.q : nearest_site(search), scratch);
   }
+  find_values(scratch);
 }
 
 }  // namespace
@@ -454,7 +484,7 @@ OffsetResults solve_on_grid(const Shape& shape, const Points& points, const Poin
   const GridSurface surface(grid, shape, layout.spacing, options.parallel);
   const ExteriorGrid exterior(grid, surface, site_band, options.parallel);
   const OffsetSites sites(exterior, site_band, options.parallel);
-  const MeanNormals means(grid, shape, surface);
+  const MeanNormals means(grid, shape, surface, options.parallel);
   OffsetResults results;
   results.offset = layout.offset;
   results.build_seconds = stopwatch.seconds();

@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "shapegauge/core/offset/point_search.h"
 #include "shapegauge/core/spatial/closest_point.h"
 
 namespace shapegauge {
@@ -24,28 +25,20 @@ bool is_on_own_triangle(const BlockGrid& grid, const Shape& shape, std::int32_t 
 /// Tests the triangles of the points near p.
 bool is_on_any_triangle(const ExteriorGrid& exterior, const GridPoints& points, const Eigen::Vector3d& p,
                         double near_enough, NearbyPoints& nearby) {
-  if (points.empty()) return false;
+  if (points.size() == 0) return false;
   // Maximum distance of a point of a triangle from its samples: the apex of an equilateral one.
   const double reach = 1.5 * exterior.surface().spacing + near_enough;
+  std::vector<std::uint32_t>& found = nearby.index;
+  find_points_within(exterior.grid(), points, p, reach, found);
   std::array<std::int32_t, TriangleTable::batch_size> triangles{};
   TriangleTable::Vectors vectors;
-  points.find_runs(exterior.grid(), p, reach, nearby.runs);
-  for (const auto& [begin, end] : nearby.runs) {
-    const std::size_t count = end - begin;
-    if (nearby.squared.size() < count + grid_padding) nearby.squared.resize(count + grid_padding);
-    if (nearby.index.size() < count) nearby.index.resize(count);
-    squared_distances(&points.x[begin], &points.y[begin], &points.z[begin], count, p.cast<float>(),
-                      nearby.squared.data());
-    const std::size_t found =
-        indices_within(nearby.squared.data(), count, static_cast<float>(reach * reach), nearby.index.data());
-    for (std::size_t i = 0; i < found; i += triangles.size()) {
-      for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
-        triangles[lane] = points.triangle[begin + nearby.index[std::min(i + lane, found - 1)]];
-      }
-      exterior.surface().triangles.vectors_to(p, triangles.data(), vectors);
-      const float least = *std::min_element(vectors.squared.begin(), vectors.squared.end());
-      if (static_cast<double>(least) <= near_enough * near_enough) return true;
+  for (std::size_t i = 0; i < found.size(); i += triangles.size()) {
+    for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+      triangles[lane] = points.triangle[found[std::min(i + lane, found.size() - 1)]];
     }
+    exterior.surface().triangles.vectors_to(p, triangles.data(), vectors);
+    const float least = *std::min_element(vectors.squared.begin(), vectors.squared.end());
+    if (static_cast<double>(least) <= near_enough * near_enough) return true;
   }
   return false;
 }

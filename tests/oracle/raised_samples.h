@@ -14,7 +14,9 @@ namespace shapegauge::test {
 class RaisedSamples {
  public:
   RaisedSamples(const Shape& shape, double r)
-      : grid_(bounding_box(shape), r, r / 3), surface_(grid_, shape, 0.75, false), means_(grid_, shape, surface_) {}
+      : grid_(bounding_box(shape), r, r / 3),
+        surface_(grid_, shape, 0.75, false),
+        means_(grid_, shape, surface_, false) {}
 
   /// On either side of p; the distance is d, exactly.
   template <typename Distance>

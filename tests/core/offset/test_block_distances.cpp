@@ -16,7 +16,7 @@ namespace {
 /// Returns the distance from x to the nearest point, optionally of one triangle.
 double distance_to_points(const GridPoints& points, const Eigen::Vector3d& x, std::int32_t triangle = -1) {
   double squared = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < points.triangle.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     if (triangle >= 0 && points.triangle[i] != triangle) continue;
     const Eigen::Vector3f point(points.x[i], points.y[i], points.z[i]);
     squared = std::min(squared, (point.cast<double>() - x).squaredNorm());

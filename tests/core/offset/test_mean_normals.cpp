@@ -15,7 +15,7 @@ constexpr double r = 0.2;
 Points means_at(const Shape& shape, const Samples& samples) {
   const BlockGrid grid(bounding_box(shape), r, r / 3);
   const GridSurface surface(grid, shape, 0.75, false);
-  const MeanNormals means(grid, shape, surface);
+  const MeanNormals means(grid, shape, surface, false);
   Points result(samples.points.rows(), 3);
   for (Eigen::Index i = 0; i < result.rows(); ++i) {
     result.row(i) = means.at(grid.to_cells(samples.points.row(i).transpose()), samples.normals.row(i).transpose());
@@ -65,6 +65,42 @@ TEST(MeanNormals, LieBetweenANoisyNormalAndTheTrueOne) {
     EXPECT_LE(means.row(i).norm(), 1 + 1e-6);
   }
   EXPECT_LT(mean, noisy / 4);
+}
+
+/// Sums over all points: the definition.
+Eigen::Vector3d literal_mean(const BlockGrid& grid, const Shape& shape, const GridSurface& surface,
+                             const Eigen::Vector3d& p, const Eigen::Vector3d& n) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  double weights = 0;
+  const double reach = grid.r / 2;
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    const Eigen::Vector3f point(surface.points.x[i], surface.points.y[i], surface.points.z[i]);
+    const double nearness = 1 - (point.cast<double>() - p).squaredNorm() / (reach * reach);
+    if (nearness <= 0) continue;
+    const Triangle t = triangle_in_cells(grid, shape, surface.points.triangle[i]);
+    const Eigen::Vector3d normal = (t.b - t.a).cross(t.c - t.a).normalized();
+    const double weight = nearness * nearness * static_cast<double>(surface.points.area[i]);
+    sum += weight * normal * normal.transpose();
+    weights += weight;
+  }
+  return sum * (sum * n) / (weights * weights);
+}
+
+TEST(MeanNormals, MatchTheSumOverAllPoints) {
+  RandomNumbers random(4, 0);
+  // Most triangles have one point, and several.
+  for (const Shape& shape : {test::torus(1, 0.4, 120, 60), test::torus(1, 0.4, 15, 10)}) {
+    const BlockGrid grid(bounding_box(shape), r, r / 3);
+    const GridSurface surface(grid, shape, 0.75, false);
+    const MeanNormals means(grid, shape, surface, false);
+    const Samples samples = sample_shape(shape, SampleSite::faces);
+    for (int round = 0; round < 200; ++round) {
+      const auto i = static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(samples.points.rows())));
+      const Eigen::Vector3d p = grid.to_cells(samples.points.row(i).transpose());
+      const Eigen::Vector3d n = samples.normals.row(i);
+      EXPECT_LT((means.at(p, n) - literal_mean(grid, shape, surface, p, n)).norm(), 1e-4) << i;
+    }
+  }
 }
 
 TEST(MeanNormals, OfACloudAreItsNormals) {

@@ -24,6 +24,11 @@ struct TaskGrid {
         surface(grid, shape, 0.75, false),
         exterior(grid, surface, site_band, false) {}
 
+  void solve(std::vector<OffsetPointTask>& tasks) const {
+    ClosestTriangles closest(grid, surface);
+    find_nearest_offset_points(exterior, closest, tasks);
+  }
+
   BlockGrid grid;
   GridSurface surface;
   ExteriorGrid exterior;
@@ -67,7 +72,7 @@ TEST(NearestOffsetPoint, ConvergesAroundEdges) {
                      .known = nowhere,
                      .found = {}});
   }
-  find_nearest_offset_points(grids.exterior, tasks);
+  grids.solve(tasks);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     ASSERT_TRUE(tasks[i].found) << i;
     const Eigen::Vector3d exact = grids.grid.to_cells(edges[i].middle + r * edges[i].towards);
@@ -91,7 +96,7 @@ TEST(NearestOffsetPoint, ConvergesAroundCorners) {
                                           .triangle = static_cast<std::int32_t>(f),
                                           .known = nowhere,
                                           .found = {}}};
-      find_nearest_offset_points(grids.exterior, tasks);
+      grids.solve(tasks);
       ASSERT_TRUE(tasks[0].found) << f << ' ' << k;
       const Eigen::Vector3d exact = grids.grid.to_cells(corner + r * towards);
       EXPECT_LT((*tasks[0].found - exact).norm(), 0.01 * grids.grid.r) << f << ' ' << k;
@@ -123,14 +128,14 @@ TEST(NearestOffsetPoint, ResultOfATaskDoesNotDependOnTheOthers) {
   const std::vector<OffsetPointTask> tasks = many_tasks(grids, shape);
   ASSERT_GT(tasks.size(), 100U);
   std::vector<OffsetPointTask> together = tasks;
-  find_nearest_offset_points(grids.exterior, together);
+  grids.solve(together);
   std::vector<OffsetPointTask> backwards(tasks.rbegin(), tasks.rend());
-  find_nearest_offset_points(grids.exterior, backwards);
+  grids.solve(backwards);
   std::reverse(backwards.begin(), backwards.end());
   std::size_t found = 0;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     std::vector<OffsetPointTask> alone{tasks[i]};
-    find_nearest_offset_points(grids.exterior, alone);
+    grids.solve(alone);
     EXPECT_EQ(alone[0].found, together[i].found) << i;
     EXPECT_EQ(backwards[i].found, together[i].found) << i;
     found += together[i].found ? 1 : 0;
@@ -149,7 +154,7 @@ TEST(NearestOffsetPoint, IsAbandonedNearAKnownResult) {
                                       .triangle = edge.triangle,
                                       .known = known,
                                       .found = {}}};
-  find_nearest_offset_points(grids.exterior, tasks);
+  grids.solve(tasks);
   EXPECT_FALSE(tasks[0].found);
 }
 

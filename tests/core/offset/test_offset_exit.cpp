@@ -22,8 +22,19 @@ class ExitOf {
         exterior_(grid_, surface_, 0.9, false) {}
 
   double operator()(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
-    return offset_exit(exterior_, grid_.to_cells(origin), direction) * grid_.cell;
+    std::vector<OffsetExitTask> tasks{task(origin, direction)};
+    solve(tasks);
+    return tasks[0].exit * grid_.cell;
   }
+
+  void solve(std::vector<OffsetExitTask>& tasks) const {
+    ClosestTriangles closest(grid_, surface_);
+    find_offset_exits(exterior_, closest, tasks);
+  }
+  [[nodiscard]] OffsetExitTask task(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
+    return {.origin = grid_.to_cells(origin), .direction = direction};
+  }
+  [[nodiscard]] const ExteriorGrid& exterior() const { return exterior_; }
 
  private:
   BlockGrid grid_;
@@ -172,6 +183,67 @@ TEST(OffsetExit, OfAPointCloudIsWhereTheRayLeavesItsBalls) {
   // The ball about the second point covers the ray up to here.
   const double along = 0.4 * oblique.x();
   EXPECT_NEAR(exit({0, 0, 0}, oblique), along + std::sqrt(along * along + r * r - 0.16), 0.005 * r);
+}
+
+TEST(OffsetExit, OfARayDoesNotDependOnTheOthers) {
+  const Shape shape = test::of_diagonal_1(test::star());
+  const ExitOf exit(shape, 0.05);
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  RandomNumbers random(4);
+  std::vector<OffsetExitTask> tasks;
+  for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
+    tasks.push_back(exit.task(samples.points.row(i), random_direction(random)));
+  }
+  std::vector<OffsetExitTask> together = tasks;
+  exit.solve(together);
+  std::vector<OffsetExitTask> backwards(tasks.rbegin(), tasks.rend());
+  exit.solve(backwards);
+  std::reverse(backwards.begin(), backwards.end());
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    std::vector<OffsetExitTask> alone{tasks[i]};
+    exit.solve(alone);
+    EXPECT_EQ(alone[0].exit, together[i].exit) << i;
+    EXPECT_EQ(backwards[i].exit, together[i].exit) << i;
+  }
+}
+
+/// Returns true if a cell of the eight around x is exterior: the literal definition of the rays' cubes.
+bool touches_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d step(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const Eigen::Vector3i cell = (x.array() - 0.5).floor().cast<int>() + step.array().cast<int>();
+    if ((cell.array() < 0).any() || (cell.array() >= block_edge * exterior.grid().blocks.array()).any()) return true;
+    const Eigen::Vector3i in_block = cell - block_edge * (cell / block_edge);
+    const int bit = in_block.x() + block_edge * (in_block.y() + block_edge * in_block.z());
+    if ((exterior.exterior_cells(exterior.grid().block_index(cell / block_edge)) >> bit & 1U) != 0) return true;
+  }
+  return false;
+}
+
+TEST(OffsetExit, IsTheFirstPlaceAtAnExteriorCellWhereNoTriangleIsCloserThanTheOffset) {
+  const double r = 0.05;
+  const Shape shape = test::of_diagonal_1(test::star());
+  const ExitOf exit(shape, r);
+  const BlockGrid& grid = exit.exterior().grid();
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  RandomNumbers random(5);
+  int places = 0;
+  for (Eigen::Index i = 0; i < samples.points.rows(); i += 3) {
+    const Eigen::Vector3d p = samples.points.row(i);
+    const Eigen::Vector3d direction = random_direction(random);
+    const double t = exit(p, direction);
+    EXPECT_GT(distance_to_mesh(shape, p + t * direction), 0.98 * r) << i;
+    // The walk may pass a corner of a cube by less than this.
+    const double margin = 0.05 * r;
+    for (double s = r; s < t - margin; s += 0.13 * r) {
+      const bool is_free = distance_to_mesh(shape, p + s * direction) > 1.02 * r;
+      const bool is_at_exterior = touches_exterior(exit.exterior(), grid.to_cells(p + (s - margin) * direction)) &&
+                                  touches_exterior(exit.exterior(), grid.to_cells(p + (s + margin) * direction));
+      EXPECT_FALSE(is_free && is_at_exterior) << i << " at " << s / r << " of " << t / r;
+      ++places;
+    }
+  }
+  EXPECT_GT(places, 1000);
 }
 
 }  // namespace

@@ -1,0 +1,110 @@
+// Distances from positions to points and to the bounding boxes of their groups, for sources compiled for each
+// instruction set supported by Highway.
+
+#if defined(SHAPEGAUGE_CORE_OFFSET_POINT_GROUPS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHAPEGAUGE_CORE_OFFSET_POINT_GROUPS_INL_H
+#undef SHAPEGAUGE_CORE_OFFSET_POINT_GROUPS_INL_H
+#else
+#define SHAPEGAUGE_CORE_OFFSET_POINT_GROUPS_INL_H
+#endif
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <hwy/highway.h>
+#include <vector>
+
+#include "shapegauge/core/offset/grid_surface.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shapegauge::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Vectors of points, or of groups: as wide as a group at most.
+using PointLanes = hn::CappedTag<float, grid_padding>;
+using Numbers = hn::Vec<PointLanes>;
+
+/// Calls visit(lane) for each lane of a mask.
+template <typename Visit>
+HWY_INLINE void for_each_lane_of(hn::Mask<PointLanes> mask, const Visit& visit) {
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(PointLanes(), mask, bytes.data());
+  for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
+    visit(static_cast<std::size_t>(std::countr_zero(bits)));
+  }
+}
+
+/// Position from which distances are computed, in all lanes.
+struct QueryPoint {
+  HWY_INLINE explicit QueryPoint(const Eigen::Vector3f& at)
+      : x(hn::Set(PointLanes(), at.x())), y(hn::Set(PointLanes(), at.y())), z(hn::Set(PointLanes(), at.z())) {}
+
+  /// Computes the squared distances to a vector of points.
+  [[nodiscard]] HWY_INLINE Numbers squared(const float* px, const float* py, const float* pz) const {
+    const PointLanes d;
+    return squared_length(hn::Sub(hn::LoadU(d, px), x), hn::Sub(hn::LoadU(d, py), y), hn::Sub(hn::LoadU(d, pz), z));
+  }
+
+  /// Computes the largest difference of coordinates from each of a vector of points.
+  [[nodiscard]] HWY_INLINE Numbers largest_difference(Numbers px, Numbers py, Numbers pz) const {
+    return hn::Max(hn::Max(hn::Abs(hn::Sub(px, x)), hn::Abs(hn::Sub(py, y))), hn::Abs(hn::Sub(pz, z)));
+  }
+
+  /// Distances to a vector of boxes along the axes.
+  struct ToBoxes {
+    Numbers x, y, z;
+
+    [[nodiscard]] HWY_INLINE Numbers squared() const { return squared_length(x, y, z); }
+    [[nodiscard]] HWY_INLINE Numbers largest() const { return hn::Max(hn::Max(x, y), z); }
+  };
+  [[nodiscard]] HWY_INLINE ToBoxes to_boxes(const PointBoxes& boxes, std::size_t first) const {
+    return {to_interval(x, &boxes.low[0][first], &boxes.high[0][first]),
+            to_interval(y, &boxes.low[1][first], &boxes.high[1][first]),
+            to_interval(z, &boxes.low[2][first], &boxes.high[2][first])};
+  }
+
+  Numbers x, y, z;
+
+ private:
+  HWY_INLINE static Numbers squared_length(Numbers dx, Numbers dy, Numbers dz) {
+    return hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+  }
+  HWY_INLINE static Numbers to_interval(Numbers from, const float* low, const float* high) {
+    const PointLanes d;
+    const Numbers beyond = hn::Max(hn::Sub(hn::LoadU(d, low), from), hn::Sub(from, hn::LoadU(d, high)));
+    return hn::Max(beyond, hn::Zero(d));
+  }
+};
+
+/// Calls visit(first group, mask) for vectors that contain each group of the runs once. The runs are ascending and not
+/// empty.
+template <typename Visit>
+HWY_INLINE void for_each_vector_of_groups(const std::vector<GridPoints::Run>& runs, const Visit& visit) {
+  const PointLanes d;
+  std::size_t next = 0;
+  for (const auto& [begin, end] : runs) {
+    std::size_t group = std::max<std::size_t>(next, begin / PointBoxes::group_size);
+    next = (end - 1) / PointBoxes::group_size + 1;
+    for (; group < next; group += hn::Lanes(d)) visit(group, hn::FirstN(d, next - group));
+  }
+}
+
+/// Calls visit(group) for the groups of the runs whose boxes are within a distance of a position.
+template <typename Visit>
+HWY_INLINE void for_each_group(const std::vector<GridPoints::Run>& runs, const QueryPoint& from,
+                               const PointBoxes& boxes, float distance, const Visit& visit) {
+  const Numbers limit = hn::Set(PointLanes(), distance * distance);
+  for_each_vector_of_groups(runs, [&](std::size_t first, hn::Mask<PointLanes> is_group) HWY_ATTR {
+    const auto is_near = hn::And(is_group, hn::Le(from.to_boxes(boxes, first).squared(), limit));
+    for_each_lane_of(is_near, [&](std::size_t group) HWY_ATTR { visit(first + group); });
+  });
+}
+
+}  // namespace shapegauge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,239 @@
+// Loops over points, compiled for each instruction set supported by Highway.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shapegauge/core/offset/point_search.cpp"
+#include "shapegauge/core/offset/point_search.h"
+
+#include <algorithm>
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+#include <limits>
+
+#include "shapegauge/core/offset/point_groups-inl.h"
+
+#ifndef SHAPEGAUGE_CORE_OFFSET_POINT_SEARCH_ONCE
+#define SHAPEGAUGE_CORE_OFFSET_POINT_SEARCH_ONCE
+namespace shapegauge {
+
+/// Triangles of the points nearest to a position, by ascending distance.
+struct NearestPoints {
+  static constexpr std::size_t capacity = TriangleTable::batch_size;
+  struct Candidate {
+    float squared;
+    std::int32_t triangle;
+  };
+  std::array<Candidate, capacity> list;
+  std::size_t count = 0;
+
+  void add(float distance2, std::int32_t triangle) {
+    if (count == capacity && distance2 >= list.back().squared) return;
+    std::size_t at = count < capacity ? count++ : capacity - 1;
+    for (; at > 0 && list[at - 1].squared > distance2; --at) list[at] = list[at - 1];
+    list[at] = {distance2, triangle};
+  }
+};
+
+}  // namespace shapegauge
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace shapegauge::HWY_NAMESPACE {
+namespace {
+
+/// Finds the points of the runs within a distance of x.
+void points_within(const GridPoints& points, const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& x,
+                   float distance, std::vector<std::uint32_t>& indices) {
+  const PointLanes d;
+  const QueryPoint from(x);
+  const Numbers limit = hn::Set(d, distance * distance);
+  for_each_group(runs, from, points.boxes, distance, [&](std::size_t group) HWY_ATTR {
+    for (std::size_t i = group * PointBoxes::group_size; i < (group + 1) * PointBoxes::group_size; i += hn::Lanes(d)) {
+      const Numbers squared = from.squared(&points.x[i], &points.y[i], &points.z[i]);
+      for_each_lane_of(hn::Le(squared, limit),
+                       [&](std::size_t lane) { indices.push_back(static_cast<std::uint32_t>(i + lane)); });
+    }
+  });
+}
+
+/// Copies the points of the runs whose coordinates differ from those of a centre by at most half an edge. Returns their
+/// number.
+std::size_t points_in_cube(const GridPoints& points, const std::vector<GridPoints::Run>& runs,
+                           const Eigen::Vector3f& centre, float half_edge, CollectedPoints& found) {
+  const PointLanes d;
+  const hn::RebindToSigned<PointLanes> di;
+  const QueryPoint from(centre);
+  const Numbers limit = hn::Set(d, half_edge);
+  std::size_t count = 0;
+  for_each_vector_of_groups(runs, [&](std::size_t first, hn::Mask<PointLanes> is_group) HWY_ATTR {
+    const auto is_near = hn::And(is_group, hn::Le(from.to_boxes(points.boxes, first).largest(), limit));
+    for_each_lane_of(is_near, [&](std::size_t group) HWY_ATTR {
+      const std::size_t begin = (first + group) * PointBoxes::group_size;
+      for (std::size_t i = begin; i < begin + PointBoxes::group_size; i += hn::Lanes(d)) {
+        const Numbers x = hn::LoadU(d, &points.x[i]);
+        const Numbers y = hn::LoadU(d, &points.y[i]);
+        const Numbers z = hn::LoadU(d, &points.z[i]);
+        const auto is_inside = hn::Le(from.largest_difference(x, y, z), limit);
+        // Compression in registers: compressing stores are slow on some processors.
+        hn::StoreU(hn::Compress(x, is_inside), d, &found.x[count]);
+        hn::StoreU(hn::Compress(y, is_inside), d, &found.y[count]);
+        hn::StoreU(hn::Compress(z, is_inside), d, &found.z[count]);
+        const auto triangles = hn::LoadU(di, &points.triangle[i]);
+        hn::StoreU(hn::Compress(triangles, hn::RebindMask(di, is_inside)), di, &found.triangle[count]);
+        count += hn::CountTrue(d, is_inside);
+      }
+    });
+  });
+  return count;
+}
+
+/// Calls visit(squared distances from x, points, first lane) for vectors of points.
+template <typename Visit>
+HWY_INLINE void for_each_vector_of(const std::vector<PointBlock>& blocks, const Eigen::Vector3f& x,
+                                   const Visit& visit) {
+  const QueryPoint from(x);
+  for (const PointBlock& block : blocks) {
+    for (std::size_t lane = 0; lane < grid_padding; lane += hn::Lanes(PointLanes())) {
+      visit(from.squared(&block.x[lane], &block.y[lane], &block.z[lane]), block, lane);
+    }
+  }
+}
+
+/// Returns the triangle of the point nearest to x.
+std::int32_t triangle_of_nearest(const std::vector<PointBlock>& blocks, const Eigen::Vector3f& x) {
+  const PointLanes d;
+  const hn::RebindToSigned<PointLanes> di;
+  Numbers smallest = hn::Set(d, std::numeric_limits<float>::infinity());
+  auto closest = hn::Set(di, -1);
+  for_each_vector_of(blocks, x, [&](Numbers squared, const PointBlock& block, std::size_t lane) HWY_ATTR {
+    const auto is_smaller = hn::RebindMask(di, hn::Lt(squared, smallest));
+    closest = hn::IfThenElse(is_smaller, hn::Load(di, &block.triangle[lane]), closest);
+    smallest = hn::Min(squared, smallest);
+  });
+  const auto is_smallest = hn::Eq(smallest, hn::MinOfLanes(d, smallest));
+  return hn::ExtractLane(closest, hn::FindKnownFirstTrue(d, is_smallest));
+}
+
+/// Collects the point nearest to x, and the nearest of those whose squared distance exceeds its own by at most the
+/// margin.
+void nearest_candidates(const std::vector<PointBlock>& blocks, const Eigen::Vector3f& x, float margin,
+                        std::vector<float>& squared, NearestPoints& nearest) {
+  const PointLanes d;
+  if (squared.size() < blocks.size() * grid_padding) squared.resize(blocks.size() * grid_padding);
+  Numbers smallest = hn::Set(d, std::numeric_limits<float>::infinity());
+  std::size_t i = 0;
+  for_each_vector_of(blocks, x, [&](Numbers sum, const PointBlock&, std::size_t) HWY_ATTR {
+    hn::StoreU(sum, d, &squared[i]);
+    i += hn::Lanes(d);
+    smallest = hn::Min(smallest, sum);
+  });
+  const Numbers limit = hn::Add(hn::MinOfLanes(d, smallest), hn::Set(d, margin));
+  nearest.count = 0;
+  for (i = 0; i < blocks.size() * grid_padding; i += hn::Lanes(d)) {
+    const PointBlock& block = blocks[i / grid_padding];
+    for_each_lane_of(hn::Le(hn::LoadU(d, &squared[i]), limit), [&](std::size_t lane) {
+      nearest.add(squared[i + lane], block.triangle[(i + lane) % grid_padding]);
+    });
+  }
+}
+
+}  // namespace
+}  // namespace shapegauge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shapegauge {
+
+HWY_EXPORT(points_within);
+HWY_EXPORT(points_in_cube);
+HWY_EXPORT(triangle_of_nearest);
+HWY_EXPORT(nearest_candidates);
+
+namespace {
+
+/// Returns the edge of regions, in cells, that have up to about two hundred points.
+double edge_of_regions(const GridSurface& surface) {
+  constexpr double most_points = 200;
+  constexpr double block_area = 1.25 * block_edge * block_edge;  // of a surface in a block, in the mean
+  const double density = surface.points_per_block / block_area;
+  double edge = block_edge;
+  for (; edge > 0.5; edge /= 2) {
+    const double whole = edge + 2 * ClosestTriangles::reach;
+    if (density * whole * whole <= most_points) break;
+  }
+  return edge;
+}
+
+}  // namespace
+
+void find_points_within(const BlockGrid& grid, const GridPoints& points, const Eigen::Vector3d& x, double distance,
+                        std::vector<std::uint32_t>& indices) {
+  indices.clear();
+  thread_local std::vector<GridPoints::Run> runs;
+  points.find_runs(grid, x, distance, runs);
+  HWY_DYNAMIC_DISPATCH(points_within)(points, runs, x.cast<float>(), static_cast<float>(distance), indices);
+}
+
+ClosestTriangles::ClosestTriangles(const BlockGrid& grid, const GridSurface& surface)
+    : grid_(grid), surface_(surface), edge_(edge_of_regions(surface)), shift_(edge_ > 1 ? edge_ / 2 : 0) {}
+
+std::int32_t ClosestTriangles::near(const Eigen::Vector3d& place, const Eigen::Vector3d& x) {
+  const Eigen::Vector3i at = ((place.array() + shift_) / edge_).cast<int>();
+  std::size_t index = 0;
+  for (int k = 0; k < 3; ++k) {
+    constexpr unsigned last = (1U << bits_per_axis) - 1;
+    index |= std::size_t{static_cast<unsigned>(at[k]) & last} << (bits_per_axis * static_cast<unsigned>(k));
+  }
+  Region& region = regions_[index];
+  if (region.place != at) {
+    region.place = at;
+    collect(edge_ * (at.cast<double>().array() + 0.5) - shift_, edge_ / 2 + reach, region.points);
+  }
+  return closest_of(region.points, x);
+}
+
+std::int32_t ClosestTriangles::within(double distance, const Eigen::Vector3d& x) {
+  collect(x, distance, others_);
+  return closest_of(others_, x);
+}
+
+/// Collects the points whose coordinates differ from those of a centre by at most half an edge.
+void ClosestTriangles::collect(const Eigen::Vector3d& centre, double half_edge, std::vector<PointBlock>& points) {
+  surface_.points.find_runs(grid_, centre, half_edge, runs_);
+  std::size_t most = grid_padding;
+  for (const auto& [begin, end] : runs_) most += end - begin + 2 * grid_padding;  // the runs' first and last groups
+  if (collected_.x.size() < most) {
+    for (std::vector<float>* values : {&collected_.x, &collected_.y, &collected_.z}) values->resize(most);
+    collected_.triangle.resize(most);
+  }
+  const std::size_t count = HWY_DYNAMIC_DISPATCH(points_in_cube)(surface_.points, runs_, centre.cast<float>(),
+                                                                 static_cast<float>(half_edge), collected_);
+  std::fill_n(&collected_.x[count], grid_padding, std::numeric_limits<float>::infinity());
+  points.resize((count + grid_padding - 1) / grid_padding);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t first = i * grid_padding;
+    std::copy_n(&collected_.x[first], grid_padding, points[i].x.begin());
+    std::copy_n(&collected_.y[first], grid_padding, points[i].y.begin());
+    std::copy_n(&collected_.z[first], grid_padding, points[i].z.begin());
+    std::copy_n(&collected_.triangle[first], grid_padding, points[i].triangle.begin());
+  }
+}
+
+std::int32_t ClosestTriangles::closest_of(const std::vector<PointBlock>& points, const Eigen::Vector3d& x) {
+  if (points.empty()) return -1;
+  if (surface_.squared_margin == 0) return HWY_DYNAMIC_DISPATCH(triangle_of_nearest)(points, x.cast<float>());
+  NearestPoints nearest;
+  HWY_DYNAMIC_DISPATCH(nearest_candidates)
+  (points, x.cast<float>(), static_cast<float>(surface_.squared_margin), squared_, nearest);
+  if (nearest.count < 2) return nearest.list.front().triangle;
+  std::array<std::int32_t, NearestPoints::capacity> triangles;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    triangles[i] = nearest.list[i < nearest.count ? i : 0].triangle;
+  }
+  TriangleTable::Vectors vectors;
+  surface_.triangles.vectors_to(x, triangles.data(), vectors);
+  return triangles[static_cast<std::size_t>(std::min_element(vectors.squared.begin(), vectors.squared.end()) -
+                                            vectors.squared.begin())];
+}
+
+}  // namespace shapegauge
+#endif  // HWY_ONCE

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shapegauge/core/offset/grid_surface.h"
+
+/// Search among the points of a surface.
+
+namespace shapegauge {
+
+/// Finds the indices of the points within a distance of x, ascending.
+void find_points_within(const BlockGrid& grid, const GridPoints& points, const Eigen::Vector3d& x, double distance,
+                        std::vector<std::uint32_t>& indices);
+
+/// Sixteen points, in adjacent cache lines.
+struct alignas(64) PointBlock {
+  std::array<float, grid_padding> x, y, z;  ///< infinite where there is no point
+  std::array<std::int32_t, grid_padding> triangle;
+};
+
+/// Points in separate arrays, with room for more.
+struct CollectedPoints {
+  std::vector<float> x, y, z;
+  std::vector<std::int32_t> triangle;
+};
+
+/// Searches for the closest triangles near places on a surface. The space is divided into regions, which are cubes; the
+/// points about the region of a place are collected when it is first needed. Used by one thread.
+class ClosestTriangles {
+ public:
+  ClosestTriangles(const BlockGrid& grid, const GridSurface& surface);
+
+  /// Returns the triangle closest to x among those with points within `reach` of the region of a place; -1 if
+  /// there is none. The result depends on the place and x only. It is approximate for triangles much smaller than the
+  /// spacing of the points.
+  std::int32_t near(const Eigen::Vector3d& place, const Eigen::Vector3d& x);
+
+  /// Returns the triangle closest to x among those with points within a distance of x; -1 if there is none.
+  std::int32_t within(double distance, const Eigen::Vector3d& x);
+
+  /// Margin around regions along each axis, in cells.
+  static constexpr double reach = 0.75;
+  /// Edge of regions, in cells, and a corner of one of them is at minus `shift` along each axis.
+  [[nodiscard]] double region_edge() const { return edge_; }
+  [[nodiscard]] double region_shift() const { return shift_; }
+
+ private:
+  struct Region {
+    Eigen::Vector3i place = Eigen::Vector3i::Constant(-1);
+    std::vector<PointBlock> points;
+  };
+
+  void collect(const Eigen::Vector3d& centre, double half_edge, std::vector<PointBlock>& points);
+  [[nodiscard]] std::int32_t closest_of(const std::vector<PointBlock>& points, const Eigen::Vector3d& x);
+
+  const BlockGrid& grid_;
+  const GridSurface& surface_;
+  double edge_;
+  double shift_;  ///< large regions overlap fewer blocks if they are centred at the blocks' corners
+  /// Regions, by the lowest bits of their coordinates: a cache without conflicts between neighbours.
+  static constexpr unsigned bits_per_axis = 3;
+  std::array<Region, std::size_t{1} << (3 * bits_per_axis)> regions_;
+  std::vector<PointBlock> others_;     ///< scratch
+  CollectedPoints collected_;          ///< scratch
+  std::vector<float> squared_;         ///< scratch: squared distances
+  std::vector<GridPoints::Run> runs_;  ///< scratch
+};
+
+}  // namespace shapegauge

@@ -1,0 +1,180 @@
+// Numbers, vectors and masks of searches, one search per lane of the processor's vectors, for sources compiled for each
+// instruction set supported by Highway.
+
+#if defined(SHAPEGAUGE_CORE_OFFSET_SEARCH_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHAPEGAUGE_CORE_OFFSET_SEARCH_LANES_INL_H
+#undef SHAPEGAUGE_CORE_OFFSET_SEARCH_LANES_INL_H
+#else
+#define SHAPEGAUGE_CORE_OFFSET_SEARCH_LANES_INL_H
+#endif
+
+#include <Eigen/Core>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <hwy/highway.h>
+#include <limits>
+
+#include "shapegauge/core/offset/exterior_grid.h"
+#include "shapegauge/core/offset/triangle_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shapegauge::HWY_NAMESPACE {
+
+using D = hn::CappedTag<float, 16>;
+using DI = hn::RebindToSigned<D>;
+using Reals = hn::Vec<D>;
+using Integers = hn::Vec<DI>;
+using Mask = hn::Mask<D>;
+using Vectors = LaneVectors<D>;
+using LaneBits = std::uint32_t;
+
+constexpr std::size_t max_lanes = 16;
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Numbers by lane, in memory.
+struct alignas(64) RealLanes : std::array<float, max_lanes> {};
+struct alignas(64) IntegerLanes : std::array<std::int32_t, max_lanes> {};
+struct VectorLanes {
+  RealLanes x, y, z;
+
+  void set(std::size_t lane, const Eigen::Vector3f& to) {
+    x[lane] = to.x();
+    y[lane] = to.y();
+    z[lane] = to.z();
+  }
+  [[nodiscard]] Eigen::Vector3d at(std::size_t lane) const {
+    return {static_cast<double>(x[lane]), static_cast<double>(y[lane]), static_cast<double>(z[lane])};
+  }
+};
+
+HWY_INLINE Reals load(const RealLanes& lanes) { return hn::Load(D(), lanes.data()); }
+HWY_INLINE Integers load(const IntegerLanes& lanes) { return hn::Load(DI(), lanes.data()); }
+HWY_INLINE Vectors load(const VectorLanes& lanes) { return {load(lanes.x), load(lanes.y), load(lanes.z)}; }
+HWY_INLINE void store(Reals from, RealLanes& lanes) { hn::Store(from, D(), lanes.data()); }
+HWY_INLINE void store(Integers from, IntegerLanes& lanes) { hn::Store(from, DI(), lanes.data()); }
+HWY_INLINE void store(const Vectors& from, VectorLanes& lanes) {
+  store(from.x, lanes.x);
+  store(from.y, lanes.y);
+  store(from.z, lanes.z);
+}
+
+HWY_INLINE Reals real(float value) { return hn::Set(D(), value); }
+HWY_INLINE Integers integer(std::int32_t value) { return hn::Set(DI(), value); }
+HWY_INLINE Vectors no_vector() { return {real(0), real(0), real(0)}; }
+HWY_INLINE Mask no_lane() { return hn::Lt(real(0), real(0)); }
+HWY_INLINE Mask of_reals(hn::Mask<DI> mask) { return hn::RebindMask(D(), mask); }
+HWY_INLINE hn::Mask<DI> of_integers(Mask mask) { return hn::RebindMask(DI(), mask); }
+HWY_INLINE Mask is_triangle(Integers number) { return of_reals(hn::Gt(number, integer(-1))); }
+
+constexpr LaneBits all_lanes() { return (LaneBits{1} << hn::MaxLanes(D())) - 1; }
+HWY_INLINE LaneBits bits_of(Mask mask) {
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(D(), mask, bytes.data());
+  return (bytes[0] | static_cast<LaneBits>(bytes[1]) << 8U) & all_lanes();
+}
+HWY_INLINE Mask mask_of(LaneBits bits) {
+  const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)};
+  return hn::LoadMaskBits(D(), bytes.data());
+}
+/// Calls visit(lane) for each bit.
+template <typename Visit>
+void for_each_lane(LaneBits bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+HWY_INLINE Vectors sum(const Vectors& u, const Vectors& v) {
+  return {hn::Add(u.x, v.x), hn::Add(u.y, v.y), hn::Add(u.z, v.z)};
+}
+HWY_INLINE Vectors difference(const Vectors& u, const Vectors& v) {
+  return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
+}
+HWY_INLINE Vectors product(Reals s, const Vectors& v) { return {hn::Mul(s, v.x), hn::Mul(s, v.y), hn::Mul(s, v.z)}; }
+/// Computes u + s v.
+HWY_INLINE Vectors plus_product(const Vectors& u, Reals s, const Vectors& v) {
+  return {hn::MulAdd(s, v.x, u.x), hn::MulAdd(s, v.y, u.y), hn::MulAdd(s, v.z, u.z)};
+}
+HWY_INLINE Vectors cross(const Vectors& u, const Vectors& v) {
+  return {hn::NegMulAdd(u.z, v.y, hn::Mul(u.y, v.z)), hn::NegMulAdd(u.x, v.z, hn::Mul(u.z, v.x)),
+          hn::NegMulAdd(u.y, v.x, hn::Mul(u.x, v.y))};
+}
+HWY_INLINE Reals length_of(const Vectors& v) { return hn::Sqrt(dot<D>(v, v)); }
+
+/// Triangles, -1 if there is none, with the vectors from their closest points to places.
+struct Surrounding {
+  IntegerLanes triangle;
+  VectorLanes vector;
+  RealLanes squared;  ///< infinite without a triangle
+};
+
+/// Computes the vectors from triangles to places.
+HWY_INLINE void measure(const float* records, const Vectors& places, Surrounding& surrounding) {
+  const Integers triangle = load(surrounding.triangle);
+  const Mask has_triangle = is_triangle(triangle);
+  if (hn::AllFalse(D(), has_triangle)) return store(real(infinity), surrounding.squared);
+  IntegerLanes numbers;
+  store(hn::Max(triangle, integer(0)), numbers);
+  const auto [vector, squared] = vectors_from_triangles(D(), records, numbers.data(), places);
+  store(vector, surrounding.vector);
+  store(hn::IfThenElse(has_triangle, squared, real(infinity)), surrounding.squared);
+}
+
+constexpr std::size_t cells_around_point = 8;
+
+/// Integer coordinates.
+struct CellLanes {
+  Integers x, y, z;
+};
+
+/// Returns the lowest of the eight cells around places, as cells_around() does.
+HWY_INLINE CellLanes lowest_cells_around(const ExteriorGrid& exterior, const Vectors& places) {
+  const auto along = [&](Reals coordinate, int axis) HWY_ATTR {
+    const Integers nearest_corner = hn::ConvertTo(DI(), hn::Add(coordinate, real(0.5F)));
+    const std::int32_t last = block_edge * exterior.grid().blocks[axis] - 2;
+    return hn::Min(hn::Max(hn::Sub(nearest_corner, integer(1)), integer(0)), integer(last));
+  };
+  return {along(places.x, 0), along(places.y, 1), along(places.z, 2)};
+}
+
+/// Finds the triangles of eight cells per lane, given the lowest. Returns the lanes with an exterior cell.
+HWY_INLINE Mask find_cells(const ExteriorGrid& exterior, const CellLanes& lowest, Surrounding* found) {
+  const DI di;
+  constexpr std::int32_t block_size = sizeof(BoundaryBlock) / sizeof(std::int32_t);
+  const std::int32_t* nearest = exterior.boundary().front().nearest.data();
+  const std::array<Integers, 3> low{lowest.x, lowest.y, lowest.z};
+  std::array<std::array<Integers, 2>, 3> blocks;
+  std::array<std::array<Integers, 2>, 3> bits;
+  std::int32_t stride = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Integers cell = i == 0 ? low[k] : hn::Add(low[k], integer(1));
+      blocks[k][i] = hn::Mul(hn::ShiftRight<2>(cell), integer(stride));
+      bits[k][i] = hn::Mul(hn::And(cell, integer(3)), integer(1 << (2 * k)));
+    }
+    stride *= exterior.grid().blocks[static_cast<Eigen::Index>(k)];
+  }
+  hn::Mask<DI> touches = of_integers(no_lane());
+  for (std::size_t cell = 0; cell < cells_around_point; ++cell) {
+    const std::size_t i = cell & 1U;
+    const std::size_t j = cell >> 1U & 1U;
+    const std::size_t k = cell >> 2U;
+    const Integers block = hn::Add(hn::Add(blocks[0][i], blocks[1][j]), blocks[2][k]);
+    const Integers bit = hn::Or(hn::Or(bits[0][i], bits[1][j]), bits[2][k]);
+    const Integers state = hn::GatherIndex(di, exterior.blocks(), block);
+    const hn::Mask<DI> has_triangles = hn::Gt(state, integer(-1));
+    const Integers place = hn::Max(state, integer(0));
+    const Integers triangle = hn::GatherIndex(di, nearest, hn::Add(hn::Mul(place, integer(block_size)), bit));
+    const hn::Mask<DI> is_exterior = hn::Lt(triangle, integer(0));
+    const Integers number = hn::IfThenElse(is_exterior, hn::Not(triangle), triangle);
+    store(hn::IfThenElse(has_triangles, number, integer(-1)), found[cell].triangle);
+    touches = hn::Or(touches,
+                     hn::Or(hn::Eq(state, integer(ExteriorGrid::all_exterior)), hn::And(has_triangles, is_exterior)));
+  }
+  return of_reals(touches);
+}
+
+}  // namespace shapegauge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

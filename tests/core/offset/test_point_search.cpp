@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/offset/point_search.h"
+#include "shapegauge/core/shape/shape.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+struct Surface {
+  Surface(const Shape& shape, double r) : grid(bounding_box(shape), r, r / 3), surface(grid, shape, 0.75, false) {}
+
+  [[nodiscard]] Eigen::Vector3d point(std::size_t i) const {
+    return Eigen::Vector3f(surface.points.x[i], surface.points.y[i], surface.points.z[i]).cast<double>();
+  }
+  [[nodiscard]] Eigen::Vector3d anywhere(RandomNumbers& random) const {
+    return {random.uniform(0, block_edge * grid.blocks.x()), random.uniform(0, block_edge * grid.blocks.y()),
+            random.uniform(0, block_edge * grid.blocks.z())};
+  }
+
+  BlockGrid grid;
+  GridSurface surface;
+};
+
+/// Surfaces on which most triangles have one point, and several.
+std::vector<Surface> surfaces() { return {{test::torus(1, 0.4, 120, 60), 0.2}, {test::torus(1, 0.4, 15, 10), 0.2}}; }
+
+TEST(PointSearch, FindsThePointsWithinADistance) {
+  RandomNumbers random(1);
+  for (const Surface& of : surfaces()) {
+    for (int round = 0; round < 300; ++round) {
+      const Eigen::Vector3d x = of.anywhere(random);
+      const double distance = random.uniform(0.1, 9);
+      std::vector<std::uint32_t> found;
+      find_points_within(of.grid, of.surface.points, x, distance, found);
+      std::vector<std::uint32_t> expected;
+      std::vector<std::uint32_t> nearly;
+      for (std::size_t i = 0; i < of.surface.points.size(); ++i) {
+        const double apart = (of.point(i) - x).norm();
+        if (apart < distance - 1e-4) expected.push_back(static_cast<std::uint32_t>(i));
+        if (apart < distance + 1e-4) nearly.push_back(static_cast<std::uint32_t>(i));
+      }
+      ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
+      ASSERT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
+      ASSERT_TRUE(std::includes(nearly.begin(), nearly.end(), found.begin(), found.end()));
+    }
+  }
+}
+
+TEST(ClosestTriangles, AreTheClosestOfThoseNearARegion) {
+  RandomNumbers random(2);
+  for (const Surface& of : surfaces()) {
+    ClosestTriangles closest(of.grid, of.surface);
+    const double edge = closest.region_edge();
+    const double shift = closest.region_shift();
+    const std::size_t count = of.surface.points.size();
+    for (int round = 0; round < 1000; ++round) {
+      const Eigen::Vector3d place = of.point(random.below(count));
+      const Eigen::Vector3d x =
+          place + Eigen::Vector3d(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+      const Eigen::Vector3d centre = edge * (((place.array() + shift) / edge).floor() + 0.5) - shift;
+      double nearest = std::numeric_limits<double>::infinity();
+      std::int32_t expected = -1;
+      for (std::size_t i = 0; i < count; ++i) {
+        if ((of.point(i) - centre).cwiseAbs().maxCoeff() > edge / 2 + ClosestTriangles::reach) continue;
+        if ((of.point(i) - x).norm() >= nearest) continue;
+        nearest = (of.point(i) - x).norm();
+        expected = of.surface.points.triangle[i];
+      }
+      const std::int32_t found = closest.near(place, x);
+      ASSERT_GE(found, 0);
+      const auto distance = [&](std::int32_t triangle) {
+        return std::sqrt(of.surface.triangles.squared_distance(x, triangle));
+      };
+      EXPECT_LE(distance(found), distance(expected) + 1e-4);
+      // The answer of a new search, whose cache is empty, is the same.
+      if (round % 10 == 0) {
+        EXPECT_EQ(ClosestTriangles(of.grid, of.surface).near(place, x), found);
+      }
+    }
+  }
+}
+
+TEST(ClosestTriangles, WithinADistanceAreTheClosestOfAll) {
+  RandomNumbers random(3);
+  for (const Surface& of : surfaces()) {
+    ClosestTriangles closest(of.grid, of.surface);
+    for (int round = 0; round < 300; ++round) {
+      const Eigen::Vector3d x = of.anywhere(random);
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < of.surface.points.size(); ++i) nearest = std::min(nearest, (of.point(i) - x).norm());
+      const std::int32_t found = closest.within(4, x);
+      if (found < 0) {
+        EXPECT_GT(nearest, 4 - 1e-4);
+      } else if (nearest < 4) {
+        EXPECT_LE(std::sqrt(of.surface.triangles.squared_distance(x, found)), nearest + 1e-4);
+      }
+    }
+  }
+}
+
+TEST(ClosestTriangles, AreNoneFarFromTheSurface) {
+  const Surface of(test::sphere(1, 4), 0.1);
+  ClosestTriangles closest(of.grid, of.surface);
+  const Eigen::Vector3d middle = of.grid.to_cells({0, 0, 0});
+  EXPECT_EQ(closest.near(middle, middle), -1);
+  EXPECT_EQ(closest.within(1, middle), -1);
+}
+
+}  // namespace
+}  // namespace shapegauge
