@@ -10,31 +10,7 @@
 #include <limits>
 
 #include "shapegauge/core/offset/point_groups-inl.h"
-
-#ifndef SHAPEGAUGE_CORE_OFFSET_POINT_SEARCH_ONCE
-#define SHAPEGAUGE_CORE_OFFSET_POINT_SEARCH_ONCE
-namespace shapegauge {
-
-/// Triangles of the points nearest to a position, by ascending distance.
-struct NearestPoints {
-  static constexpr std::size_t capacity = TriangleTable::batch_size;
-  struct Candidate {
-    float squared;
-    std::int32_t triangle;
-  };
-  std::array<Candidate, capacity> list;
-  std::size_t count = 0;
-
-  void add(float distance2, std::int32_t triangle) {
-    if (count == capacity && distance2 >= list.back().squared) return;
-    std::size_t at = count < capacity ? count++ : capacity - 1;
-    for (; at > 0 && list[at - 1].squared > distance2; --at) list[at] = list[at - 1];
-    list[at] = {distance2, triangle};
-  }
-};
-
-}  // namespace shapegauge
-#endif
+#include "shapegauge/core/offset/triangle_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
@@ -113,27 +89,44 @@ std::int32_t triangle_of_nearest(const std::vector<PointBlock>& blocks, const Ei
   return hn::ExtractLane(closest, hn::FindKnownFirstTrue(d, is_smallest));
 }
 
-/// Collects the point nearest to x, and the nearest of those whose squared distance exceeds its own by at most the
-/// margin.
-void nearest_candidates(const std::vector<PointBlock>& blocks, const Eigen::Vector3f& x, float margin,
-                        std::vector<float>& squared, NearestPoints& nearest) {
+/// Writes the triangles of the points whose squared distance from x exceeds the smallest by at most the margin, padded
+/// by repetition to whole vectors. Returns their number.
+std::size_t find_candidates(const std::vector<PointBlock>& blocks, const Eigen::Vector3f& x, float margin,
+                            std::vector<std::int32_t>& triangles) {
   const PointLanes d;
-  if (squared.size() < blocks.size() * grid_padding) squared.resize(blocks.size() * grid_padding);
+  const hn::RebindToSigned<PointLanes> di;
+  if (triangles.size() < (blocks.size() + 1) * grid_padding) triangles.resize((blocks.size() + 1) * grid_padding);
   Numbers smallest = hn::Set(d, std::numeric_limits<float>::infinity());
-  std::size_t i = 0;
-  for_each_vector_of(blocks, x, [&](Numbers sum, const PointBlock&, std::size_t) HWY_ATTR {
-    hn::StoreU(sum, d, &squared[i]);
-    i += hn::Lanes(d);
-    smallest = hn::Min(smallest, sum);
+  for_each_vector_of(blocks, x, [&](Numbers squared, const PointBlock&, std::size_t) HWY_ATTR {
+    smallest = hn::Min(smallest, squared);
   });
   const Numbers limit = hn::Add(hn::MinOfLanes(d, smallest), hn::Set(d, margin));
-  nearest.count = 0;
-  for (i = 0; i < blocks.size() * grid_padding; i += hn::Lanes(d)) {
-    const PointBlock& block = blocks[i / grid_padding];
-    for_each_lane_of(hn::Le(hn::LoadU(d, &squared[i]), limit), [&](std::size_t lane) {
-      nearest.add(squared[i + lane], block.triangle[(i + lane) % grid_padding]);
-    });
+  std::size_t count = 0;
+  for_each_vector_of(blocks, x, [&](Numbers squared, const PointBlock& block, std::size_t lane) HWY_ATTR {
+    const auto is_candidate = hn::RebindMask(di, hn::Le(squared, limit));
+    hn::StoreU(hn::Compress(hn::Load(di, &block.triangle[lane]), is_candidate), di, &triangles[count]);
+    count += hn::CountTrue(di, is_candidate);
+  });
+  std::fill_n(&triangles[count], grid_padding, triangles[0]);
+  return count;
+}
+
+/// Returns the triangle closest to x of those whose points are nearly the nearest.
+std::int32_t closest_of_candidates(const std::vector<PointBlock>& blocks, const float* records,
+                                   const Eigen::Vector3f& x, float margin, std::vector<std::int32_t>& triangles) {
+  const PointLanes d;
+  const hn::RebindToSigned<PointLanes> di;
+  const std::size_t count = find_candidates(blocks, x, margin, triangles);
+  const LaneVectors<PointLanes> place{hn::Set(d, x.x()), hn::Set(d, x.y()), hn::Set(d, x.z())};
+  Numbers smallest = hn::Set(d, std::numeric_limits<float>::infinity());
+  auto closest = hn::Set(di, triangles[0]);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const Numbers squared = vectors_from_triangles(d, records, &triangles[i], place).squared;
+    closest = hn::IfThenElse(hn::RebindMask(di, hn::Lt(squared, smallest)), hn::LoadU(di, &triangles[i]), closest);
+    smallest = hn::Min(squared, smallest);
   }
+  const auto is_smallest = hn::Eq(smallest, hn::MinOfLanes(d, smallest));
+  return hn::ExtractLane(closest, hn::FindKnownFirstTrue(d, is_smallest));
 }
 
 }  // namespace
@@ -146,13 +139,13 @@ namespace shapegauge {
 HWY_EXPORT(points_within);
 HWY_EXPORT(points_in_cube);
 HWY_EXPORT(triangle_of_nearest);
-HWY_EXPORT(nearest_candidates);
+HWY_EXPORT(closest_of_candidates);
 
 namespace {
 
-/// Returns the edge of regions, in cells, that have up to about two hundred points.
+/// Returns the edge of regions, in cells, that have up to about 130 points.
 double edge_of_regions(const GridSurface& surface) {
-  constexpr double most_points = 200;
+  constexpr double most_points = 130;
   constexpr double block_area = 1.25 * block_edge * block_edge;  // of a surface in a block, in the mean
   const double density = surface.points_per_block / block_area;
   double edge = block_edge;
@@ -221,18 +214,8 @@ void ClosestTriangles::collect(const Eigen::Vector3d& centre, double half_edge, 
 std::int32_t ClosestTriangles::closest_of(const std::vector<PointBlock>& points, const Eigen::Vector3d& x) {
   if (points.empty()) return -1;
   if (surface_.squared_margin == 0) return HWY_DYNAMIC_DISPATCH(triangle_of_nearest)(points, x.cast<float>());
-  NearestPoints nearest;
-  HWY_DYNAMIC_DISPATCH(nearest_candidates)
-  (points, x.cast<float>(), static_cast<float>(surface_.squared_margin), squared_, nearest);
-  if (nearest.count < 2) return nearest.list.front().triangle;
-  std::array<std::int32_t, NearestPoints::capacity> triangles;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    triangles[i] = nearest.list[i < nearest.count ? i : 0].triangle;
-  }
-  TriangleTable::Vectors vectors;
-  surface_.triangles.vectors_to(x, triangles.data(), vectors);
-  return triangles[static_cast<std::size_t>(std::min_element(vectors.squared.begin(), vectors.squared.end()) -
-                                            vectors.squared.begin())];
+  return HWY_DYNAMIC_DISPATCH(closest_of_candidates)(points, surface_.triangles.records(), x.cast<float>(),
+                                                     static_cast<float>(surface_.squared_margin), candidates_);
 }
 
 }  // namespace shapegauge

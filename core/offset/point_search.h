@@ -64,10 +64,10 @@ class ClosestTriangles {
   /// Regions, by the lowest bits of their coordinates: a cache without conflicts between neighbours.
   static constexpr unsigned bits_per_axis = 3;
   std::array<Region, std::size_t{1} << (3 * bits_per_axis)> regions_;
-  std::vector<PointBlock> others_;     ///< scratch
-  CollectedPoints collected_;          ///< scratch
-  std::vector<float> squared_;         ///< scratch: squared distances
-  std::vector<GridPoints::Run> runs_;  ///< scratch
+  std::vector<PointBlock> others_;        ///< scratch
+  CollectedPoints collected_;             ///< scratch
+  std::vector<std::int32_t> candidates_;  ///< scratch: triangles
+  std::vector<GridPoints::Run> runs_;     ///< scratch
 };
 
 }  // namespace shapegauge
