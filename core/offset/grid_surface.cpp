@@ -218,7 +218,7 @@ GridPoints selected(const BlockGrid& grid, const SortedPoints& all, std::uint8_t
   GridPoints result;
   const auto count = static_cast<std::size_t>(std::count(all.is_omitted.begin(), all.is_omitted.end(), which));
   if (count == 0) return result;
-  for (std::vector<float>* values : {&result.x, &result.y, &result.z}) {
+  for (AlignedArray<float>* values : {&result.x, &result.y, &result.z}) {
     values->resize(count + grid_padding, std::numeric_limits<float>::infinity());
   }
   result.area.resize(count + grid_padding);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "shapegauge/core/offset/aligned_array.h"
 #include "shapegauge/core/offset/block_grid.h"
 #include "shapegauge/core/offset/triangle_table.h"
 #include "shapegauge/core/shape/shape.h"
@@ -20,13 +21,13 @@ inline constexpr std::size_t grid_padding = 16;
 struct PointBoxes {
   /// Number of consecutive points of a group. The first point of group i has the index i times this.
   static constexpr std::size_t group_size = grid_padding;
-  std::array<std::vector<float>, 3> low, high;
+  std::array<AlignedArray<float>, 3> low, high;
 };
 
 /// Points on triangles, sorted by block of a grid, and within a block along a Morton curve.
 struct GridPoints {
-  std::vector<float> x, y, z;          ///< in cells; padded by infinite ones
-  std::vector<float> area;             ///< area represented by each; padded
+  AlignedArray<float> x, y, z;         ///< in cells; padded by infinite ones
+  AlignedArray<float> area;            ///< area represented by each; padded
   std::vector<std::int32_t> triangle;  ///< triangle that contains each; padded
   std::vector<std::uint32_t> first;    ///< by block: index of its first point; one more entry at the end
   PointBoxes boxes;                    ///< of groups of points

@@ -90,7 +90,7 @@ MeanNormals::MeanNormals(const BlockGrid& grid, const Shape& shape, const GridSu
     normals[static_cast<std::size_t>(f)] = normal.stableNormalized().cast<float>();
   });
   const std::size_t count = surface.points.size();
-  for (std::vector<float>* values : {&x_, &y_, &z_}) values->resize(count + grid_padding);
+  for (AlignedArray<float>* values : {&x_, &y_, &z_}) values->resize(count + grid_padding);
   for_each_index(parallel, std::size_t{0}, count, [&](std::size_t i) {
     const Eigen::Vector3f& normal = normals[static_cast<std::size_t>(surface.points.triangle[i])];
     x_[i] = normal.x();

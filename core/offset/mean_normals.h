@@ -36,7 +36,7 @@ class MeanNormals {
   const BlockGrid& grid_;
   const GridSurface& surface_;
   /// By point of the surface: unit normal of its triangle, or 0. Padded; empty without triangles.
-  std::vector<float> x_, y_, z_;
+  AlignedArray<float> x_, y_, z_;
 };
 
 }  // namespace shapegauge
