@@ -1,10 +1,8 @@
 #include "shapegauge/core/offset/offset_solver.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <tbb/enumerable_thread_specific.h>
 #include <utility>
 

@@ -34,18 +34,20 @@ class ClosestTriangles {
  public:
   ClosestTriangles(const BlockGrid& grid, const GridSurface& surface);
 
-  /// Returns the triangle closest to x among those with points within `reach` of the region of a place; -1 if
-  /// there is none. The result depends on the place and x only. It is approximate for triangles much smaller than the
+  /// Returns the triangle closest to x among those with points within `reach` of the region of a place; -1 if there is
+  /// none. The result depends on the place and x only. It is approximate for triangles much smaller than the
   /// spacing of the points.
   std::int32_t near(const Eigen::Vector3d& place, const Eigen::Vector3d& x);
 
-  /// Returns the triangle closest to x among those with points within a distance of x; -1 if there is none.
+  /// Returns the triangle closest to x among those with points within a distance of x along each axis; -1 if there is
+  /// none.
   std::int32_t within(double distance, const Eigen::Vector3d& x);
 
   /// Margin around regions along each axis, in cells.
   static constexpr double reach = 0.75;
-  /// Edge of regions, in cells, and a corner of one of them is at minus `shift` along each axis.
+  /// Returns the edge of regions, in cells.
   [[nodiscard]] double region_edge() const { return edge_; }
+  /// Returns the distance, in cells, from the lowest corner of the first region to the grid's along each axis.
   [[nodiscard]] double region_shift() const { return shift_; }
 
  private:
