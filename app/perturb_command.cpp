@@ -4,6 +4,7 @@
 #include <deque>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -110,7 +111,9 @@ int run(const PerturbArguments& arguments) {
   const std::vector<Perturbation> steps = steps_of(arguments);
   if (steps.empty()) throw InputError("no perturbation given; see 'shapegauge perturb --help'");
   return for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
-    write_with_remarks(write, job.output, perturb_model(shape, steps, arguments.seed, "", 0).shape, remarks);
+    PerturbedShape perturbed = perturb_model(shape, steps, arguments.seed, "", 0);
+    std::ranges::move(perturbed.remarks, std::back_inserter(remarks.warnings));
+    write_with_remarks(write, job.output, perturbed.shape, remarks);
   });
 }
 

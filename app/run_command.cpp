@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <fmt/format.h>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -48,9 +49,10 @@ struct RunSource {
 // NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct RequestedRun {
   nlohmann::json document;
-  std::string source;       ///< name in messages
-  fs::path folder;          ///< base of relative paths
-  nlohmann::json recorded;  ///< manifest of the run to repeat; null for a new run
+  std::string source;           ///< name in messages
+  fs::path folder;              ///< base of relative paths
+  nlohmann::json recorded;      ///< manifest of the run to repeat; null for a new run
+  std::vector<fs::path> files;  ///< the document's, and those of its data sets
 };
 
 struct RunArguments {
@@ -68,19 +70,25 @@ RequestedRun requested_run(const RunSource& source) {
   if (!source.replay.empty()) {
     RequestedRun request;
     request.recorded = read_manifest(source.replay);
-    request.document = recorded_configuration(request.recorded, source.dataset_root);
+    request.document = recorded_configuration(request.recorded, source.dataset_root, experiment_paths);
     request.source = source.replay.string() + ": configuration";
-    apply_overrides(request.document, request.source, request.folder, source.overrides);
+    request.files =
+        apply_overrides(request.document, request.source, request.folder, source.overrides, experiment_paths);
+    request.files.push_back(source.replay);
     return request;
   }
   if (source.configuration.empty()) throw InputError("configuration is required; see 'shapegauge run --help'");
   if (!source.dataset_root.empty()) {
     throw InputError("--dataset-root requires --replay; for a configuration, use --set dataset.root=FOLDER");
   }
-  return {.document = read_configuration_document(source.configuration, source.overrides),
-          .source = source.configuration.string(),
-          .folder = source.configuration.parent_path(),
-          .recorded = {}};
+  RequestedRun request{.document = read_json(source.configuration),
+                       .source = source.configuration.string(),
+                       .folder = source.configuration.parent_path(),
+                       .recorded = {},
+                       .files = {}};
+  request.files = apply_overrides(request.document, request.source, request.folder, source.overrides, experiment_paths);
+  request.files.push_back(source.configuration);
+  return request;
 }
 
 /// Throws InputError if the chart cannot be written.
@@ -183,9 +191,8 @@ int run_request(const RunArguments& arguments, Communicator& ranks) {
     request = requested_run(arguments.source);
     experiment = read_experiment(request.document, request.source, request.folder);
     folder = result_folder(arguments, experiment.name);
-    if (ranks.rank() != 0) return;
-    check_results_are_no_inputs(folder, std::vector{arguments.source.configuration, arguments.source.replay});
-    warn_of_inputs(request, experiment, arguments.threads);
+    std::ranges::copy(request.files, std::back_inserter(experiment.input_paths));
+    if (ranks.rank() == 0) warn_of_inputs(request, experiment, arguments.threads);
   });
   ProgressLine progress;
   const RunOutcome outcome = run_with_cache(arguments, experiment, folder, progress, ranks);

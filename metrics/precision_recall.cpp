@@ -1,19 +1,9 @@
 #include "shapegauge/metrics/precision_recall.h"
 
 #include <algorithm>
-#include <array>
-
-#include "shapegauge/core/base/names.h"
 
 namespace shapegauge {
 namespace {
-
-constexpr std::array kinds = {
-    Named<CurveKind>{CurveKind::psb, "psb"},
-    Named<CurveKind>{CurveKind::paper, "paper"},
-    Named<CurveKind>{CurveKind::trec, "trec"},
-    Named<CurveKind>{CurveKind::raw, "raw"},
-};
 
 // Returns the divisor of the levels, which are multiples of 1 / divisions. They are compared with recalls k / R in
 // integers, without rounding.
@@ -93,11 +83,11 @@ Mean mean_of_column(const Eigen::MatrixXd& table, Eigen::Index column, const Cho
 
 }  // namespace
 
-std::string name_of(CurveKind kind) { return name_in<CurveKind>(kinds, kind); }
+std::string name_of(CurveKind kind) { return std::string(word_of(kind)); }
 
-std::optional<CurveKind> curve_kind_of(std::string_view name) { return value_in<CurveKind>(kinds, name); }
+std::optional<CurveKind> curve_kind_of(std::string_view name) { return value_of_word<CurveKind>(name); }
 
-std::vector<std::string> curve_kind_names() { return names_in<CurveKind>(kinds); }
+std::vector<std::string> curve_kind_names() { return list_of_words<CurveKind>(); }
 
 CurveKind usual_curve(Protocol protocol) { return curve_kind_of(name_of(protocol)).value(); }
 

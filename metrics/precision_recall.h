@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/words.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/metrics/ranked_list.h"
 
@@ -23,6 +25,8 @@ namespace shapegauge {
 /// - raw: at 1/L, 2/L, ... 1, where L is the largest number of relevant models of any query, P(k) of the first hit that
 ///   reaches the level. If every query has as many relevant models, these are the hits themselves.
 enum class CurveKind { psb, paper, trec, raw };
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<CurveKind>{"psb", "paper", "trec", "raw"};
 
 /// Returns the name in files and options: "psb", "paper", "trec" or "raw".
 std::string name_of(CurveKind kind);

@@ -1,26 +1,12 @@
 #include "shapegauge/metrics/protocol.h"
 
-#include <array>
-
-#include "shapegauge/core/base/names.h"
-
 namespace shapegauge {
 
-namespace {
+std::string name_of(Protocol protocol) { return std::string(word_of(protocol)); }
 
-constexpr std::array protocols = {
-    Named<Protocol>{Protocol::psb, "psb"},
-    Named<Protocol>{Protocol::paper, "paper"},
-    Named<Protocol>{Protocol::trec, "trec"},
-};
+std::optional<Protocol> protocol_of(std::string_view name) { return value_of_word<Protocol>(name); }
 
-}  // namespace
-
-std::string name_of(Protocol protocol) { return name_in<Protocol>(protocols, protocol); }
-
-std::optional<Protocol> protocol_of(std::string_view name) { return value_in<Protocol>(protocols, name); }
-
-std::vector<std::string> protocol_names() { return names_in<Protocol>(protocols); }
+std::vector<std::string> protocol_names() { return list_of_words<Protocol>(); }
 
 std::string name_of(Ties ties) { return std::string(word_of(ties)); }
 

@@ -15,6 +15,8 @@ namespace shapegauge {
 ///   those of the Princeton Shape Benchmark, and those of text retrieval.
 /// - paper: the query stays in its list, at rank 1.
 enum class Protocol { psb, paper, trec };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<Protocol>{"psb", "paper", "trec"};
 
 /// Returns the name of a protocol in files and options: "psb", "paper" or "trec".
 std::string name_of(Protocol protocol);

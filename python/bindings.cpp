@@ -88,9 +88,11 @@ FinishedRun run_configuration(const std::string& document, const std::string& so
   const RunControl control = interruptible_control(threads, cancellation, progress);
   run_interruptibly(cancellation, [&] {
     Json configuration = document.empty() ? read_json(source) : parse_json(document, source);
-    apply_overrides(configuration, source, folder, overrides, Audience::python);
-    const Experiment experiment = read_experiment(configuration, source, folder);
-    if (document.empty()) check_results_are_no_inputs(output, std::vector<fs::path>{source});
+    std::vector<fs::path> files =
+        apply_overrides(configuration, source, folder, overrides, experiment_paths, Audience::python);
+    if (document.empty()) files.emplace_back(source);
+    Experiment experiment = read_experiment(configuration, source, folder);
+    std::ranges::move(files, std::back_inserter(experiment.input_paths));
     Cache cache(cache_folder.value_or(default_cache_folder()), false);
     RunOutcome outcome = run_into_folder(experiment, output, replace, control, cache, *single_process());
     finished = {.summary = std::move(outcome.summary), .warnings = std::move(outcome.warnings), .left_out = {}};

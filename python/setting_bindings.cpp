@@ -8,6 +8,7 @@
 #include "python/native.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/schema.h"
@@ -48,6 +49,13 @@ OrderedJson listed_groups(const std::vector<ParameterGroup>& groups) {
   return listed;
 }
 
+/// The types of fields; `is_thickness` for the methods of sdf().
+OrderedJson listed_fields() {
+  OrderedJson listed = listed_groups(field_groups());
+  for (const FieldType& type : field_types().entries()) listed[type.name]["is_thickness"] = type.is_thickness;
+  return listed;
+}
+
 /// Options that configurations do not have, by function.
 OrderedJson other_options() {
   return {{"sdf", listed_parameters(parameters_of(offset_sdf_table))},
@@ -67,7 +75,7 @@ OrderedJson listed_experiments() {
 void bind_settings(py::module_& module) {
   module.attr("most_threads") = static_cast<int>(threads_bounds.high);
   module.def("settings", [] {
-    return OrderedJson{{"fields", listed_groups(field_groups())},
+    return OrderedJson{{"fields", listed_fields()},
                        {"descriptors", listed_groups(descriptor_groups())},
                        {"rerank", listed_groups(rerank_groups())},
                        {"sections", listed_groups(section_groups())},

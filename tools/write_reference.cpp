@@ -16,6 +16,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/kinds/experiment_kinds.h"
 #include "tools/command_reference.h"
 
 int main(int count, char** arguments) try {

@@ -84,6 +84,12 @@ Shape apply_decimate(Shape shape, const ParameterValues& settings, RandomNumbers
   return decimate(shape, settings.integer("faces"));
 }
 
+std::string remark_on_decimation(const Shape& result, const ParameterValues& settings) {
+  const std::int64_t wanted = settings.integer("faces");
+  if (result.triangles.rows() <= wanted) return {};
+  return fmt::format("decimated to {} faces instead of {}: no valid collapse is left", result.triangles.rows(), wanted);
+}
+
 Shape apply_sample_points(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
   return sample_points(shape, options_from(sample_points_table, settings), random);
 }
@@ -108,7 +114,8 @@ std::vector<ShapePerturbation> own_perturbations() {
       {"remove_faces", "Removes random faces (or points).", remove_faces_parameters, apply_remove_faces},
       {"holes", "Removes faces (or points) near random points of the surface.", punch_holes_parameters,
        apply_punch_holes},
-      {"decimate", "Simplifies the mesh by quadric error.", decimate_parameters, apply_decimate},
+      {"decimate", "Simplifies the mesh by quadric error.", decimate_parameters, apply_decimate, 1,
+       remark_on_decimation},
       {"sample_points", "Samples the mesh by random points, uniform by area.", sample_points_parameters,
        apply_sample_points},
       {"vertex_cloud", "Replaces the mesh by the cloud of its vertices.", {}, apply_vertex_cloud},

@@ -91,6 +91,8 @@ struct ShapePerturbation {
   /// shape.
   Shape (*apply)(Shape shape, const ParameterValues& settings, RandomNumbers& random) = nullptr;
   int version = 1;  ///< cache version; see docs/manual/cache.md
+  /// Says how the result falls short of the settings; empty if it does not. Null: it never does.
+  std::string (*remark)(const Shape& result, const ParameterValues& settings) = nullptr;
 };
 
 /// Returns the registry of shape perturbations: those of this folder, followed by those added. An entry must have

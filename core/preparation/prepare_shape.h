@@ -29,6 +29,8 @@ inline constexpr std::array<std::string_view, 2> words_of<ScaleEstimate>{"area",
 struct PreparationOptions {
   bool denoise = false;  ///< see denoised()
   ScaleEstimate scale = ScaleEstimate::area;
+
+  bool operator==(const PreparationOptions&) const = default;
 };
 
 /// Parameters of PreparationOptions.

@@ -46,11 +46,20 @@ struct EndInflation {
   void operator()(z_stream* stream) const { inflateEnd(stream); }
 };
 
+// First byte of each member of a gzip file.
+constexpr unsigned first_byte = 0x1f;
+
+constexpr std::string_view trailing_bytes = "other bytes follow its end";
+
 // Describes the fault of a gzip file that inflate() refuses.
 std::string_view inflation_fault(const z_stream& stream, int status, bool is_first_member) {
-  if (status == Z_DATA_ERROR && !is_first_member && stream.total_out == 0) return "other bytes follow its end";
+  if (status == Z_DATA_ERROR && !is_first_member && stream.total_out == 0) return trailing_bytes;
   if (status == Z_BUF_ERROR) return "it ends too early";
   return stream.msg != nullptr ? stream.msg : "its data is invalid";
+}
+
+[[noreturn]] void fail_inflation(const std::string& source, std::string_view fault) {
+  throw InputError(fmt::format("{}: not a gzip file, or damaged: {}", source, fault));
 }
 
 // Returns the contents of a gzip file of one or several members. zlib compares the checksum and the size of each.
@@ -80,11 +89,12 @@ std::string unpacked_gzip(std::string_view packed, const std::string& source) {
     const bool at_end = stream.avail_in == 0 && rest.empty();
     if (status == Z_STREAM_END && at_end) return bytes;
     if (status == Z_STREAM_END) {
+      const unsigned next = stream.avail_in > 0 ? *stream.next_in : static_cast<unsigned char>(rest.front());
+      if (next != first_byte) fail_inflation(source, trailing_bytes);
       inflateReset(&stream);
       is_first_member = false;
     } else if (status != Z_OK) {
-      throw InputError(
-          fmt::format("{}: not a gzip file, or damaged: {}", source, inflation_fault(stream, status, is_first_member)));
+      fail_inflation(source, inflation_fault(stream, status, is_first_member));
     }
   }
 }

@@ -71,6 +71,8 @@ class NumberRows {
   std::size_t row_begin_ = 0;
 };
 
+bool is_number(const std::string& cell) { return parse_number(cell).has_value(); }
+
 void check_ids(const std::vector<std::string>& ids, const std::string& where) {
   std::unordered_set<std::string_view> seen;
   for (const std::string& id : ids) {
@@ -86,6 +88,13 @@ std::vector<std::string> read_ids(const CsvRow& header, const std::string& sourc
   return ids;
 }
 
+[[noreturn]] void fail_without_separator(const CsvRow& row, const std::string& source) {
+  throw InputError(fmt::format(
+      "{}:{}: {} is neither a number nor a row of ids; a CSV matrix needs commas, semicolons or tabs between "
+      "its numbers",
+      source, row.line, quoted_word(row.cells.front())));
+}
+
 // Throws InputError if the first row, which does not begin with a number, has no ids of columns.
 void check_header(const std::vector<CsvRow>& table, const std::string& source) {
   const CsvRow& header = table.front();
@@ -94,10 +103,7 @@ void check_header(const std::vector<CsvRow>& table, const std::string& source) {
     throw InputError(fmt::format("{}:{}: a CSV matrix has no comments; remove the line", source, header.line));
   }
   if (header.cells.size() > 1 || table.size() == 1) return;
-  throw InputError(fmt::format(
-      "{}:{}: {} is neither a number nor a row of ids; a CSV matrix needs commas, semicolons or tabs between "
-      "its numbers",
-      source, header.line, quoted_word(header.cells.front())));
+  fail_without_separator(header, source);
 }
 
 void check_row_id(const CsvRow& row, std::size_t index, const std::vector<std::string>& ids,
@@ -113,9 +119,14 @@ void check_row_id(const CsvRow& row, std::size_t index, const std::vector<std::s
                   source, row.line, quoted_word(row.cells.front()), quoted_word(ids[index])));
 }
 
-bool is_number(const std::string& cell) { return parse_number(cell).has_value(); }
-
 bool names_ids(const std::string& cell) { return cell.empty() || cell == "id"; }
+
+// Throws InputError for a row whose numbers are separated by blanks or bars.
+void check_separator(const CsvRow& row, const std::string& source) {
+  const std::string& cell = row.cells.front();
+  if (row.cells.size() > 1 || is_number(cell) || cell.find_first_of("| ") == std::string::npos) return;
+  fail_without_separator(row, source);
+}
 
 bool has_header(const std::vector<CsvRow>& table) {
   if (table.empty()) return false;
@@ -170,6 +181,7 @@ LabelledTable parse_csv_table(std::string_view text, const std::string& source) 
   const std::vector<CsvRow> table = parse_csv(text, source, number_separator(text));
   const bool header = has_header(table);
   const std::size_t first_row = header ? 1 : 0;
+  if (!table.empty()) check_separator(table[std::min(first_row, table.size() - 1)], source);
   const bool row_ids = (header && names_ids(table.front().cells.front())) ||
                        (table.size() > first_row && !is_number(table[first_row].cells.front()));
   const std::ptrdiff_t first_column = row_ids ? 1 : 0;

@@ -134,7 +134,10 @@ class SchemaWalk {
       if (properties.contains(key)) {
         visit_part(properties[key], value, key);
       } else if (schema.contains("additionalProperties") && schema["additionalProperties"] == false) {
-        add(fmt::format("unknown key \"{}\"{}", printable(key, 60), suggestion(key, keys_of(properties))));
+        const std::vector<std::string> keys = keys_of(properties);
+        const bool names_kind = schema.contains("title") && !nearest_word(key, keys);
+        const std::string kind = names_kind ? fmt::format(" in a {}", schema["title"].get<std::string>()) : "";
+        add(fmt::format("unknown key \"{}\"{}{}", printable(key, 60), kind, suggestion(key, keys)));
         findings_.back().unknown_key = true;
       }
     }
@@ -178,12 +181,11 @@ std::size_t weight(const Finding& finding) { return (finding.unknown_key ? 1000 
 
 }  // namespace
 
-namespace {
-
-void check_by_rules(const Json& rules, const Json& configuration, const std::string& source) {
-  if (is_valid(rules, configuration)) return;
+void check_by_schema(const Json& document, const nlohmann::ordered_json& schema, const std::string& source) {
+  const Json rules{{"allOf", Json::array({Json(schema)})}, {"definitions", schema_definitions()}};
+  if (is_valid(rules, document)) return;
   SchemaWalk walk(rules);
-  walk.visit(rules, configuration);
+  walk.visit(rules, document);
   const auto worst = std::ranges::max_element(walk.findings(), {}, weight);
   if (worst == walk.findings().end()) {
     throw InputError(fmt::format("{}: does not match the schema of an experiment", source));
@@ -192,16 +194,8 @@ void check_by_rules(const Json& rules, const Json& configuration, const std::str
   throw InputError(fmt::format("{}: {}{}", source, printable(place, 200), printable(worst->message, 500)));
 }
 
-}  // namespace
-
-void check_against_schema(const Json& configuration, const std::string& source) {
-  check_by_rules(Json::parse(experiment_schema()), configuration, source);
-}
-
 void check_against_schema(const Json& part, const std::string& definition, const std::string& source) {
-  Json rules = Json::parse(experiment_schema());
-  const Json reference{{"$ref", "#/definitions/" + definition}};
-  check_by_rules({{"allOf", Json::array({reference})}, {"definitions", std::move(rules["definitions"])}}, part, source);
+  check_by_schema(part, nlohmann::ordered_json{{"$ref", "#/definitions/" + definition}}, source);
 }
 
 }  // namespace shapegauge

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/document_paths.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 
 namespace shapegauge {
@@ -32,23 +32,21 @@ nlohmann::json dataset_in_file(const fs::path& path) {
 
 }  // namespace
 
-void read_dataset_files(nlohmann::json& document, const std::string& source, const fs::path& folder) {
-  if (!document.is_object()) return;
-  const auto described = [&](const nlohmann::json& file, std::string_view place) {
+std::vector<fs::path> read_dataset_files(nlohmann::json& document, const std::string& source, const fs::path& folder,
+                                         const std::vector<std::string_view>& datasets) {
+  std::vector<fs::path> files;
+  for (const nlohmann::json::json_pointer& place : matching_places(document, datasets)) {
+    nlohmann::json& dataset = document.at(place);
+    if (!dataset.is_string()) continue;
     try {
-      return dataset_in_file(folder / expand_variables(file.get<std::string>()));
+      files.push_back(folder / expand_variables(dataset.get<std::string>()));
+      dataset = dataset_in_file(files.back());
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}: {}", source, place, error.what()));
+      throw InputError(fmt::format("{}: {}: {}", source, dotted(place), error.what()));
     }
-  };
-  if (document.contains("dataset") && document["dataset"].is_string()) {
-    document["dataset"] = described(document["dataset"], "dataset");
-    document["dataset"].erase("name");
+    if (!document.at(place.parent_pointer()).is_array()) dataset.erase("name");
   }
-  if (!document.contains("datasets") || !document["datasets"].is_array()) return;
-  for (nlohmann::json& dataset : document["datasets"]) {
-    if (dataset.is_string()) dataset = described(dataset, "datasets");
-  }
+  return files;
 }
 
 }  // namespace shapegauge

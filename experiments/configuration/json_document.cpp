@@ -168,6 +168,13 @@ bool is_utf8(std::string_view text) {
 
 }  // namespace
 
+std::string dotted(const nlohmann::json::json_pointer& place) {
+  std::string text = place.to_string();
+  if (!text.empty()) text.erase(0, 1);
+  std::ranges::replace(text, '/', '.');
+  return text;
+}
+
 nlohmann::json parse_json(std::string_view text, const std::string& source) {
   try {
     return nlohmann::json::parse(text, Strictness(source));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -65,8 +66,10 @@ std::uint64_t stable_hash(std::string_view text) {
 
 Shape apply_perturbations(Shape shape, const std::vector<Perturbation>& steps, PerturbationContext& parent) {
   for (const Perturbation& step : steps) {
-    PerturbationContext own{
-        .random = RandomNumbers(parent.random.next()), .model = parent.model, .chosen = parent.chosen};
+    PerturbationContext own{.random = RandomNumbers(parent.random.next()),
+                            .model = parent.model,
+                            .chosen = parent.chosen,
+                            .remarks = parent.remarks};
     shape = step.apply(std::move(shape), own);
   }
   return shape;
@@ -75,8 +78,10 @@ Shape apply_perturbations(Shape shape, const std::vector<Perturbation>& steps, P
 PerturbedShape perturb_model(Shape shape, const std::vector<Perturbation>& steps, std::uint64_t seed,
                              std::string_view id, std::size_t model) {
   PerturbedShape perturbed;
-  PerturbationContext context{
-      .random = RandomNumbers(seed, stable_hash(id)), .model = model, .chosen = &perturbed.chosen};
+  PerturbationContext context{.random = RandomNumbers(seed, stable_hash(id)),
+                              .model = model,
+                              .chosen = &perturbed.chosen,
+                              .remarks = &perturbed.remarks};
   perturbed.shape = apply_perturbations(std::move(shape), steps, context);
   return perturbed;
 }
@@ -104,8 +109,11 @@ Perturbation make_perturbation(const Json& settings) {
 Perturbation make_perturbation(const ShapePerturbation& type, const ParameterValues& values) {
   Perturbation step{.settings = to_json(values),
                     .versions = {{type.name, type.version}},
-                    .apply = [apply = type.apply, values](Shape shape, PerturbationContext& context) {
-                      return apply(std::move(shape), values, context.random);
+                    .apply = [type, values](Shape shape, PerturbationContext& context) {
+                      Shape perturbed = type.apply(std::move(shape), values, context.random);
+                      std::string remark = type.remark == nullptr ? "" : type.remark(perturbed, values);
+                      if (!remark.empty() && context.remarks != nullptr) context.remarks->push_back(std::move(remark));
+                      return perturbed;
                     }};
   step.settings["type"] = type.name;
   return step;

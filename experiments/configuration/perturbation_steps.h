@@ -5,6 +5,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,9 +18,10 @@ namespace shapegauge {
 
 /// State of a perturbation step besides the shape.
 struct PerturbationContext {
-  RandomNumbers random;                        ///< random stream of the step
-  std::size_t model = 0;                       ///< the model's index in the data set
-  std::vector<std::size_t>* chosen = nullptr;  ///< receives the choices of steps that choose
+  RandomNumbers random;                         ///< random stream of the step
+  std::size_t model = 0;                        ///< the model's index in the data set
+  std::vector<std::size_t>* chosen = nullptr;   ///< receives the choices of steps that choose
+  std::vector<std::string>* remarks = nullptr;  ///< receives ShapePerturbation::remark() of the steps; may be null
 };
 
 /// Perturbation step of a configuration, applied to shapes before anything is computed.
@@ -36,7 +38,8 @@ Shape apply_perturbations(Shape shape, const std::vector<Perturbation>& steps, P
 /// Shape of a model after the perturbation steps.
 struct PerturbedShape {
   Shape shape;
-  std::vector<std::size_t> chosen;  ///< by step that chooses, in order of application: index of the choice
+  std::vector<std::size_t> chosen;        ///< by step that chooses, in order of application: index of the choice
+  std::vector<std::string> remarks = {};  ///< how the steps fell short of their settings
 };
 
 /// Applies the steps to a model. Random draws depend only on the seed and the model's id, not on other models.

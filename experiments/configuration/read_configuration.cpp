@@ -18,7 +18,6 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 
 namespace shapegauge {
 
@@ -304,14 +303,8 @@ std::uint64_t read_seed(const Json& experiment) {
 
 Configuration configuration_from_json(const Json& given, const std::string& source, const fs::path& folder) {
   Json document = given;
-  read_dataset_files(document, source, folder);
-  check_against_schema(document, source);
-  if (is_comparison(document)) {
-    throw InputError(fmt::format("{}: compares \"shapes\": it is not a retrieval experiment", source));
-  }
-  if (is_segmentation(document)) {
-    throw InputError(fmt::format("{}: has a \"segmentation\": it is not a retrieval experiment", source));
-  }
+  read_dataset_files(document, source, folder, retrieval_paths().datasets);
+  check_against_schema(document, "retrieval_experiment", source);
   try {
     return checked_configuration(document, folder);
   } catch (const ConfigurationError& error) {
@@ -321,20 +314,15 @@ Configuration configuration_from_json(const Json& given, const std::string& sour
 
 namespace {
 
-/// Returns the positions of relative paths in a document of any kind of experiment.
-std::vector<Json::json_pointer> places_of_paths(const Json& document) {
-  using Place = Json::json_pointer;
-  std::vector<Place> candidates{Place("/dataset"), Place("/dataset/root")};
-  for (const auto& [list, key] : {std::pair("datasets", "root"), std::pair("shapes", "file")}) {
-    const std::size_t count = document.contains(list) && document[list].is_array() ? document[list].size() : 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      candidates.push_back(Place() / list / i);
-      candidates.push_back(Place() / list / i / key);
-    }
+/// Returns the positions of paths in a document, all of which hold strings.
+std::vector<Json::json_pointer> places_of_paths(const Json& document, const DocumentPaths& paths) {
+  std::vector<Json::json_pointer> places = matching_places(document, paths.files);
+  for (const Json::json_pointer& dataset : matching_places(document, paths.datasets)) {
+    places.push_back(dataset);
+    places.push_back(dataset / "root");
   }
-  std::erase_if(candidates,
-                [&](const Place& place) { return !document.contains(place) || !document[place].is_string(); });
-  return candidates;
+  std::erase_if(places, [&](const auto& place) { return !document.contains(place) || !document[place].is_string(); });
+  return places;
 }
 
 bool is_at_or_below(const Json::json_pointer& place, const Json::json_pointer& above) {
@@ -343,29 +331,35 @@ bool is_at_or_below(const Json::json_pointer& place, const Json::json_pointer& a
 
 }  // namespace
 
-void apply_overrides(Json& document, const std::string& source, const fs::path& folder,
-                     std::span<const std::string> overrides, Audience audience) {
-  read_dataset_files(document, source, folder);
+const DocumentPaths& retrieval_paths() {
+  static const DocumentPaths paths{.datasets = {"/dataset"}};
+  return paths;
+}
+
+std::vector<fs::path> apply_overrides(Json& document, const std::string& source, const fs::path& folder,
+                                      std::span<const std::string> overrides, const PathsOfDocument& paths_of,
+                                      Audience audience) {
+  std::vector<fs::path> files = read_dataset_files(document, source, folder, paths_of(document).datasets);
   for (const std::string& assignment : overrides) {
     const Json::json_pointer changed = apply_override(document, assignment, audience);
-    for (const Json::json_pointer& place : places_of_paths(document)) {
+    for (const Json::json_pointer& place : places_of_paths(document, paths_of(document))) {
       if (!is_at_or_below(place, changed)) continue;
       const std::string path = expand_variables(document[place].get<std::string>());
       document[place] = fs::absolute(path).lexically_normal().string();
     }
   }
+  return files;
 }
 
-Json read_configuration_document(const fs::path& path, std::span<const std::string> overrides) {
+Json read_retrieval_document(const fs::path& path, std::span<const std::string> overrides) {
   Json document = read_json(path);
-  apply_overrides(document, path.string(), path.parent_path(), overrides);
+  apply_overrides(document, path.string(), path.parent_path(), overrides,
+                  [](const Json&) { return retrieval_paths(); });
   return document;
 }
 
-bool is_comparison(const Json& document) { return document.is_object() && document.contains("shapes"); }
-
 Configuration read_configuration(const fs::path& path, std::span<const std::string> overrides) {
-  return configuration_from_json(read_configuration_document(path, overrides), path.string(), path.parent_path());
+  return configuration_from_json(read_retrieval_document(path, overrides), path.string(), path.parent_path());
 }
 
 }  // namespace shapegauge

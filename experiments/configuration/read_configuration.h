@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/document_paths.h"
 
 namespace shapegauge {
 
@@ -18,19 +19,23 @@ namespace shapegauge {
 Configuration read_configuration(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
 /// Reads the file and applies the overrides: the document that read_configuration() validates.
-nlohmann::json read_configuration_document(const std::filesystem::path& path,
-                                           std::span<const std::string> overrides = {});
+nlohmann::json read_retrieval_document(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+
+/// Relative paths in the documents of retrieval experiments.
+const DocumentPaths& retrieval_paths();
 
 /// Applies overrides of `--set` (apply_override()) to a document. First replaces data sets given by a file by its
-/// contents, which overrides can then change. A relative path in the document is relative to `folder`, one in an
-/// override to the working directory, and a "classification" to the root of its data set.
-void apply_overrides(nlohmann::json& document, const std::string& source, const std::filesystem::path& folder,
-                     std::span<const std::string> overrides, Audience audience = Audience::command_line);
+/// contents, which overrides can then change. `paths_of` returns the relative paths of the document. They are relative
+/// to `folder`, in an override to the working directory, and a "classification" to the root of its data set. Returns
+/// the files of data sets.
+std::vector<std::filesystem::path> apply_overrides(nlohmann::json& document, const std::string& source,
+                                                   const std::filesystem::path& folder,
+                                                   std::span<const std::string> overrides,
+                                                   const PathsOfDocument& paths_of,
+                                                   Audience audience = Audience::command_line);
 
-/// Returns true for the configuration of a shape comparison (shape_comparison.h), false for a retrieval experiment.
-bool is_comparison(const nlohmann::json& document);
-
-/// Reads a configuration from a document. `source` is its name in messages; relative paths are relative to `folder`.
+/// Reads a retrieval experiment from a document. `source` is its name in messages; relative paths are relative to
+/// `folder`.
 Configuration configuration_from_json(const nlohmann::json& document, const std::string& source,
                                       const std::filesystem::path& folder);
 

@@ -68,7 +68,7 @@ std::string section_table(std::string_view section) {
   const auto found = std::ranges::find(groups, group, &ParameterGroup::name);
   const std::span<const Parameter> parameters =
       found == groups.end() ? std::span<const Parameter>{} : found->parameters;
-  const OrderedJson definitions = OrderedJson::parse(experiment_schema()).at("definitions");
+  const OrderedJson definitions = schema_definitions();
   const OrderedJson& schema = definitions.at(std::string(section));
   const std::string head = markdown_table({});
   return head + property_rows(definitions, schema.contains("properties") ? schema : schema.at("then"), parameters) +

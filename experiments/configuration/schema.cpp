@@ -173,9 +173,8 @@ std::vector<ParameterGroup> section_groups() {
           {.name = "segmentation_method", .description = {}, .parameters = segmentation_method_parameters()}};
 }
 
-std::string experiment_schema() {
-  OrderedJson schema = OrderedJson::parse(base_schema());
-  OrderedJson& definitions = schema["definitions"];
+OrderedJson schema_definitions() {
+  OrderedJson definitions = OrderedJson::parse(base_schema()).at("definitions");
   for (const ParameterGroup& section : section_groups()) {
     if (section.name != "experiment") add_parameters(section.parameters, definitions[std::string(section.name)]);
   }
@@ -197,7 +196,7 @@ std::string experiment_schema() {
   definitions["evaluation"]["properties"]["measures"]["description"] =
       fmt::format("Measures, such as NN or P@10 (default: those of the protocols). Available: {}.",
                   fmt::join(measure_definitions().names(), ", "));
-  return schema.dump(2) + "\n";
+  return definitions;
 }
 
 }  // namespace shapegauge

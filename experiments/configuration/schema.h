@@ -28,22 +28,22 @@ std::vector<ParameterGroup> rerank_groups();
 std::vector<ParameterGroup> section_groups();
 /// @}
 
-/// Returns the JSON Schema (draft 7) of experiment configurations: the structure (base_schema.json) with the current
-/// entries of the registries of fields, descriptors, perturbations, distances, protocols and layouts.
-/// configs/experiment.schema.json is this text, for editors.
-std::string experiment_schema();
+/// Returns the definitions of the JSON Schema (draft 7) of configurations, by name: the structure
+/// (base_schema.json) with the current entries of the registries of fields, descriptors, perturbations, distances,
+/// protocols and layouts. Schemas of the kinds of experiments refer to them as "#/definitions/NAME".
+nlohmann::ordered_json schema_definitions();
 
 /// Fills in the tables of docs/reference/configuration.md: replaces the text between a line `<!-- NAME -->` and the
 /// next line `<!-- end -->` by the tables of the group of that name, or of all `fields`, `perturbations`, `descriptors`
 /// or `rerank` methods.
 std::string with_reference_tables(std::string_view page);
 
-/// Validates a configuration against the experiment schema. Throws InputError for one fault: an unknown key first, with
-/// the nearest known one; otherwise the deepest in the document. The message has the source, the path in the notation
-/// of `--set`, the fault and the valid values.
-void check_against_schema(const nlohmann::json& configuration, const std::string& source);
+/// Validates a document against a schema that may refer to schema_definitions(). Throws InputError for one fault: an
+/// unknown key first, with the nearest known one; otherwise the deepest in the document. The message has the source,
+/// the path in the notation of `--set`, the fault and the valid values.
+void check_by_schema(const nlohmann::json& document, const nlohmann::ordered_json& schema, const std::string& source);
 
-/// Validates a part of a configuration against a definition of the schema, such as "descriptor".
+/// Validates a configuration, or a part of one, against a definition of the schema, such as "descriptor".
 void check_against_schema(const nlohmann::json& part, const std::string& definition, const std::string& source);
 
 }  // namespace shapegauge

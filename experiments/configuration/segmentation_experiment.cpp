@@ -70,6 +70,7 @@ SegmentationExperiment checked_experiment(const Json& document, const fs::path& 
   experiment.pictures = values.boolean("pictures");
   experiment.on_error = read_on_error(document);
   experiment.seed = read_seed(document);
+  if (document.contains("preparation")) experiment.preparation = read_preparation(document["preparation"]);
   experiment.methods = at_key("segmentation", [&] { return methods_of(document.at("segmentation")); });
   return experiment;
 }
@@ -117,8 +118,6 @@ SegmentationMethod segmentation_method(const Json& settings) {
   return method;
 }
 
-bool is_segmentation(const Json& document) { return document.is_object() && document.contains("segmentation"); }
-
 Json to_json(const SegmentationMethod& method) {
   Json json = options_json(segmentation_table, method.options);
   for (const Parameter& parameter : segmentation_method_parameters()) {
@@ -130,9 +129,13 @@ Json to_json(const SegmentationMethod& method) {
 }
 
 Json to_json(const SegmentationExperiment& experiment) {
-  Json json{{"name", experiment.name}, {"by", word_of(experiment.by)},
-            {"cuts", experiment.cuts}, {"pictures", experiment.pictures},
-            {"seed", experiment.seed}, {"on_error", word_of(experiment.on_error)}};
+  Json json{{"name", experiment.name},
+            {"by", word_of(experiment.by)},
+            {"cuts", experiment.cuts},
+            {"pictures", experiment.pictures},
+            {"seed", experiment.seed},
+            {"on_error", word_of(experiment.on_error)},
+            {"preparation", to_json(experiment.preparation)}};
   if (!experiment.description.empty()) json["description"] = experiment.description;
   if (experiment.generator) {
     json["dataset"]["generate"] = to_json(*experiment.generator);
@@ -144,10 +147,7 @@ Json to_json(const SegmentationExperiment& experiment) {
 }
 
 SegmentationExperiment segmentation_from_json(const Json& document, const std::string& source, const fs::path& folder) {
-  check_against_schema(document, source);
-  if (!is_segmentation(document)) {
-    throw InputError(fmt::format("{}: has no \"segmentation\": it is not an experiment of segmentation", source));
-  }
+  check_against_schema(document, "segmentation_experiment", source);
   try {
     return checked_experiment(document, folder);
   } catch (const ConfigurationError& error) {

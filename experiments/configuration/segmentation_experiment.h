@@ -38,9 +38,10 @@ struct SegmentationExperiment {
   std::optional<GeneratorOptions> generator;  ///< generated shapes, whose parts are the ground truth
   std::vector<SegmentationMethod> methods;    ///< at least one
   TriangleWeights by = TriangleWeights::faces;
-  bool cuts = false;       ///< also compute the cut discrepancy
-  bool pictures = true;    ///< in the report
-  std::uint64_t seed = 1;  ///< seed of the perturbations
+  bool cuts = false;               ///< also compute the cut discrepancy
+  bool pictures = true;            ///< in the report
+  std::uint64_t seed = 1;          ///< seed of the perturbations
+  PreparationOptions preparation;  ///< of every shape, after the perturbations
   OnError on_error = OnError::stop;
 };
 
@@ -53,9 +54,6 @@ std::span<const Parameter> segmentation_experiment_parameters();
 /// Reads the method of an entry of "segmentation" after validation by the schema. Throws ConfigurationError for
 /// inconsistent settings.
 SegmentationMethod segmentation_method(const nlohmann::json& settings);
-
-/// Returns true for the document of a segmentation experiment.
-bool is_segmentation(const nlohmann::json& document);
 
 /// Formats the experiment as a configuration with all defaults.
 nlohmann::json to_json(const SegmentationExperiment& experiment);

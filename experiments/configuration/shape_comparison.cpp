@@ -12,7 +12,6 @@
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 
 namespace shapegauge {
 
@@ -123,12 +122,7 @@ Json to_json(const ShapeComparison& comparison) {
 }
 
 ShapeComparison comparison_from_json(const Json& document, const std::string& source, const fs::path& folder) {
-  check_against_schema(document, source);
-  if (!is_comparison(document)) {
-    throw InputError(
-        fmt::format("{}: has a \"dataset\", not \"shapes\": it is {}", source,
-                    is_segmentation(document) ? "an experiment of segmentation" : "a retrieval experiment"));
-  }
+  check_against_schema(document, "comparison_experiment", source);
   try {
     return checked_comparison(document, folder);
   } catch (const ConfigurationError& error) {

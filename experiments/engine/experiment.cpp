@@ -49,8 +49,9 @@ RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destina
   std::uintmax_t limit = 0;
   const std::string folder = on_first_rank(ranks, [&] {
     limit = cache_limit();  // reports a wrong setting before the run
-    if (const auto& dataset = experiment.dataset) {
-      check_results_are_no_inputs(destination, std::vector{dataset->root, dataset->classification});
+    check_results_are_no_inputs(destination, experiment.input_paths);
+    for (const std::string& part : experiment.result_folders) {
+      check_results_are_no_inputs(destination / part, experiment.input_paths);
     }
     lock.emplace(destination, control.audience);
     prepare_result_folder(destination, experiment.configuration, replace, control.audience);

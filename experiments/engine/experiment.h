@@ -4,13 +4,12 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/cache/cache.h"
+#include "shapegauge/experiments/configuration/document_paths.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
@@ -43,8 +42,9 @@ struct RunOutcome {
 /// Validated configuration of an experiment with the function that runs it.
 struct Experiment {
   std::string name;
-  nlohmann::json configuration;                 ///< with all defaults
-  std::optional<DatasetLocation> dataset = {};  ///< its input, if that is one data set on disk
+  nlohmann::json configuration;                         ///< with all defaults
+  std::vector<std::filesystem::path> input_paths = {};  ///< folders and files that results must not overwrite
+  std::vector<std::string> result_folders = {};         ///< subfolders of the results that have a manifest of their own
   /// Reads the inputs with that many threads (0: all) as the manifest would record them; null if they are known only
   /// after the run.
   std::function<nlohmann::json(int threads)> inputs = {};
@@ -52,14 +52,17 @@ struct Experiment {
   std::function<RunOutcome(const RunContext&)> run;
 };
 
-/// Kind of experiment.
+/// Kind of experiment. Kinds know nothing of each other.
 struct ExperimentKind {
   std::string_view name;
   std::string_view description;  ///< one sentence
-  /// Returns true if a configuration's document is of this kind.
-  bool (*describes)(const nlohmann::json& document) = nullptr;
-  /// Reads the document. `source` is its name in messages; relative paths are relative to `folder`. Throws InputError
-  /// with the source, the path to the value, the fault and the nearest valid word.
+  std::vector<std::string> keys =
+      {};                    ///< root keys of a configuration's document; one with all of them is of this kind
+  DocumentPaths paths = {};  ///< relative paths in the document
+  /// Returns the JSON Schema of the document, which may refer to schema_definitions().
+  nlohmann::ordered_json (*schema)() = nullptr;
+  /// Reads a document that the schema has accepted. `source` is its name in messages; relative paths are relative to
+  /// `folder`. Throws InputError with the source, the path to the value, the fault and the nearest valid word.
   Experiment (*read)(const nlohmann::json& document, const std::string& source,
                      const std::filesystem::path& folder) = nullptr;
 };

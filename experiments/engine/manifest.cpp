@@ -39,6 +39,12 @@ OrderedJson program_json() {
           {"processor", processor()}};
 }
 
+OrderedJson failures_json(std::span<const LeftOutShape> failures) {
+  OrderedJson list = OrderedJson::array();
+  for (const LeftOutShape& failure : failures) list.push_back({{"model", failure.id}, {"error", failure.message}});
+  return list;
+}
+
 OrderedJson outputs_json(const std::filesystem::path& folder, std::span<const std::string> files) {
   OrderedJson hashes = OrderedJson::object();
   for (const std::string& file : files) {

@@ -14,6 +14,7 @@ namespace shapegauge {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+using Place = Json::json_pointer;
 
 namespace {
 
@@ -39,30 +40,25 @@ fs::path moved(const fs::path& path, const fs::path& old_root, const fs::path& r
   return lies_in(path, old_root) ? (root / path.lexically_relative(old_root)).lexically_normal() : path;
 }
 
-/// Returns the deepest folder that contains all files of the shapes; empty if there are none.
-fs::path common_folder(const Json& shapes) {
+/// Returns the deepest folder that contains all files at the places; empty if there are none.
+fs::path common_folder(const Json& configuration, const std::vector<Place>& files) {
   std::optional<fs::path> common;
-  for (const Json& shape : shapes) {
-    if (!shape.contains("file")) continue;
-    const fs::path folder = fs::path(shape.at("file").get<std::string>()).parent_path();
+  for (const Place& file : files) {
+    const fs::path folder = fs::path(configuration.at(file).get<std::string>()).parent_path();
     if (!common) common = folder;
     while (!lies_in(folder, *common)) common = common->parent_path();
   }
   return common.value_or(fs::path());
 }
 
-void move_shapes(Json& shapes, const fs::path& root) {
-  const fs::path old_root = common_folder(shapes);
-  if (old_root.empty()) throw InputError("--dataset-root: the shapes of this run were generated; leave it out");
-  for (Json& shape : shapes) {
-    if (shape.contains("file")) shape["file"] = moved(shape.at("file").get<std::string>(), old_root, root).string();
+void move_files(Json& configuration, const std::vector<Place>& files, const fs::path& root) {
+  const fs::path old_root = common_folder(configuration, files);
+  for (const Place& file : files) {
+    configuration[file] = moved(configuration.at(file).get<std::string>(), old_root, root).string();
   }
 }
 
 void move_dataset(Json& dataset, const fs::path& root) {
-  if (!dataset.contains("root")) {
-    throw InputError("--dataset-root: the data set of this run was generated; leave it out");
-  }
   const fs::path old_root = dataset.at("root").get<std::string>();
   dataset["root"] = root.string();
   if (!dataset.contains("classification")) return;
@@ -83,18 +79,23 @@ Json read_manifest(const fs::path& path) {
   return manifest;
 }
 
-Json recorded_configuration(const Json& manifest, const fs::path& root) {
+Json recorded_configuration(const Json& manifest, const fs::path& root, const PathsOfDocument& paths_of) {
   Json configuration = manifest.at("configuration");
   if (root.empty()) return configuration;
   const fs::path absolute_root = fs::absolute(root).lexically_normal();
-  if (configuration.contains("datasets")) {
-    throw InputError("--dataset-root: the run has several data sets; name each, as in --set datasets.0.root=FOLDER");
+  const DocumentPaths paths = paths_of(configuration);
+  const std::vector<Place> files = matching_places(configuration, paths.files);
+  std::vector<Place> datasets = matching_places(configuration, paths.datasets);
+  std::erase_if(datasets, [&](const Place& place) { return !configuration.at(place).contains("root"); });
+  if (datasets.size() > 1) {
+    throw InputError(fmt::format("--dataset-root: the run has several data sets; name each, as in --set {}.root=FOLDER",
+                                 dotted(datasets.front())));
   }
-  if (configuration.contains("shapes")) {
-    move_shapes(configuration["shapes"], absolute_root);
-  } else {
-    move_dataset(configuration.at("dataset"), absolute_root);
+  if (datasets.empty() && files.empty()) {
+    throw InputError("--dataset-root: all shapes of this run were generated; leave it out");
   }
+  for (const Place& dataset : datasets) move_dataset(configuration[dataset], absolute_root);
+  move_files(configuration, files, absolute_root);
   return configuration;
 }
 

@@ -5,15 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/experiments/configuration/document_paths.h"
+
 namespace shapegauge {
 
 /// Reads the manifest of a run. Throws InputError if the file cannot be read or does not suffice to repeat the run.
 nlohmann::json read_manifest(const std::filesystem::path& path);
 
-/// Returns the configuration in a manifest, to run it again. A `root` that is not empty replaces the data set's folder,
-/// for its classification and, in a comparison, for shape files below it. Throws InputError if the run has no data set
-/// of files.
-nlohmann::json recorded_configuration(const nlohmann::json& manifest, const std::filesystem::path& root);
+/// Returns the configuration in a manifest, to run it again. A `root` that is not empty replaces the folder of its data
+/// set, and the common folder of its other files; `paths_of` returns their places. A classification below the old
+/// folder moves along. Throws InputError if the run has no files or several data sets.
+nlohmann::json recorded_configuration(const nlohmann::json& manifest, const std::filesystem::path& root,
+                                      const PathsOfDocument& paths_of);
 
 /// Lists the differences between inputs ("inputs" of the manifest) and those recorded, a line each: changed, absent,
 /// new.

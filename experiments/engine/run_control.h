@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -36,6 +37,7 @@ struct RunControl {
 struct LeftOutShape {
   std::string id;
   std::string message;
+  std::filesystem::path file = {};  ///< of the shape, if it has one
 };
 
 /// Returns the number of hardware threads, used for 0.

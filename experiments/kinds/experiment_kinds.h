@@ -5,17 +5,27 @@
 #include <string>
 
 #include "shapegauge/core/base/registry.h"
+#include "shapegauge/experiments/configuration/document_paths.h"
 #include "shapegauge/experiments/engine/experiment.h"
 
 namespace shapegauge {
 
-/// Returns the registry of kinds of experiments: those of the library, followed by those added. An entry must have both
-/// functions.
+/// Returns the registry of kinds of experiments: those of the library, followed by those added. An entry must have keys
+/// and both functions; its patterns of paths begin with a slash.
 Registry<ExperimentKind>& experiment_kinds();
 
-/// Reads the experiment of a configuration's document. If several kinds recognise it, the last one added is used; if
-/// none does, the first kind reads it and reports what is missing. Throws as ExperimentKind::read does.
+/// Reads the experiment of a configuration's document: replaces files of data sets by their contents
+/// (read_dataset_files()), validates the schema of the document's kind, and reads it. If no kind recognises the
+/// document, the first kind reports what is missing. Throws InputError for a document of several kinds, and the errors
+/// of these steps.
 Experiment read_experiment(const nlohmann::json& document, const std::string& source,
                            const std::filesystem::path& folder);
+
+/// Returns the relative paths of the document's kind. Of several kinds the first counts; without any, the first of all.
+DocumentPaths experiment_paths(const nlohmann::json& document);
+
+/// Returns the JSON Schema (draft 7) of configurations of all kinds. configs/experiment.schema.json is this text, for
+/// editors.
+std::string experiment_schema();
 
 }  // namespace shapegauge

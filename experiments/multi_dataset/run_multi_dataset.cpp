@@ -14,6 +14,7 @@
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/multi_dataset/multi_dataset_results.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
@@ -24,6 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;
 
 // Result files of the whole experiment, beside the folders of its data sets.
 constexpr std::array<std::string_view, 6> result_files{"summary.csv", "summary.json", "summary.md",
@@ -256,7 +258,7 @@ class MultiDatasetRun {
       outcome_.files.emplace_back(result_files[i]);
     }
     outcome_.manifest["inputs"] = inputs_;
-    for (const auto& [name, reason] : results_.failures) outcome_.manifest["failed_data_sets"][name] = reason;
+    outcome_.manifest["failed_models"] = failures_json(outcome_.left_out);
     outcome_.summary = fmt::format("{} ({}, {}), percent\n{}\n{}\n", main.measure, main.protocol, name_of(main.average),
                                    to_plain_text(summary), test_words(results_, main));
   }
@@ -268,15 +270,47 @@ class MultiDatasetRun {
   Json inputs_{{"models", Json::object()}};
 };
 
-bool has_datasets(const Json& document) { return document.contains("datasets"); }
+const DocumentPaths& multi_dataset_paths() {
+  static const DocumentPaths paths{.datasets = {"/datasets/*"}};
+  return paths;
+}
+
+// The schema of retrieval experiments with a list of data sets, which have names, instead of one.
+OrderedJson multi_dataset_schema() {
+  const OrderedJson definitions = schema_definitions();
+  OrderedJson dataset = definitions.at("dataset");
+  dataset["required"] = {"name"};
+  dataset["properties"]["name"] = {{"$ref", "#/definitions/plain_name"}};
+  OrderedJson schema = definitions.at("retrieval_experiment");
+  schema["title"] = "retrieval experiment on several data sets";
+  schema["description"] = "Several data sets, the signatures to compare, and how to judge them.";
+  schema["required"] = {"name", "datasets", "signatures"};
+  schema["properties"].erase("dataset");
+  schema["properties"]["datasets"] = {
+      {"description",
+       "Data sets, or files that describe them; each has a name, and its results go to a folder of that name."},
+      {"type", "array"},
+      {"minItems", 1},
+      {"items", {{"if", {{"type", "string"}}}, {"else", std::move(dataset)}}}};
+  return schema;
+}
 
 Experiment read_multi_dataset(const Json& given, const std::string& source, const fs::path& folder) {
   Json document = given;
-  read_dataset_files(document, source, folder);
-  check_against_schema(document, source);
+  read_dataset_files(document, source, folder, multi_dataset_paths().datasets);
+  check_by_schema(document, multi_dataset_schema(), source);
   const auto experiment = std::make_shared<const MultiDatasetExperiment>(read_parts(document, source, folder));
+  std::vector<fs::path> input_paths;
+  std::vector<std::string> result_folders;
+  for (const DatasetPart& part : experiment->parts) {
+    const std::vector<fs::path>& more = part.experiment.input_paths;
+    input_paths.insert(input_paths.end(), more.begin(), more.end());
+    result_folders.push_back(part.folder);
+  }
   return {.name = experiment->name,
           .configuration = configuration_of(*experiment),
+          .input_paths = std::move(input_paths),
+          .result_folders = std::move(result_folders),
           .inputs = [experiment](int threads) { return inputs_of_parts(*experiment, threads); },
           .run = [experiment](const RunContext& context) { return MultiDatasetRun(*experiment, context).run(); }};
 }
@@ -286,7 +320,9 @@ Experiment read_multi_dataset(const Json& given, const std::string& source, cons
 ExperimentKind multi_dataset_kind() {
   return {.name = "multi_dataset",
           .description = "One retrieval experiment on several data sets: methods by data sets, ranks and their tests.",
-          .describes = has_datasets,
+          .keys = {"datasets"},
+          .paths = multi_dataset_paths(),
+          .schema = multi_dataset_schema,
           .read = read_multi_dataset};
 }
 

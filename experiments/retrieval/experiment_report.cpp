@@ -157,7 +157,7 @@ Report experiment_report(const ExperimentResults& results, std::span<const Named
   report.perturbations = perturbations_of(configuration);
   report.warnings = run_warnings(results);
   report.leaks = leaks_of(results);
-  for (const FailedModel& failure : results.failures) report.failures.emplace_back(failure.model.id, failure.message);
+  for (const LeftOutShape& failure : results.failures) report.failures.emplace_back(failure.id, failure.message);
   return report;
 }
 

@@ -8,18 +8,13 @@
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/signatures/compute_signatures.h"
 #include "shapegauge/metrics/distance_overview.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
-
-/// Model that a run omitted.
-struct FailedModel {
-  Model model;
-  std::string message;
-};
 
 /// Results of a run for one signature.
 struct MethodResults {
@@ -45,7 +40,7 @@ struct ExperimentResults {
   std::vector<std::string> pictures;  ///< by model, as PNG files; empty if not configured
   std::vector<std::string> views;     ///< by model, interactive 3D views (model_view()); empty if not configured
   std::vector<ViewedField> viewed;    ///< fields of the views
-  std::vector<FailedModel> failures;
+  std::vector<LeftOutShape> failures;
   SkippedEntries skipped;  ///< in the folder of the data set
   std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;

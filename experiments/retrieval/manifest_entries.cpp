@@ -4,6 +4,7 @@
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/signatures/cache_records.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 
@@ -13,12 +14,18 @@ using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
+std::vector<std::string> ids_of(const std::vector<Model>& models) {
+  std::vector<std::string> ids;
+  for (const Model& model : models) ids.push_back(model.id);
+  return ids;
+}
+
 /// Returns the inputs with the models' hashes, omitting empty ones.
-OrderedJson inputs_json(const Configuration& configuration, const std::vector<Model>& models,
+OrderedJson inputs_json(const Configuration& configuration, const std::vector<std::string>& ids,
                         const std::vector<std::string>& hashes) {
   OrderedJson by_model = OrderedJson::object();
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    if (!hashes[i].empty()) by_model[models[i].id] = hashes[i];
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (!hashes[i].empty()) by_model[ids[i]] = hashes[i];
   }
   OrderedJson json{{"algorithm", "SHA-256"}, {"models", std::move(by_model)}};
   const auto& location = configuration.location;
@@ -28,14 +35,14 @@ OrderedJson inputs_json(const Configuration& configuration, const std::vector<Mo
 
 /// Returns the hashes of the used and of the failed models.
 OrderedJson inputs(const ExperimentResults& results) {
-  std::vector<Model> models = results.models;
+  std::vector<std::string> ids = ids_of(results.models);
   std::vector<std::string> hashes;
   for (const ShapeReport& shape : results.shapes) hashes.push_back(shape.sha256);
-  for (const FailedModel& failure : results.failures) {
-    models.push_back(failure.model);
-    hashes.push_back(sha256_if_readable(failure.model.file));
+  for (const LeftOutShape& failure : results.failures) {
+    ids.push_back(failure.id);
+    hashes.push_back(sha256_if_readable(failure.file));
   }
-  return inputs_json(results.configuration, models, hashes);
+  return inputs_json(results.configuration, ids, hashes);
 }
 
 /// Returns the numbers of results taken from the cache by kind.
@@ -48,14 +55,6 @@ OrderedJson cache_json(const CacheReport& cache) {
     json[std::string(entry_kind_names.at(kind))] = {{"from_cache", use.hits}, {"computed", use.computed}};
   }
   return json;
-}
-
-OrderedJson failures(const ExperimentResults& results) {
-  OrderedJson list = OrderedJson::array();
-  for (const FailedModel& failure : results.failures) {
-    list.push_back({{"model", failure.model.id}, {"error", failure.message}});
-  }
-  return list;
 }
 
 /// Returns the models that some method cannot take, although another can.
@@ -80,13 +79,16 @@ OrderedJson left_out(const ExperimentResults& results) {
 OrderedJson dataset_inputs(const Configuration& configuration, const std::vector<Model>& models) {
   std::vector<std::string> hashes(models.size());
   parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = sha256_if_readable(models[i].file); });
-  return inputs_json(configuration, models, hashes);
+  return inputs_json(configuration, ids_of(models), hashes);
 }
 
 OrderedJson manifest_entries(const ExperimentResults& results) {
-  return {{"seed", results.configuration.seed},   {"inputs", inputs(results)},
-          {"models", results.models.size()},      {"models_never_queries", left_out(results)},
-          {"failed_models", failures(results)},   {"method_failures", method_failures(results)},
+  return {{"seed", results.configuration.seed},
+          {"inputs", inputs(results)},
+          {"models", results.models.size()},
+          {"models_never_queries", left_out(results)},
+          {"failed_models", failures_json(results.failures)},
+          {"method_failures", method_failures(results)},
           {"fields", fields_json(results.fields)}};
 }
 

@@ -37,7 +37,8 @@ void run_stages(const Configuration& configuration, const RunContext& context,
   results.skipped = dataset.skipped;
   for (const std::size_t model : computed.models) results.models.push_back(dataset.models[model]);
   for (const ModelFailure& failure : computed.failures) {
-    results.failures.push_back({.model = dataset.models[failure.model], .message = failure.message});
+    const Model& model = dataset.models[failure.model];
+    results.failures.push_back({.id = model.id, .message = failure.message, .file = model.file});
   }
   results.fields = std::move(computed.fields);
   results.shapes = std::move(computed.shapes);

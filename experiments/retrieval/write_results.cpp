@@ -129,12 +129,14 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
                      .execution = execution_entries(results),
                      .summary = to_plain_text(summary_table(evaluations)),
                      .warnings = run_warnings(results),
+                     .left_out = results.failures,
                      .incomplete = incomplete_methods(results),
                      .used = results.models.size(),
                      .cache = results.cache};
-  if (const std::string skipped = skipped_text(results.skipped); !skipped.empty()) outcome.notes.push_back(skipped);
-  for (const FailedModel& failure : results.failures) {
-    outcome.left_out.push_back({.id = failure.model.id, .message = failure.message});
+  std::vector<std::string> ids;
+  for (const Model& model : results.models) ids.push_back(model.id);
+  for (std::string note : {skipped_text(results.skipped), perturbation_note(ids, results.shapes, outcome.noun)}) {
+    if (!note.empty()) outcome.notes.push_back(std::move(note));
   }
   for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
   for (const auto& [name, text] : text_files(results, evaluations)) {
@@ -184,11 +186,9 @@ Experiment read_retrieval(const nlohmann::json& document, const std::string& sou
 }  // namespace
 
 Experiment retrieval_experiment(Configuration configuration) {
-  Experiment experiment{.name = configuration.name,
-                        .configuration = to_json(configuration),
-                        .dataset = configuration.location,
-                        .run = {}};
+  Experiment experiment{.name = configuration.name, .configuration = to_json(configuration), .run = {}};
   if (configuration.location) {
+    experiment.input_paths = {configuration.location->root, configuration.location->classification};
     experiment.inputs = [configuration](int threads) { return inputs_of(configuration, threads); };
   }
   experiment.run = [configuration = std::move(configuration)](const RunContext& context) {
@@ -200,7 +200,12 @@ Experiment retrieval_experiment(Configuration configuration) {
 ExperimentKind retrieval_kind() {
   return {.name = "retrieval",
           .description = "Signatures of the models of a data set, their distances, and what these are worth.",
-          .describes = [](const nlohmann::json& document) { return document.contains("signatures"); },
+          .keys = {"dataset", "signatures"},
+          .paths = retrieval_paths(),
+          .schema =
+              [] {
+                return OrderedJson{{"$ref", "#/definitions/retrieval_experiment"}};
+              },
           .read = read_retrieval};
 }
 

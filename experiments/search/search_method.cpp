@@ -154,7 +154,7 @@ SearchMethod search_method(Json document, const std::string& source, const std::
 
 SearchMethod read_search_method(const fs::path& file, std::span<const std::string> overrides,
                                 const std::string& signature) {
-  return search_method(read_configuration_document(file, overrides), file.string(), signature);
+  return search_method(read_retrieval_document(file, overrides), file.string(), signature);
 }
 
 SearchMethod recommended_search_method() {

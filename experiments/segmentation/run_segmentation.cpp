@@ -15,6 +15,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
@@ -101,7 +102,7 @@ class SegmentationJob {
   Labels cached_labels(const SegmentationMethod& method) {
     const std::string key =
         segmentation_key({.sha256 = result.mesh_sha256, .file = model_.mesh, .id = model_.id, .index = index_}, method,
-                         versions_of(method), experiment_.seed);
+                         versions_of(method), experiment_);
     // Several methods may need the same undamaged parts, possibly without a cache.
     const auto done = done_.find(key);
     if (done != done_.end()) return done->second;
@@ -120,9 +121,15 @@ class SegmentationJob {
   }
 
   [[nodiscard]] Labels computed_labels(const SegmentationMethod& method) const {
-    if (method.perturbations.empty()) return segment_shape(mesh_, method.options);
+    if (method.perturbations.empty()) return segment_shape(prepared(mesh_), method.options);
     const Shape changed = perturb_model(mesh_, method.perturbations, experiment_.seed, model_.id, index_).shape;
-    return renumbered(carried_over(segment_shape(changed, method.options), changed, mesh_));
+    return renumbered(carried_over(segment_shape(prepared(changed), method.options), changed, mesh_));
+  }
+
+  /// Prepares a shape. The default preparation only scales, on which parts do not depend.
+  [[nodiscard]] Shape prepared(const Shape& shape) const {
+    return experiment_.preparation == PreparationOptions() ? shape
+                                                           : prepare_shape(shape, experiment_.preparation).shape;
   }
 
   /// Measures how much the perturbations of a method change its parts.
@@ -164,10 +171,7 @@ SegmentationBenchmark without_people(const Dataset& dataset) {
 }
 
 SegmentationBenchmark benchmark_of(const SegmentationExperiment& experiment, const RunContext& context) {
-  if (!experiment.generator && experiment.location.layout == segmentation_layout) {
-    return find_segmentation_benchmark(experiment.location.root);
-  }
-  if (!experiment.generator) return without_people(find_dataset(experiment.location));
+  if (!experiment.generator) return find_segmented_shapes(experiment.location);
   prepare_generated(context.generated, *experiment.generator, context.control, context.ranks);
   return find_generated_parts(context.generated);
 }
@@ -192,6 +196,7 @@ std::vector<std::size_t> split_failures(const std::vector<ModelFailure>& failed,
       used.push_back(results.benchmark.models[i]);
     } else {
       results.failures.push_back({.id = results.benchmark.models[i].id, .message = failure->message});
+      results.failed.push_back(results.benchmark.models[i]);
     }
   }
   results.benchmark.models = std::move(used);
@@ -309,6 +314,11 @@ void run_stages(const RunContext& context, SegmentationResults& results) {
 }
 
 }  // namespace
+
+SegmentationBenchmark find_segmented_shapes(const DatasetLocation& location) {
+  return location.layout == segmentation_layout ? find_segmentation_benchmark(location.root)
+                                                : without_people(find_dataset(location));
+}
 
 nlohmann::json versions_of(const SegmentationMethod& method) {
   // The shape determines which diameter is used as thickness. Normals of clouds are those of the samples.

@@ -36,10 +36,15 @@ struct SegmentationResults {
   SegmentationScores scores;           ///< of the methods, and of people for shapes with at least two segmentations
   std::vector<SegmentedShape> shapes;  ///< in the order of the benchmark
   std::vector<LeftOutShape> failures;
+  std::vector<SegmentedModel> failed;  ///< shapes of the failures
   CacheReport cache;
   int threads = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage
 };
+
+/// Finds the shapes of a data set on disk, with their human segmentations if the layout has any. Throws InputError as
+/// find_segmentation_benchmark() and find_dataset() do.
+SegmentationBenchmark find_segmented_shapes(const DatasetLocation& location);
 
 /// Returns the versions, by name, of the algorithms that a method's parts depend on.
 nlohmann::json versions_of(const SegmentationMethod& method);

@@ -8,9 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"
@@ -57,28 +60,63 @@ std::vector<std::pair<std::string, std::string>> text_files(const SegmentationRe
   return files;
 }
 
-/// Returns the hashes of the meshes used and of the human segmentations.
+/// Hashes of a shape's files.
+struct HashedShape {
+  std::string mesh;
+  std::vector<std::string> people;
+};
+
+/// Hashes the files of a shape. Files that cannot be read have empty hashes.
+HashedShape hashes_of(const SegmentedModel& model) {
+  HashedShape hashed{.mesh = sha256_if_readable(model.mesh), .people = {}};
+  for (const std::filesystem::path& file : model.people) hashed.people.push_back(sha256_if_readable(file));
+  return hashed;
+}
+
+/// Adds the hashes of a shape to those of "models", omitting empty ones.
+void add_hashes(const SegmentedModel& model, const HashedShape& hashed, Json& models) {
+  const auto add = [&](const std::string& name, const std::string& hash) {
+    if (!hash.empty()) models[name] = hash;
+  };
+  add(model.id, hashed.mesh);
+  for (std::size_t p = 0; p < model.people.size(); ++p) {
+    add(model.id + "/" + model.people[p].filename().string(), hashed.people[p]);
+  }
+}
+
+Json inputs_json(const SegmentationExperiment& experiment, Json models) {
+  Json json{{"algorithm", "SHA-256"}, {"models", std::move(models)}};
+  const std::filesystem::path& classification = experiment.location.classification;
+  if (!classification.empty()) json["classification"] = sha256_of_file(classification);
+  return json;
+}
+
+/// Returns the hashes of all meshes and human segmentations of a data set on disk.
+Json inputs_on_disk(const SegmentationExperiment& experiment) {
+  const SegmentationBenchmark shapes = find_segmented_shapes(experiment.location);
+  std::vector<HashedShape> hashes(shapes.models.size());
+  parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = hashes_of(shapes.models[i]); });
+  Json models = Json::object();
+  for (std::size_t i = 0; i < hashes.size(); ++i) add_hashes(shapes.models[i], hashes[i], models);
+  return inputs_json(experiment, std::move(models));
+}
+
+/// Returns the hashes of the used and of the failed meshes, and of the human segmentations.
 Json inputs(const SegmentationResults& results) {
   Json models = Json::object();
   for (std::size_t i = 0; i < results.shapes.size(); ++i) {
-    const SegmentedModel& model = results.benchmark.models[i];
-    models[model.id] = results.shapes[i].mesh_sha256;
-    for (std::size_t p = 0; p < model.people.size(); ++p) {
-      models[model.id + "/" + model.people[p].filename().string()] = results.shapes[i].people_sha256[p];
-    }
+    const SegmentedShape& shape = results.shapes[i];
+    add_hashes(results.benchmark.models[i], {.mesh = shape.mesh_sha256, .people = shape.people_sha256}, models);
   }
-  return {{"algorithm", "SHA-256"}, {"models", std::move(models)}};
+  for (const SegmentedModel& model : results.failed) add_hashes(model, hashes_of(model), models);
+  return inputs_json(results.experiment, std::move(models));
 }
 
 Json manifest_entries(const SegmentationResults& results) {
-  Json failures = Json::array();
-  for (const LeftOutShape& failure : results.failures) {
-    failures.push_back({{"model", failure.id}, {"error", failure.message}});
-  }
   return {{"inputs", inputs(results)},
           {"shapes", results.shapes.size()},
           {"without_people", results.benchmark.without_people},
-          {"failed_models", std::move(failures)}};
+          {"failed_models", failures_json(results.failures)}};
 }
 
 Json execution_entries(const SegmentationResults& results) {
@@ -150,7 +188,13 @@ Experiment read_segmentation(const nlohmann::json& document, const std::string& 
   Experiment read{.name = experiment.name,
                   .configuration = to_json(experiment),
                   .run = [experiment](const RunContext& context) { return run_and_write(experiment, context); }};
-  if (!experiment.generator) read.dataset = experiment.location;
+  if (experiment.generator) return read;
+  read.input_paths = {experiment.location.root, experiment.location.classification};
+  read.inputs = [experiment](int threads) {
+    Json now;
+    with_threads(threads, [&] { now = inputs_on_disk(experiment); });
+    return now;
+  };
   return read;
 }
 
@@ -159,7 +203,12 @@ Experiment read_segmentation(const nlohmann::json& document, const std::string& 
 ExperimentKind segmentation_kind() {
   return {.name = "segmentation",
           .description = "The parts of the shapes of a data set by several methods, compared with those of people.",
-          .describes = is_segmentation,
+          .keys = {"segmentation"},
+          .paths = {.datasets = {"/dataset"}},
+          .schema =
+              [] {
+                return Json{{"$ref", "#/definitions/segmentation_experiment"}};
+              },
           .read = read_segmentation};
 }
 

@@ -10,8 +10,8 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/files/table.h"
-#include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 
@@ -133,14 +133,24 @@ TextTable timings_table(const ShapeComparisonResults& results) {
   return table;
 }
 
+std::vector<ShapeReport> shape_reports(const ShapeComparisonResults& results) {
+  std::vector<ShapeReport> reports;
+  for (const ShapeMeasurement& shape : results.shapes) reports.push_back(shape.report);
+  return reports;
+}
+
 TextTable shapes_table(const ShapeComparisonResults& results) {
   TextTable table{.header = {"shape"}, .rows = {}};
-  std::vector<ShapeReport> reports;
-  for (const ShapeMeasurement& shape : results.shapes) {
-    table.rows.push_back({shape.name});
-    reports.push_back(shape.report);
-  }
-  return with_shape_reports(std::move(table), reports, results.comparison.preparation, results.fields);
+  for (const ShapeMeasurement& shape : results.shapes) table.rows.push_back({shape.name});
+  return with_shape_reports(std::move(table), shape_reports(results), results.comparison.preparation, results.fields);
+}
+
+/// Returns a note on shapes that could not be perturbed as requested.
+std::vector<std::string> notes_of(const ShapeComparisonResults& results) {
+  std::vector<std::string> names;
+  for (const ShapeMeasurement& shape : results.shapes) names.push_back(shape.name);
+  const std::string note = perturbation_note(names, shape_reports(results), "shape");
+  return note.empty() ? std::vector<std::string>() : std::vector{note};
 }
 
 /// Returns the tables of comparison results by title, without empty ones.
@@ -188,14 +198,10 @@ OrderedJson inputs_of(const ShapeComparison& comparison) {
 }
 
 OrderedJson manifest_entries(const ShapeComparisonResults& results) {
-  OrderedJson failures = OrderedJson::array();
-  for (const LeftOutShape& failure : results.failures) {
-    failures.push_back({{"shape", failure.id}, {"error", failure.message}});
-  }
   return {{"seed", results.comparison.seed},
           {"inputs", inputs_of(results.comparison)},
           {"shapes", results.shapes.size()},
-          {"failed_shapes", std::move(failures)},
+          {"failed_models", failures_json(results.failures)},
           {"fields", fields_json(results.fields)}};
 }
 
@@ -214,6 +220,7 @@ RunOutcome write_shape_comparison(const std::filesystem::path& folder, const Sha
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_json(results.threads, results.timings, results.fields),
                      .summary = summary_text(results),
+                     .notes = notes_of(results),
                      .warnings = field_warnings(results.fields),
                      .left_out = results.failures,
                      .used = results.shapes.size(),
@@ -239,8 +246,11 @@ RunOutcome run_alone(const ShapeComparison& comparison, const RunContext& contex
 Experiment read_comparison(const nlohmann::json& document, const std::string& source,
                            const std::filesystem::path& folder) {
   const ShapeComparison comparison = comparison_from_json(document, source, folder);
+  std::vector<std::filesystem::path> files;
+  for (const ComparedShape& shape : comparison.shapes) files.push_back(shape.file);
   return {.name = comparison.name,
           .configuration = to_json(comparison),
+          .input_paths = std::move(files),
           .inputs = [comparison](int) { return inputs_of(comparison); },
           .run = [comparison](const RunContext& context) { return run_alone(comparison, context); }};
 }
@@ -250,7 +260,12 @@ Experiment read_comparison(const nlohmann::json& document, const std::string& so
 ExperimentKind comparison_kind() {
   return {.name = "comparison",
           .description = "A few shapes, compared with one of them: values, normals, histograms, times.",
-          .describes = is_comparison,
+          .keys = {"shapes"},
+          .paths = {.files = {"/shapes/*/file"}},
+          .schema =
+              [] {
+                return OrderedJson{{"$ref", "#/definitions/comparison_experiment"}};
+              },
           .read = read_comparison};
 }
 

@@ -89,7 +89,7 @@ FieldDescription read_facts(const Json& record) {
 }  // namespace
 
 std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, const Json& versions,
-                             std::uint64_t seed) {
+                             const SegmentationExperiment& experiment) {
   Json settings = to_json(method);
   settings.erase("name");
   Json depends_on{{"file", source.sha256},
@@ -97,7 +97,10 @@ std::string segmentation_key(const ModelSource& source, const SegmentationMethod
                   {"method", std::move(settings)},
                   {"versions", {shape_reading_version, versions}}};
   if (!method.perturbations.empty()) {
-    depends_on["perturbed"] = {versions_of(method.perturbations), seed, sha256(source.id), source.index};
+    depends_on["perturbed"] = {versions_of(method.perturbations), experiment.seed, sha256(source.id), source.index};
+  }
+  if (experiment.preparation != PreparationOptions()) {
+    depends_on["prepared"] = {to_json(experiment.preparation), preparation_version};
   }
   return key_of(EntryKind::segmentation, std::move(depends_on));
 }
@@ -180,17 +183,20 @@ Json numbers_record(const Eigen::VectorXd& numbers) { return binary(numbers.data
 Eigen::VectorXd read_numbers(const Json& record) { return read_binary<Eigen::VectorXd>(record); }
 
 Json shape_record(const ModelDescription& model) {
-  return {{"diagnostics", model.diagnostics},
-          {"chosen", model.chosen},
-          {"area", model.area},
-          {"noise", model.noise},
-          {"pass_band", model.pass_band}};
+  Json record{{"diagnostics", model.diagnostics},
+              {"chosen", model.chosen},
+              {"area", model.area},
+              {"noise", model.noise},
+              {"pass_band", model.pass_band}};
+  if (!model.remarks.empty()) record["remarks"] = model.remarks;
+  return record;
 }
 
 ModelDescription read_shape_record(const Json& record) {
   ModelDescription model;
   record.at("diagnostics").get_to(model.diagnostics);
   record.at("chosen").get_to(model.chosen);
+  model.remarks = record.value("remarks", model.remarks);
   record.at("area").get_to(model.area);
   record.at("noise").get_to(model.noise);
   record.at("pass_band").get_to(model.pass_band);

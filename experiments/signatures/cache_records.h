@@ -66,10 +66,10 @@ std::string distances_key(const Signatures& signatures, const std::string& dista
 /// Returns the name and version that identify a descriptor's own distance in distances_key().
 std::string distance_of(const Descriptor& descriptor);
 
-/// Returns the key of a shape's parts by a method. `versions` are those of its algorithms, `seed` that of its
-/// perturbations.
+/// Returns the key of a shape's parts by a method of the experiment, which has the seed of the perturbations and the
+/// preparation. `versions` are those of the method's algorithms.
 std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method,
-                             const nlohmann::json& versions, std::uint64_t seed);
+                             const nlohmann::json& versions, const SegmentationExperiment& experiment);
 
 /// Record of an array of numbers.
 nlohmann::json numbers_record(const Eigen::VectorXd& numbers);

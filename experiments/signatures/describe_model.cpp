@@ -153,6 +153,7 @@ PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& 
   ModelDescription description;
   description.diagnostics = known != nullptr ? *known : diagnose(perturbed.shape);
   description.chosen = std::move(perturbed.chosen);
+  description.remarks = std::move(perturbed.remarks);
   PreparedShape prepared = prepare_shape(std::move(perturbed.shape), preparation);
   description.area = prepared.area;
   description.noise = prepared.noise.relative();

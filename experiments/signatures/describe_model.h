@@ -75,6 +75,7 @@ struct ModelDescription {
   std::vector<FeatureDescription> features;  ///< by planned descriptor; empty for those that have yet to learn
   std::string shape_key;                     ///< shape_key() in the cache; empty if unknown
   std::vector<std::size_t> chosen;           ///< choices of perturbations that choose
+  std::vector<std::string> remarks = {};     ///< how perturbations fell short of their settings
   double area = 0;                           ///< area that was scaled to 1, in the file's units squared
   double noise = 0;                          ///< NoiseLevel::relative(), if the preparation estimates noise
   double pass_band = 0;                      ///< of the preparation's smoothing; 0 if not smoothed

@@ -1,11 +1,13 @@
 #include "shapegauge/experiments/signatures/shape_reports.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 
 namespace shapegauge {
@@ -38,6 +40,7 @@ ShapeReport report_shape(const ModelDescription& model) {
   ShapeReport report{.sha256 = model.sha256,
                      .diagnostics = model.diagnostics,
                      .chosen = model.chosen,
+                     .remarks = model.remarks,
                      .area = model.area,
                      .noise = model.noise,
                      .pass_band = model.pass_band,
@@ -52,6 +55,17 @@ ShapeReport report_shape(const ModelDescription& model) {
   }
   for (const FeatureDescription& descriptor : model.features) report.descriptor_seconds.push_back(descriptor.seconds);
   return report;
+}
+
+std::string perturbation_note(std::span<const std::string> names, std::span<const ShapeReport> shapes,
+                              std::string_view noun) {
+  const auto fell_short = [](const ShapeReport& shape) { return !shape.remarks.empty(); };
+  const auto first = std::ranges::find_if(shapes, fell_short);
+  if (first == shapes.end()) return {};
+  return fmt::format("{} of {} {}s were not perturbed as requested; the first, {}: {}",
+                     std::ranges::count_if(shapes, fell_short), shapes.size(), noun,
+                     printable(names[static_cast<std::size_t>(first - shapes.begin())], 100),
+                     fmt::join(first->remarks, "; "));
 }
 
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct ShapeReport {
   std::string sha256 = {};  ///< of the file; empty without a file
   ShapeDiagnostics diagnostics;
   std::vector<std::size_t> chosen;             ///< choices of perturbations that choose, in order
+  std::vector<std::string> remarks = {};       ///< how perturbations fell short of their settings
   double area = 0;                             ///< area that was scaled to 1, in the file's units squared
   double noise = 0;                            ///< NoiseLevel::relative(), if the preparation estimates noise
   double pass_band = 0;                        ///< of the preparation's smoothing; 0 if not smoothed
@@ -53,6 +55,11 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
 
 /// Returns the report on a model.
 ShapeReport report_shape(const ModelDescription& model);
+
+/// Returns a note on the shapes, by name, whose perturbations fell short of their settings; empty if there are none.
+/// `noun` is that for a shape.
+std::string perturbation_note(std::span<const std::string> names, std::span<const ShapeReport> shapes,
+                              std::string_view noun);
 
 /// Returns warnings about the fields, one sentence each: offsets that leak, samples undecided or without a value.
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields);

@@ -5,6 +5,7 @@ from __future__ import annotations
 import collections.abc as _abc
 import functools as _functools
 import inspect as _inspect
+import itertools as _itertools
 import math as _math
 import numbers as _numbers
 import os as _os
@@ -198,6 +199,28 @@ def _numbers_of_objects(array: _numpy.ndarray, what: str) -> _numpy.ndarray:
         raise InputError(f"{what} have a number that is too large") from None
 
 
+def index_of(values: Any, part: str = "index") -> Optional[list[Any]]:
+    """Returns the names of the rows (or "columns") of a pandas object; None for others."""
+    return list(getattr(values, part)) if hasattr(values, "iloc") and hasattr(values, part) else None
+
+
+def check_order(indexes: Iterable[tuple[str, Optional[list[Any]]]]) -> None:
+    """Rejects pandas objects whose rows are in different orders: they would be taken by position.
+
+    indexes: what each describes and its index, None if it has none. Indexes of another length are for others to reject,
+    and one that only counts the rows is no order of names.
+    """
+    known = [(what, index) for what, index in indexes if index is not None]
+    for (what, index), (other, second) in _itertools.combinations(known, 2):
+        counted = list(range(len(index)))
+        if len(index) != len(second) or (counted in (index, second) and set(index) != set(second)):
+            continue
+        for row, (one, two) in enumerate(zip(index, second)):
+            if one != two:
+                raise InputError(f"the {what} and the {other} are in different orders: row {row} (counted from 0) is "
+                                 f"{_shown(one)} and {_shown(two)}; reindex one like the other")
+
+
 def _shape_text(array: _numpy.ndarray) -> str:
     return " x ".join(map(str, array.shape))
 
@@ -234,6 +257,7 @@ def square_matrix(distances: Any) -> _numpy.ndarray:
         given = _kind(distances) if array.ndim == 0 else _shape_text(array)
         hint = "; scipy.spatial.distance.squareform() makes a condensed vector square" if array.ndim == 1 else ""
         raise InputError(f"distances must be n x n, not {given}{hint}")
+    check_order([("rows of distances", index_of(distances)), ("columns of distances", index_of(distances, "columns"))])
     return _numpy.ascontiguousarray(array, dtype=_numpy.float64)
 
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable, Iterator, Mapping, Op
 import numpy as _numpy
 
 from . import _native
-from ._arguments import (array_of, finite_number, matrix_of, number_of_threads, ordered, plain, square_matrix, switch, warn,
-                         with_article, word, words)
+from ._arguments import (array_of, check_order, finite_number, index_of, matrix_of, number_of_threads, ordered, plain,
+                         square_matrix, switch, warn, with_article, word, words)
 from ._native import InputError
 from ._settings import REGISTERED, listing_of_all, number_of, settings_of, with_settings
 
@@ -308,6 +308,12 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
     rectangular = targets is not None or relevance is not None
     if subclasses is not None and rectangular:
         raise InputError("subclasses apply to labels of rows and columns alike; with targets give relevance instead")
+    check_order([("rows of " + ("distances" if distance is None else "features"), index_of(distances)),
+                 ("labels", index_of(labels)), ("subclasses", index_of(subclasses)),
+                 ("rows of relevance", index_of(relevance))])
+    if distance is None:
+        check_order([("columns of distances", index_of(distances, "columns")), ("targets", index_of(targets)),
+                     ("columns of relevance", index_of(relevance, "columns"))])
     matrix = _distances_of(distances, distance, rectangular, threads, prefix)
     square = targets is None and matrix.shape[0] == matrix.shape[1]
     names: list[Any] = []
@@ -384,6 +390,7 @@ def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union
     """
     methods = _named_methods(methods)
     measures = words(measures, "measures")
+    check_order((f"rows of {name}", index_of(values)) for name, values in methods.items())
     if not hasattr(labels, "__array__"):
         labels = ordered(labels, "labels")  # a generator gives them once
     scores = []
@@ -422,7 +429,9 @@ def fuse(distances: Any, weight: Optional[Iterable[float]] = None, *, scale: str
 
     >>> both = sg.fuse([first, second], scale="local_spread", weights="agreement")
     """
-    matrices = [square_matrix(matrix) for matrix in ordered(distances, "distances")]
+    listed = ordered(distances, "distances")
+    matrices = [square_matrix(matrix) for matrix in listed]
+    check_order((f"rows of distances[{i}]", index_of(matrix)) for i, matrix in enumerate(listed))
     if not matrices:
         raise InputError("distances is an empty list")
     numbers = [1.0] * len(matrices) if weight is None else ordered(weight, "weight")

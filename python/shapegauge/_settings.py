@@ -26,13 +26,9 @@ def number_of(value: Any, name: str, setting: Mapping[str, Any]) -> Any:
     return number
 
 
-def settings_of(kind: str, name: str, names: Optional[Mapping[str, str]] = None) -> dict[str, dict[str, Any]]:
-    """The settings of an entry ("fields", "cone_sdf"), by name: meaning, values and default (None: required).
-
-    names: those to take, from the name that Python gives them to the registered one; None: all.
-    """
-    settings = REGISTERED[kind][name]["settings"]
-    return settings if names is None else {own: settings[registered] for own, registered in names.items()}
+def settings_of(kind: str, name: str) -> dict[str, dict[str, Any]]:
+    """The settings of an entry ("fields", "cone_sdf"), by name: meaning, values and default (None: required)."""
+    return REGISTERED[kind][name]["settings"]
 
 
 def listing(settings: Mapping[str, Mapping[str, Any]], defaults: Optional[Mapping[str, Any]] = None) -> str:

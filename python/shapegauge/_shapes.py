@@ -102,12 +102,8 @@ def _scalar_field(found: dict[str, Any]) -> ScalarField:
                        found["points"])
 
 
-# The settings of each field of thickness that sdf() takes, and older names of fields and settings.
-_SDF_SETTINGS = {
-    "offset_sdf": ("offset", "accuracy"),
-    "cone_sdf": ("rays", "opening_angle_degrees", "engine"),
-    "inscribed_ball": ("separation_angle_degrees",),
-}
+# The settings of each field of thickness, and older names of fields and settings.
+_SDF_SETTINGS = {name: entry["settings"] for name, entry in REGISTERED["fields"].items() if entry["is_thickness"]}
 _OLDER_METHODS = {"offset": "offset_sdf", "cone": "cone_sdf"}
 _OLDER_SETTINGS = {"opening_angle": "opening_angle_degrees", "separation_angle": "separation_angle_degrees"}
 _SDF_DEFAULTS = {"offset": REGISTERED["options"]["sdf"]["offset"]["default"]}
@@ -117,7 +113,8 @@ def _sdf_method(method: Any) -> str:
     if isinstance(method, str) and _OLDER_METHODS.get(method, method) in _SDF_SETTINGS:
         return _OLDER_METHODS.get(method, method)
     shown = repr(method) if isinstance(method, str) else with_article(type(method).__name__)
-    raise InputError(f'method must be "offset_sdf", "cone_sdf" or "inscribed_ball", not {shown}')
+    *others, last = (f'"{name}"' for name in _SDF_SETTINGS)
+    raise InputError(f"method must be {', '.join(others)} or {last}, not {shown}")
 
 
 def _registered_settings(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -133,13 +130,12 @@ def _registered_settings(given: Mapping[str, Any]) -> dict[str, Any]:
     return registered
 
 
-@with_settings([(f'Settings of method="{method}"',
-                 listing(settings_of("fields", method, {name: name for name in names}), _SDF_DEFAULTS))
-                for method, names in _SDF_SETTINGS.items()])
+@with_settings([(f'Settings of method="{method}"', listing(settings, _SDF_DEFAULTS))
+                for method, settings in _SDF_SETTINGS.items()])
 @shape_function
 def sdf(shape: ShapeArrays, method: str = "offset_sdf", offset: Union[None, float, str] = None, *,
         accuracy: Optional[str] = None, at: Sites = "faces", rays: Optional[int] = None,
-        opening_angle_degrees: Optional[float] = None, engine: Optional[str] = None,
+        opening_angle_degrees: Optional[float] = None, engine: Optional[str] = None, postprocess: Optional[bool] = None,
         separation_angle_degrees: Optional[float] = None, opening_angle: Optional[float] = None,
         separation_angle: Optional[float] = None, normals: Any = None, threads: int = 0) -> ScalarField:
     """The thickness of a shape by the shape diameter function or inscribed balls, in the units of the input.
@@ -157,7 +153,7 @@ def sdf(shape: ShapeArrays, method: str = "offset_sdf", offset: Union[None, floa
     method = _sdf_method(method)
     given = _registered_settings({
         "offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle_degrees": opening_angle_degrees,
-        "engine": engine, "separation_angle_degrees": separation_angle_degrees, "opening_angle": opening_angle,
+        "engine": engine, "postprocess": postprocess, "separation_angle_degrees": separation_angle_degrees, "opening_angle": opening_angle,
         "separation_angle": separation_angle})
     for name in given:
         if name not in _SDF_SETTINGS[method]:

@@ -37,6 +37,15 @@ TEST_F(PerturbCommand, MakesTheChangesInTheStatedOrder) {
   EXPECT_NEAR(static_cast<double>(read_shape(at("x.off")).triangles.rows()), 200, 1);
 }
 
+TEST_F(PerturbCommand, WarnsWhereDecimationEndsBeforeTheNumberOfFaces) {
+  const Outcome outcome = perturb("x.off", "--decimate 1");
+  EXPECT_EQ(outcome.status, 0);
+  const auto left = read_shape(at("x.off")).triangles.rows();
+  EXPECT_GT(left, 1);
+  EXPECT_THAT(outcome.errors, testing::HasSubstr("decimated to " + std::to_string(left) + " faces instead of 1"));
+  EXPECT_EQ(perturb("x.off", "--decimate 100").errors, "");
+}
+
 TEST_F(PerturbCommand, NoiseStaysInABallOfItsRadius) {
   ASSERT_EQ(perturb("x.off", "--noise 0.01").status, 0);
   const double longest = (read_shape(at("x.off")).vertices - shape.vertices).rowwise().norm().maxCoeff();

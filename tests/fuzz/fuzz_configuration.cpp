@@ -41,8 +41,8 @@ bool configuration(std::string_view bytes) {
     const std::string_view assignment = next_part(bytes);
     if (!is_accepted("--set ", [&] { apply_override(document, assignment); })) return false;
   }
-  if (is_comparison(document)) return complete(document, comparison_from_json);
-  if (is_segmentation(document)) return complete(document, segmentation_from_json);
+  if (document.contains("shapes")) return complete(document, comparison_from_json);
+  if (document.contains("segmentation")) return complete(document, segmentation_from_json);
   return complete(document, configuration_from_json);
 }
 

@@ -52,6 +52,23 @@ def test_sdf_takes_the_registered_defaults():
     assert (sg.sdf(vertices, faces).values == sg.sdf(vertices, faces, offset=offset, accuracy=accuracy).values).all()
 
 
+def test_sdf_takes_every_setting_of_every_thickness():
+    thicknesses = {name: entry["settings"] for name, entry in REGISTERED["fields"].items() if entry["is_thickness"]}
+    assert list(thicknesses) == ["offset_sdf", "cone_sdf", "inscribed_ball"]
+    parameters = inspect.signature(sg.sdf).parameters
+    for settings in thicknesses.values():
+        assert set(settings) <= set(parameters)
+    vertices, faces = bumpy_torus()
+    for method in ["centricity", "heat_kernel", "thickness"]:
+        with pytest.raises(sg.InputError, match='"offset_sdf", "cone_sdf" or "inscribed_ball", not'):
+            sg.sdf(vertices, faces, method)
+    post = sg.sdf(vertices, faces, "cone_sdf", engine="cgal", postprocess=True).values
+    assert (post == sg.field(vertices, faces, "cone_sdf", engine="cgal", postprocess=True).values).all()
+    assert post.min() == 0 and post.max() == 1
+    with pytest.raises(sg.InputError, match='postprocess requires method="cone_sdf", not "inscribed_ball"'):
+        sg.sdf(vertices, faces, "inscribed_ball", postprocess=True)
+
+
 def test_sdf_computes_the_field_of_each_method_by_either_name():
     vertices, faces = bumpy_torus()
     ball = sg.field(vertices, faces, "inscribed_ball", separation_angle_degrees=30).values
@@ -80,7 +97,7 @@ def test_the_docstring_of_sdf_has_its_own_names_and_the_offset():
     cone = REGISTERED["fields"]["cone_sdf"]["settings"]
     assert f"opening_angle_degrees: {cone['opening_angle_degrees']['meaning'].rstrip('.')}" in text
     assert f"default: {json.dumps(REGISTERED['options']['sdf']['offset']['default'])}" in text
-    assert "postprocess" not in text
+    assert f"postprocess: {cone['postprocess']['meaning'].rstrip('.')}" in text
 
 
 def test_the_docstring_of_run_lists_the_kinds_of_experiments():

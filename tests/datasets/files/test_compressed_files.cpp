@@ -96,7 +96,8 @@ TEST(CompressedFiles, HaveTheirChecksumAndSizeAndNothingElse) {
     EXPECT_THAT(error(whole.substr(0, size)), HasSubstr("it ends too early")) << size;
     EXPECT_THAT(error(whole + whole.substr(0, size)), HasSubstr("it ends too early")) << size;
   }
-  for (const std::string& garbage : {std::string("garbage"), std::string(512, '\0')}) {
+  for (const std::string& garbage : {std::string("garbage"), std::string(512, '\0'), std::string("\n"),
+                                     std::string(1, '\0'), std::string("\x1f\n")}) {
     EXPECT_THAT(error(whole + garbage), HasSubstr("other bytes follow its end"));
   }
   EXPECT_EQ(read_plain_bytes(folder.file("a.txt.gz", whole + gzipped(" and more"))), "some text and more");

@@ -203,6 +203,16 @@ TEST(CsvTable, AFaultIsOneErrorWithItsLine) {
   EXPECT_THAT(error("x,y\n"), HasSubstr("t.csv")) << "no numbers";
 }
 
+TEST(CsvTable, BlanksAndBarsSeparateNoNumbers) {
+  const auto error = [](const char* text) { return test::input_error_of([&] { table_of(text); }); };
+  const auto separator = HasSubstr("a CSV matrix needs commas, semicolons or tabs between its numbers");
+  EXPECT_THAT(error("0 1 4\n2 0 6\n"), AllOf(HasSubstr("t.csv:2: \"2 0 6\""), separator));
+  EXPECT_THAT(error("0|1|4\n2|0|6\n"), AllOf(HasSubstr("t.csv:2: \"2|0|6\""), separator));
+  EXPECT_THAT(error("x\n0 1 4\n"), AllOf(HasSubstr("t.csv:2: \"0 1 4\""), separator));
+  EXPECT_THAT(error("0 | 1 | 4\n"), AllOf(HasSubstr("t.csv:1: "), separator));
+  EXPECT_EQ(table_of("my feature\n1\n2\n").column_ids, std::vector<std::string>{"my feature"});
+}
+
 RC_GTEST_PROP(CsvTable, ReadsBackAnyShape, ()) {
   const DistanceMatrix square = *square_matrices();
   const Eigen::Index rows = *rc::gen::inRange<Eigen::Index>(1, square.rows() + 1);

@@ -29,20 +29,22 @@ Json valid() {
     ]})");
 }
 
+void check(const Json& document) { check_against_schema(document, "retrieval_experiment", "x.json"); }
+
 /// Error message of the valid configuration after replacing the value at a JSON pointer.
 std::string schema_error_with(const std::string& pointer, const Json& value) {
   Json document = valid();
   document[Json::json_pointer(pointer)] = value;
-  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
+  return test::input_error_of([&] { check(document); });
 }
 
 std::string message_without(const std::string& parent, const std::string& key) {
   Json document = valid();
   document[Json::json_pointer(parent)].erase(key);
-  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
+  return test::input_error_of([&] { check(document); });
 }
 
-TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check_against_schema(valid(), "x.json")); }
+TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check(valid())); }
 
 TEST(SchemaCheck, UnknownKeysWithTheNearestKnownOne) {
   EXPECT_THAT(schema_error_with("/signature", 1),
@@ -55,6 +57,11 @@ TEST(SchemaCheck, UnknownKeysWithTheNearestKnownOne) {
               HasSubstr("dataset: unknown key \"roots\"; did you mean \"root\"?"));
 }
 
+TEST(SchemaCheck, AKeyOfAnotherKindOfExperimentNamesThisKind) {
+  EXPECT_THAT(schema_error_with("/shapes", Json::array()),
+              StartsWith("x.json: unknown key \"shapes\" in a retrieval experiment; known here: \"dataset\", "));
+}
+
 TEST(SchemaCheck, AKeyOfAnotherFieldTypeIsUnknown) {
   const std::string message = schema_error_with("/signatures/0/field/rays", 25);
   EXPECT_THAT(message, StartsWith("x.json: signatures.0.field: unknown key \"rays\"; known here: "));
@@ -65,7 +72,7 @@ TEST(SchemaCheck, AMisspeltKeyCountsBeforeTheOneThatIsMissingForIt) {
   Json document = valid();
   document["signatures"][0]["fields"] = document["signatures"][0]["field"];
   document["signatures"][0].erase("field");
-  EXPECT_THAT(test::input_error_of([&] { check_against_schema(document, "x.json"); }),
+  EXPECT_THAT(test::input_error_of([&] { check(document); }),
               Eq("x.json: signatures.0: unknown key \"fields\"; did you mean \"field\"?"));
 }
 
@@ -73,7 +80,7 @@ TEST(SchemaCheck, OfSeveralFaultsAnUnknownKeyOrElseTheDeepestIsReported) {
   Json document = valid();
   document.erase("name");
   document["signatures"][0]["histogram"]["bins"] = "80";
-  const auto error = [&] { return test::input_error_of([&] { check_against_schema(document, "x.json"); }); };
+  const auto error = [&] { return test::input_error_of([&] { check(document); }); };
   EXPECT_THAT(error(), StartsWith("x.json: signatures.0.histogram.bins: "));
   document["nmae"] = "x";
   EXPECT_THAT(error(), StartsWith("x.json: unknown key \"nmae\""));
@@ -104,7 +111,7 @@ TEST(SchemaCheck, WrongTypes) {
   EXPECT_THAT(schema_error_with("/signatures", Json::object()),
               HasSubstr("signatures: must be of type array, not object"));
   EXPECT_THAT(schema_error_with("/dataset", 3), HasSubstr("dataset: must be of type object, not number"));
-  EXPECT_THAT(test::input_error_of([] { check_against_schema(Json::array(), "x.json"); }),
+  EXPECT_THAT(test::input_error_of([] { check(Json::array()); }),
               HasSubstr("x.json: must be of type object, not array"));
 }
 
@@ -172,7 +179,7 @@ TEST(SchemaCheck, WhateverIsWrongTheMessageSaysWhereAndWhat) {
     for (const Json& other : others) {
       Json changed = document;
       changed[Json::json_pointer(place)] = other;
-      const std::string message = test::input_error_of([&] { check_against_schema(changed, "x.json"); });
+      const std::string message = test::input_error_of([&] { check(changed); });
       refused += message == "no error" ? 0 : 1;
       EXPECT_THAT(message, Not(HasSubstr("does not match the schema"))) << place << " = " << other;
     }
@@ -206,6 +213,17 @@ TEST(SchemaCheck, OfAPartIsThatOfItsDefinition) {
   const Json wrong{{"type", "offset_sdf"}, {"offset", -3}};
   EXPECT_EQ(schema_error_with("/signatures/0/field", wrong),
             "x.json: signatures.0.field." + part_error(wrong, "field").substr(std::string("part: ").size()));
+}
+
+TEST(SchemaCheck, OfADocumentMayReferToTheDefinitions) {
+  const nlohmann::ordered_json schema{{"required", {"count"}},
+                                      {"properties", {{"count", {{"$ref", "#/definitions/plain_name"}}}}}};
+  const auto error = [&](const Json& document) {
+    return test::input_error_of([&] { check_by_schema(document, schema, "own.json"); });
+  };
+  EXPECT_EQ(error({{"count", "x"}}), "no error");
+  EXPECT_EQ(error(Json::object()), "own.json: the key \"count\" is missing");
+  EXPECT_EQ(error({{"count", ""}}), "own.json: count: must not be empty");
 }
 
 TEST(ExperimentSchema, KnowsATypeThatWasRegistered) {

@@ -5,9 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
 
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/configuration/dataset_files.h"
+#include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "tests/support/test_files.h"
 
@@ -27,9 +30,11 @@ class DatasetFiles : public testing::Test {
   }
   [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
   Json read(Json document) const {
-    read_dataset_files(document, "x.json", folder_.path());
+    read_dataset_files(document, "x.json", folder_.path(), places_);
     return document;
   }
+
+  std::vector<std::string_view> places_{"/dataset", "/datasets/*"};
 
  private:
   test::TemporaryFolder folder_;
@@ -52,7 +57,11 @@ TEST_F(DatasetFiles, OfAListHaveTheirNameOrThatOfTheFile) {
 TEST_F(DatasetFiles, CanBeChangedByOverrides) {
   test::write_text(at("run.json"), R"({"name": "x", "datasets": ["sets/animals.json"]})");
   const std::vector<std::string> overrides{"datasets.0.root=/elsewhere"};
-  EXPECT_EQ(read_configuration_document(at("run.json"), overrides)["datasets"][0]["root"], "/elsewhere");
+  const auto paths = [&](const Json&) { return DocumentPaths{.datasets = places_}; };
+  Json document = read_json(at("run.json"));
+  const auto files = apply_overrides(document, "x.json", at(""), overrides, paths);
+  EXPECT_EQ(document["datasets"][0]["root"], "/elsewhere");
+  EXPECT_THAT(files, testing::ElementsAre(at("sets/animals.json")));
 }
 
 TEST_F(DatasetFiles, MustBeThereAndDescribeADataSet) {
@@ -63,7 +72,10 @@ TEST_F(DatasetFiles, MustBeThereAndDescribeADataSet) {
   test::write_text(at("sets/other.json"), R"({"name": "x"})");
   EXPECT_THAT(test::input_error_of([&] { read({{"dataset", "sets/other.json"}}); }), HasSubstr("other.json"));
   test::write_text(at("sets/broken.json"), "{");
-  EXPECT_THAT(test::input_error_of([&] { read({{"datasets", {"sets/broken.json"}}}); }), HasSubstr("broken.json"));
+  EXPECT_THAT(test::input_error_of([&] {
+                read({{"datasets", {"sets/animals.json", "sets/broken.json"}}});
+              }),
+              testing::AllOf(testing::StartsWith("x.json: datasets.1: "), HasSubstr("broken.json")));
 }
 
 /// Files in configs/datasets, each with its environment variable and a folder of the expected layout.

@@ -43,6 +43,19 @@ TEST(PerturbModel, AStepDrawsTheSameWhateverTheStepBeforeItDraws) {
   EXPECT_EQ(vertices_of(one_hole, 1, "T3", 0), vertices_of(no_hole, 1, "T3", 0));
 }
 
+TEST(PerturbModel, SaysWhereStepsFallShortOfTheirSettings) {
+  const Shape box = test::box({1, 2, 3}, 2);
+  const auto remarks_of = [&](const char* steps) { return perturb_model(box, steps_of(steps), 1, "T3", 0).remarks; };
+  EXPECT_TRUE(remarks_of(R"([{"type": "decimate", "faces": 40}])").empty());
+  const auto left = decimate(box, 1).triangles.rows();
+  ASSERT_GT(left, 1);
+  const std::string remark = "decimated to " + std::to_string(left) + " faces instead of 1: no valid collapse is left";
+  EXPECT_THAT(remarks_of(R"([{"type": "decimate", "faces": 1}, {"type": "sample_points", "points": 9}])"),
+              testing::ElementsAre(remark));
+  EXPECT_THAT(remarks_of(R"([{"type": "one_of", "choices": [[{"type": "decimate", "faces": 1}]]}])"),
+              testing::ElementsAre(remark));
+}
+
 TEST(PerturbModel, WithoutStepsChangesNothing) {
   const Shape box = test::box({1, 2, 3}, 2);
   const PerturbedShape same = perturb_model(box, {}, 1, "T3", 0);

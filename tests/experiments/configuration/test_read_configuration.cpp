@@ -250,16 +250,21 @@ TEST(ReadConfiguration, PathsOfOverridesBeginAtTheWorkingDirectory) {
   EXPECT_EQ(location({"dataset.root=${SHAPEGAUGE_TEST_ROOT}/m"}).root, "/elsewhere/m");
 }
 
-TEST(ApplyOverrides, FindsThePathsOfEveryKind) {
+TEST(ApplyOverrides, ResolvesTheGivenPaths) {
   const std::string here = std::filesystem::current_path().string();
   auto document = nlohmann::json::parse(
       R"({"datasets": [{"name": "a", "layout": "csv", "root": "x"}, {"name": "b", "layout": "csv", "root": "x"}],
-          "shapes": [{"name": "s", "file": "x.off"}]})");
-  const std::vector<std::string> overrides{"datasets[b].root=y", "shapes.0.file=s.off", "shapes.0.name=t"};
-  apply_overrides(document, "x.json", "/folder", overrides);
+          "shapes": [{"name": "s", "file": "x.off", "root": "x"}]})");
+  const std::vector<std::string> overrides{"datasets[b].root=y", "shapes.0.file=s.off", "shapes.0.root=y",
+                                           "shapes.0.name=t"};
+  const auto paths = [](const Json&) {
+    return DocumentPaths{.files = {"/shapes/*/file"}, .datasets = {"/datasets/*"}};
+  };
+  apply_overrides(document, "x.json", "/folder", overrides, paths);
   EXPECT_EQ(document["datasets"][0]["root"], "x");
   EXPECT_EQ(document["datasets"][1]["root"], here + "/y");
   EXPECT_EQ(document["shapes"][0]["file"], here + "/s.off");
+  EXPECT_EQ(document["shapes"][0]["root"], "y");
   EXPECT_EQ(document["shapes"][0]["name"], "t");
 }
 

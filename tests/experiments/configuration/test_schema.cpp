@@ -39,9 +39,7 @@ TEST(ParameterGroups, AnglesAndOffsetsHaveTheirUnits) {
   EXPECT_GE(offsets, 1);
 }
 
-Json schema_at(const std::string& pointer) {
-  return Json::parse(experiment_schema()).at(Json::json_pointer("/definitions" + pointer));
-}
+Json schema_at(const std::string& pointer) { return Json(schema_definitions()).at(Json::json_pointer(pointer)); }
 
 template <typename Types>
 std::vector<std::string> names_of(const Types& types) {

@@ -53,6 +53,17 @@ TEST(SegmentationExperiment, HasPlacesAndSettingsAsGiven) {
   EXPECT_EQ(options.method, SegmentationAlgorithm::best);
 }
 
+TEST(SegmentationExperiment, HasThePreparationOfOtherExperiments) {
+  Json document{{"name", "x"}, {"dataset", benchmark}, {"segmentation", {{{"name", "a"}}}}};
+  const auto read_document = [&] { return segmentation_from_json(document, "x.json", "/data"); };
+  EXPECT_EQ(read_document().preparation, PreparationOptions());
+  document["preparation"] = {{"denoise", true}, {"scale", "tube_area"}};
+  EXPECT_EQ(read_document().preparation, (PreparationOptions{.denoise = true, .scale = ScaleEstimate::tube_area}));
+  EXPECT_EQ(to_json(read_document())["preparation"], document["preparation"]);
+  document["preparation"] = {{"denoised", true}};
+  EXPECT_THAT(test::input_error_of(read_document), HasSubstr("preparation: unknown key \"denoised\""));
+}
+
 TEST(SegmentationExperiment, RefusesSettingsThatDoNotGoTogether) {
   const auto refusal = [](const Json& dataset, const Json& method) {
     return test::input_error_of([&] { read(dataset, method); });

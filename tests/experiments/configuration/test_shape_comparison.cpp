@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "tests/support/test_files.h"
@@ -86,16 +87,14 @@ TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
 }
 
 TEST(ReadComparison, TheKindsOfExperimentsAreNotMistakenForEachOther) {
-  EXPECT_TRUE(is_comparison(comparison_document()));
   EXPECT_THAT(test::input_error_of([] { configuration_from_json(comparison_document(), "x.json", ""); }),
-              HasSubstr("it is not a retrieval experiment"));
+              HasSubstr("x.json: unknown key \"reference\" in a retrieval experiment; known here: "));
   Json retrieval = comparison_document();
   retrieval.erase("shapes");
   retrieval.erase("reference");
   retrieval["dataset"] = {{"layout", "shrec11"}, {"root", "data"}};
-  EXPECT_FALSE(is_comparison(retrieval));
   EXPECT_THAT(test::input_error_of([&] { comparison_from_json(retrieval, "x.json", ""); }),
-              HasSubstr("it is a retrieval experiment"));
+              HasSubstr("x.json: unknown key \"dataset\" in a comparison of shapes; known here: "));
 }
 
 TEST(ReadComparison, TheConfigurationsOfTheFiguresAreValid) {
@@ -104,8 +103,8 @@ TEST(ReadComparison, TheConfigurationsOfTheFiguresAreValid) {
   int comparisons = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER)) {
     if (!entry.is_regular_file() || entry.path().filename() == "experiment.schema.json") continue;
-    const Json read = read_configuration_document(entry.path());
-    if (!is_comparison(read)) continue;
+    const Json read = read_json(entry.path());
+    if (!read.contains("shapes")) continue;
     ++comparisons;
     EXPECT_EQ(test::input_error_of([&] { comparison_from_json(read, entry.path().string(), "/"); }), "no error");
   }

@@ -37,6 +37,10 @@ std::vector<Json> all_experiments() {
   return experiments;
 }
 
+bool is_comparison(const Json& document) { return document.contains("shapes"); }
+
+bool is_segmentation(const Json& document) { return document.contains("segmentation"); }
+
 void read(const Json& document) {
   if (is_comparison(document)) {
     comparison_from_json(document, "x.json", "/configs");

@@ -13,6 +13,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
+DocumentPaths paths(const Json& /*document*/) {
+  return {.files = {"/shapes/*/file"}, .datasets = {"/dataset", "/datasets/*"}};
+}
+
 TEST(Replay, AManifestThatTellsTooLittleIsAnError) {
   const test::TemporaryFolder folder;
   const auto error_for = [&](const std::string& text) {
@@ -31,12 +35,12 @@ TEST(Replay, ADataSetIsLookedForInAnotherFolder) {
   Json manifest{
       {"configuration",
        {{"dataset", {{"layout", "shrec11"}, {"root", "/old/data"}, {"classification", "/old/data/a/test.cla"}}}}}};
-  EXPECT_EQ(recorded_configuration(manifest, ""), manifest["configuration"]);
-  Json moved = recorded_configuration(manifest, "/new/place")["dataset"];
+  EXPECT_EQ(recorded_configuration(manifest, "", paths), manifest["configuration"]);
+  Json moved = recorded_configuration(manifest, "/new/place", paths)["dataset"];
   EXPECT_EQ(moved["root"], "/new/place");
   EXPECT_EQ(moved["classification"], "/new/place/a/test.cla");
   manifest["configuration"]["dataset"]["classification"] = "/old/database/test.cla";
-  moved = recorded_configuration(manifest, "/new/place")["dataset"];
+  moved = recorded_configuration(manifest, "/new/place", paths)["dataset"];
   EXPECT_EQ(moved["classification"], "/old/database/test.cla") << "it did not lie in the data set's folder";
 }
 
@@ -46,7 +50,7 @@ TEST(Replay, TheShapesOfAComparisonAreLookedForInAnotherFolder) {
                          {{{"name", "a"}, {"file", "/old/models/animals/cat.off"}},
                           {{"name", "b"}, {"file", "/old/models/fertility.off"}},
                           {{"name", "c"}, {"generate", {{"class", "horse"}}}}}}}}};
-  const Json shapes = recorded_configuration(manifest, "/new")["shapes"];
+  const Json shapes = recorded_configuration(manifest, "/new", paths)["shapes"];
   EXPECT_EQ(shapes[0]["file"], "/new/animals/cat.off");
   EXPECT_EQ(shapes[1]["file"], "/new/fertility.off");
   EXPECT_FALSE(shapes[2].contains("file"));
@@ -54,9 +58,20 @@ TEST(Replay, TheShapesOfAComparisonAreLookedForInAnotherFolder) {
 
 TEST(Replay, WhatIsGeneratedHasNoFolder) {
   const Json dataset{{"configuration", {{"dataset", {{"generate", Json::object()}}}}}};
-  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(dataset, "/new"); }), HasSubstr("--dataset-root"));
+  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(dataset, "/new", paths); }),
+              HasSubstr("--dataset-root"));
   const Json shapes{{"configuration", {{"shapes", {{{"name", "a"}, {"generate", Json::object()}}}}}}};
-  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(shapes, "/new"); }), HasSubstr("--dataset-root"));
+  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(shapes, "/new", paths); }),
+              HasSubstr("--dataset-root"));
+}
+
+TEST(Replay, OneOfSeveralDataSetsIsLookedForInAnotherFolderByItsName) {
+  Json manifest{{"configuration",
+                 {{"datasets", {{{"name", "a"}, {"generate", Json::object()}}, {{"name", "b"}, {"root", "/old/b"}}}}}}};
+  EXPECT_EQ(recorded_configuration(manifest, "/new", paths)["datasets"][1]["root"], "/new");
+  manifest["configuration"]["datasets"].push_back({{"name", "c"}, {"root", "/old/c"}});
+  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(manifest, "/new", paths); }),
+              HasSubstr("datasets.1.root=FOLDER"));
 }
 
 TEST(Replay, ChangedInputsAreNamed) {

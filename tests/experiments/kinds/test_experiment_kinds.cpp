@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -7,7 +8,10 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/off.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/engine/replay.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
 #include "shapegauge/segmentation/seg_file.h"
@@ -99,6 +103,64 @@ TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
               HasSubstr("test.json: unknown key \"nmae\""));
 }
 
+TEST_F(ExperimentKinds, ADocumentWithTheKeysOfSeveralKindsIsAnError) {
+  const auto error_with = [&](Json document, const std::string& key, const Json& value) {
+    document[key] = value;
+    return test::input_error_of([&] { read_experiment(document, "test.json", at("")); });
+  };
+  const Json methods = segmentation()["segmentation"];
+  EXPECT_EQ(error_with(retrieval(), "segmentation", methods),
+            "test.json: the keys are those of several kinds of experiments: retrieval (\"dataset\", \"signatures\"), "
+            "segmentation (\"segmentation\"); leave out those of all but one");
+  EXPECT_THAT(error_with(multi_dataset(), "shapes", Json::array()),
+              HasSubstr("several kinds of experiments: comparison (\"shapes\"), multi_dataset (\"datasets\")"));
+  EXPECT_THAT(error_with(comparison(), "dataset", Json::object()),
+              HasSubstr("retrieval (\"dataset\", \"signatures\")"));
+}
+
+TEST_F(ExperimentKinds, DoNotReadDocumentsOfEachOther) {
+  const std::map<std::string, Json> documents{{"retrieval", retrieval()},
+                                              {"comparison", comparison()},
+                                              {"segmentation", segmentation()},
+                                              {"multi_dataset", multi_dataset()}};
+  for (const auto& [own, document] : documents) {
+    for (const auto& [other, unused] : documents) {
+      SCOPED_TRACE(own + " as " + other);
+      const std::string error = test::input_error_of(
+          [&, &name = other, &read = document] { experiment_kinds().at(name).read(read, "test.json", at("")); });
+      EXPECT_THAT(error, own == other ? testing::StrEq("no error") : testing::StartsWith("test.json: unknown key \""));
+    }
+  }
+}
+
+TEST_F(ExperimentKinds, FindFilesOfDataSetsByThemselves) {
+  test::write_text(at("set.json"), R"({"layout": "shrec11", "root": "data"})");
+  Json document = retrieval();
+  document["dataset"] = "set.json";
+  EXPECT_EQ(read_experiment(document, "test.json", at("")).configuration["dataset"]["root"], at("data").string());
+  document.erase("dataset");
+  document["datasets"] = {"set.json"};
+  const Json datasets = read_experiment(document, "test.json", at("")).configuration["datasets"];
+  EXPECT_EQ(datasets[0]["root"], at("data").string());
+  EXPECT_EQ(datasets[0]["name"], "set");
+}
+
+TEST_F(ExperimentKinds, HaveTheirPartsOfTheSchema) {
+  const Json schema = Json::parse(experiment_schema());
+  const Json* part = &schema;
+  for (const auto& [key, definition] : {std::pair{"shapes", "/definitions/comparison_experiment"},
+                                        {"segmentation", "/definitions/segmentation_experiment"}}) {
+    EXPECT_EQ((*part)["if"]["required"], Json({key}));
+    EXPECT_EQ((*part)["then"]["$ref"], std::string("#") + definition);
+    part = &(*part)["else"];
+  }
+  const Json& multi_dataset = (*part)["then"];
+  EXPECT_TRUE(multi_dataset["properties"].contains("datasets"));
+  EXPECT_FALSE(multi_dataset["properties"].contains("dataset"));
+  EXPECT_EQ(multi_dataset["properties"]["signatures"],
+            schema["definitions"]["retrieval_experiment"]["properties"]["signatures"]);
+}
+
 TEST_F(ExperimentKinds, DoNotWriteIntoTheirDataSet) {
   Cache none;
   EXPECT_THAT(test::input_error_of([&] { (void)run(retrieval(), "data", none, *single_process()); }),
@@ -165,12 +227,12 @@ TEST_F(ExperimentKinds, ASegmentationKeepsItsGeneratedShapes) {
   EXPECT_EQ(generated, 0);
 }
 
-/// A kind defined outside the library: counts the characters of a text.
-Experiment read_count(const Json& document, const std::string& /*source*/, const fs::path& /*folder*/) {
-  return {.name = "count", .configuration = document, .run = [document](const RunContext& context) {
+/// A kind defined outside the library: counts the characters of a file.
+Experiment read_count(const Json& document, const std::string& /*source*/, const fs::path& folder) {
+  const std::string text = read_file_bytes(folder / document.at("count").at("file").get<std::string>());
+  return {.name = "count", .configuration = document, .run = [text](const RunContext& context) {
             return on_all_ranks(context.ranks, [&] {
               if (context.ranks.rank() != 0) return RunOutcome();
-              const std::string text = document.at("count");
               write_file_atomically(context.results / "count.txt", std::to_string(text.size()) + "\n");
               return RunOutcome{.files = {"count.txt"},
                                 .manifest = {{"inputs", Json::object()}},
@@ -182,17 +244,59 @@ Experiment read_count(const Json& document, const std::string& /*source*/, const
           }};
 }
 
+nlohmann::ordered_json count_schema() {
+  return nlohmann::ordered_json::parse(R"({
+    "title": "count",
+    "type": "object",
+    "additionalProperties": false,
+    "properties": {
+      "name": {"$ref": "#/definitions/experiment_name"},
+      "count": {"type": "object", "required": ["file"], "properties": {"file": {"type": "string"}}}
+    }})");
+}
+
 TEST_F(ExperimentKinds, CanBeAddedFromOutsideTheLibrary) {
-  experiment_kinds().add({.name = "count",
-                          .description = "Counts characters.",
-                          .describes = [](const Json& document) { return document.contains("count"); },
-                          .read = read_count});
+  const ExperimentKind kind{.name = "count",
+                            .description = "Counts characters.",
+                            .keys = {"count"},
+                            .paths = {.files = {"/count/file"}},
+                            .schema = count_schema,
+                            .read = read_count};
+  experiment_kinds().add(kind);
+  test::write_text(at("text.txt"), "shapes");
+  const Json document{{"count", {{"file", "text.txt"}}}};
   Cache none;
-  EXPECT_EQ(run({{"count", "shapes"}}, "count", none, *single_process()).summary, "6");
+  EXPECT_EQ(run(document, "count", none, *single_process()).summary, "6");
   EXPECT_EQ(test::text_of(at("count/count.txt")), "6\n");
-  EXPECT_EQ(Json::parse(test::text_of(at("count/manifest.json"))).at("configuration"), (Json{{"count", "shapes"}}));
-  EXPECT_THROW(experiment_kinds().add({.name = "count", .description = "", .describes = nullptr, .read = read_count}),
-               InputError);
+  const Json manifest = Json::parse(test::text_of(at("count/manifest.json")));
+  EXPECT_EQ(manifest.at("configuration"), document);
+  EXPECT_THROW(experiment_kinds().add(kind), InputError);
+
+  Json changed = document;
+  const std::vector<std::string> overrides{"count.file=other/text.txt", "name=x.txt"};
+  apply_overrides(changed, "test.json", at(""), overrides, experiment_paths);
+  EXPECT_EQ(changed["count"]["file"], (fs::current_path() / "other/text.txt").string());
+  EXPECT_EQ(changed["name"], "x.txt");
+  EXPECT_EQ(recorded_configuration({{"configuration", changed}}, at("new"), experiment_paths)["count"]["file"],
+            at("new/text.txt").string());
+
+  const auto error_of = [&](const Json& wrong) {
+    return test::input_error_of([&] { read_experiment(wrong, "test.json", at("")); });
+  };
+  EXPECT_EQ(error_of({{"count", {{"file", 3}}}}), "test.json: count.file: must be of type string, not number (3)");
+  EXPECT_THAT(error_of({{"count", {{"file", "text.txt"}}}, {"shapes", Json::array()}}),
+              HasSubstr("comparison (\"shapes\"), count (\"count\")"));
+  EXPECT_EQ(Json::parse(experiment_schema())["else"]["else"]["else"]["then"], Json(count_schema()));
+}
+
+TEST_F(ExperimentKinds, NeedKeysAndPatternsOfPaths) {
+  ExperimentKind kind{.name = "other", .description = "", .schema = count_schema, .read = read_count};
+  EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }), HasSubstr("\"other\" needs keys"));
+  kind.keys = {"other"};
+  kind.paths.files = {"other"};
+  EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }), HasSubstr("must begin with a slash"));
+  kind.schema = nullptr;
+  EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }), HasSubstr("lacks a function"));
 }
 
 }  // namespace

@@ -112,8 +112,25 @@ TEST_F(RunMultiDataset, LeavesOutDataSetsThatCannotBeUsedAndSaysWhy) {
   EXPECT_THAT(outcome.left_out[1].message, HasSubstr("SHAPEGAUGE_NO_SUCH_ROOT"));
   const Json summary = json_in("some/summary.json");
   EXPECT_EQ(summary["failed_datasets"].size(), 2U);
+  const Json failed = json_in("some/manifest.json")["failed_models"];
+  ASSERT_EQ(failed.size(), 2U);
+  EXPECT_EQ(failed[0], (Json{{"model", "gone"}, {"error", outcome.left_out[0].message}}));
   (void)run(document(), "good");
   EXPECT_EQ(summary["tables"], json_in("good/summary.json")["tables"]) << "the others are as without them";
+}
+
+TEST_F(RunMultiDataset, DoesNotWriteTheResultsOfADataSetIntoOne) {
+  Json json = document();
+  json["datasets"][0]["name"] = "second";
+  json["datasets"][1]["name"] = "first";
+  for (const char* output : {"", "first"}) {
+    EXPECT_THAT(test::input_error_of([&] { run(json, output); }), HasSubstr("the results would overwrite the input"));
+  }
+  EXPECT_FALSE(fs::exists(at("first/manifest.json")));
+  EXPECT_FALSE(fs::exists(at("second/manifest.json")));
+  json["datasets"][0]["name"] = "a";
+  json["datasets"][1]["name"] = "b";
+  EXPECT_TRUE(run(json, "").left_out.empty()) << "a folder beside the data sets";
 }
 
 TEST_F(RunMultiDataset, FailsWhereNoDataSetCanBeUsed) {
@@ -133,6 +150,7 @@ TEST_F(RunMultiDataset, NamesModelsLeftOutByTheirDataSet) {
   const RunOutcome outcome = run(json, "skipped");
   ASSERT_EQ(outcome.left_out.size(), 1U);
   EXPECT_THAT(outcome.left_out[0].id, testing::AllOf(HasSubstr("second"), HasSubstr("4")));
+  EXPECT_EQ(json_in("skipped/manifest.json")["failed_models"][0]["model"], outcome.left_out[0].id);
   json["on_error"] = "stop";
   EXPECT_EQ(run(json, "stopped").left_out[0].id, "second") << "the whole data set";
 }
@@ -140,7 +158,8 @@ TEST_F(RunMultiDataset, NamesModelsLeftOutByTheirDataSet) {
 TEST_F(RunMultiDataset, IsRepeatedFromItsManifest) {
   (void)run(document(), "first-run");
   const Json recorded = read_manifest(at("first-run") / manifest_name);
-  const Json again = recorded_configuration(recorded, {});
+  const auto paths = [](const Json&) { return multi_dataset_kind().paths; };
+  const Json again = recorded_configuration(recorded, {}, paths);
   (void)run(again, "second-run");
   const Json now = read_manifest(at("second-run") / manifest_name);
   const ComparedOutputs compared = compare_outputs(recorded, now);
@@ -151,7 +170,7 @@ TEST_F(RunMultiDataset, IsRepeatedFromItsManifest) {
   test::write_small_dataset(at("second"));
   test::write_text(at("second/test.cla"), "PSB 1\n2 6\n\nsphere 0 3\n0\n3\n6\n\ncube 0 3\n1\n4\n7\n");
   EXPECT_EQ(changed_inputs(recorded.at("inputs"), read(document()).inputs(1)).size(), 1U);
-  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(recorded, at("first")); }),
+  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(recorded, at("first"), paths); }),
               HasSubstr("datasets.0.root"));
 }
 

@@ -177,7 +177,7 @@ TEST_F(DescriptorRuns, AModelThatCannotBeDescribedIsAFailureOfItsOwn) {
   document["on_error"] = "skip";
   const ExperimentResults results = run(document, false);
   ASSERT_EQ(results.failures.size(), 1U);
-  EXPECT_EQ(results.failures[0].model.id, "4");
+  EXPECT_EQ(results.failures[0].id, "4");
   EXPECT_EQ(method_named(results, "dna").distances.rows(), 8);
 }
 

@@ -26,8 +26,8 @@ TEST(Manifest, HoldsInputsFailuresAndWhatDiffersFromRunToRunApart) {
   results.shapes.resize(2);
   results.shapes[0].sha256 = "aa";
   results.shapes[1].sha256 = "bb";
-  results.failures = {{.model = {.id = "7", .file = folder.path() / "failed.off", .label = 0}, .message = "broken"},
-                      {.model = {.id = "8", .file = folder.path() / "absent.off", .label = 0}, .message = "absent"}};
+  results.failures = {{.id = "7", .message = "broken", .file = folder.path() / "failed.off"},
+                      {.id = "8", .message = "absent", .file = folder.path() / "absent.off"}};
   results.threads = 3;
   results.timings = {{"dataset", 0.5}, {"signatures", 2.0}};
   const OrderedJson json = manifest_entries(results);

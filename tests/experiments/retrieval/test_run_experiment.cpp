@@ -231,7 +231,7 @@ TEST_F(RunExperiment, EveryKindOfBadModelIsSkippedIfAskedFor) {
   ASSERT_EQ(results.failures.size(), 5U);
   EXPECT_EQ(results.models.size(), 4U);
   EXPECT_EQ(results.methods[0].distances.rows(), 4);
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(results.failures[i].model.id, std::to_string(i + 1));
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(results.failures[i].id, std::to_string(i + 1));
   EXPECT_THAT(results.failures[2].message, HasSubstr("area"));
   EXPECT_THAT(results.failures[4].message, HasSubstr("T5.off"));
   test::publish(folder("out"), results);
@@ -314,8 +314,19 @@ TEST_F(RunExperiment, APerturbationThatFailsIsThatModelsFailure) {
       [], [{"type": "sample_points", "points": 100}, {"type": "decimate", "faces": 10}], [], [], [], [], [], [], []]}]})");
   const ExperimentResults results = run(changes);
   ASSERT_EQ(results.failures.size(), 1U);
-  EXPECT_EQ(results.failures[0].model.id, "1");
+  EXPECT_EQ(results.failures[0].id, "1");
   EXPECT_THAT(results.failures[0].message, HasSubstr("a point cloud cannot be decimated"));
+}
+
+TEST_F(RunExperiment, NotesModelsThatAreNotPerturbedAsRequested) {
+  const Json changes = Json::parse(R"({"perturbations": [
+    {"type": "one_of", "assign": "in_turn", "choices": [[], [{"type": "decimate", "faces": 1}], []]}]})");
+  fs::create_directories(folder("notes"));
+  const auto notes_of = [&](const Json& with) { return write_results(folder("notes"), run(with)).notes; };
+  EXPECT_THAT(notes_of(changes), testing::ElementsAre(testing::MatchesRegex(
+                                     "3 of 9 models were not perturbed as requested; the first, 1: decimated to "
+                                     "[0-9]+ faces instead of 1: no valid collapse is left")));
+  EXPECT_THAT(notes_of(Json::object()), testing::IsEmpty());
 }
 
 TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {

@@ -139,7 +139,7 @@ TEST_F(WriteResults, DistancesThatAreNotKeptAreNoFiles) {
 }
 
 TEST_F(WriteResults, ShapesHaveTheirClassAreaAndSeconds) {
-  results_.failures.push_back({.model = {.id = "7", .file = path("absent.off")}, .message = "it is broken"});
+  results_.failures.push_back({.id = "7", .message = "it is broken", .file = path("absent.off")});
   write();
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const auto shape = test::csv_record(out("shapes.csv"), {{"id", names_[i]}});

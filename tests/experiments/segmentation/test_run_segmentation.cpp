@@ -8,18 +8,23 @@
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/configuration/json_document.h"
-#include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/manifest.h"
+#include "shapegauge/experiments/engine/replay.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
+#include "shapegauge/segmentation/segment_shape.h"
 #include "tests/experiments/segmentation/published_segmentation.h"
 #include "tests/support/run_alone.h"
 #include "tests/support/test_files.h"
@@ -35,8 +40,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// Two disjoint balls: every method finds the same two parts.
-Shape two_balls() {
-  const Shape ball = test::sphere(1, 2);
+Shape two_balls(int subdivisions = 2) {
+  const Shape ball = test::sphere(1, subdivisions);
   return test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
 }
 
@@ -239,9 +244,71 @@ TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {
   EXPECT_THAT(results.scores.ids, testing::ElementsAre("1", "22"));
 }
 
+TEST_F(SegmentationRun, SegmentsPreparedShapesAndCarriesThePartsBackToTheFile) {
+  RandomNumbers random(1);
+  const Shape noisy = vertex_noise(two_balls(3), {.amplitude = 0.008}, random);
+  std::filesystem::create_directories(folder_.path() / "shapes/ball");
+  write_off(folder_.path() / "shapes/ball/a.off", noisy);
+  const nlohmann::json motion{{"type", "motion"}, {"scale", 3}};
+  nlohmann::json document{{"name", "noisy"},
+                          {"dataset", {{"layout", "folders"}, {"root", "shapes"}}},
+                          {"segmentation",
+                           {{{"name", "paper"}, {"method", "paper"}},
+                            {{"name", "moved"}, {"method", "paper"}, {"perturbations", {motion}}}}}};
+  const auto labels_with = [&](const nlohmann::json& preparation, Cache& cache) {
+    if (!preparation.is_null()) document["preparation"] = preparation;
+    const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder_.path());
+    return cut(experiment, folder_.path() / "none", {}, cache).shapes.at(0).labels;
+  };
+  Cache cache(folder_.path() / "cache");
+  const Shape mesh = read_shape(folder_.path() / "shapes/ball/a.off");
+  const SegmentationOptions paper{.method = SegmentationAlgorithm::paper};
+  const auto as_it_is = labels_with(nullptr, cache);
+  EXPECT_EQ(as_it_is[0], segment_shape(mesh, paper));
+  const PreparedShape prepared = prepare_shape(mesh, {.denoise = true});
+  ASSERT_GT(prepared.pass_band, 0) << "the noise is smoothed";
+  const auto denoised = labels_with({{"denoise", true}}, cache);
+  EXPECT_EQ(denoised[0], segment_shape(prepared.shape, paper)) << "and not taken from the cache of the run before";
+  EXPECT_NE(denoised[0], as_it_is[0]);
+  EXPECT_EQ(denoised[1], denoised[0]) << "parts do not depend on the scale before the preparation";
+}
+
+TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
+  const nlohmann::json document{{"name", "balls"},
+                                {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
+                                {"on_error", "skip"},
+                                {"segmentation", {{{"name", "best"}}}}};
+  write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(7, 0));  // which fails
+  const Experiment experiment = segmentation_kind().read(document, "x.json", folder_.path());
+  Cache none;
+  (void)run_into_folder(experiment, folder_.path() / "results", false, {.threads = 1}, none, *single_process());
+  const nlohmann::json recorded = read_json(folder_.path() / "results" / manifest_name).at("inputs");
+  EXPECT_EQ(recorded.at("models").size(), 9U);
+  EXPECT_THAT(changed_inputs(recorded, experiment.inputs(1)), testing::IsEmpty());
+  write_off(root() / "off/1.off", test::sphere(1, 2));
+  write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(640, 0));
+  std::filesystem::remove(root() / "seg/22/b.seg");
+  EXPECT_THAT(changed_inputs(recorded, experiment.inputs(1)),
+              testing::ElementsAre("model 1 differs from the recorded one",
+                                   "model 21/a.seg differs from the recorded one", "model 22/b.seg is absent"));
+}
+
+TEST_F(SegmentationRun, RecordsTheFileOfClasses) {
+  write_off(folder_.path() / "shapes/T0.off", two_balls());
+  test::write_text(folder_.path() / "shapes/test.cla", "PSB 1\n1 1\n\nballs 0 1\n0\n");
+  const auto experiment_on = [&](const nlohmann::json& dataset) {
+    return segmentation_kind().read({{"name", "x"}, {"dataset", dataset}, {"segmentation", {{{"name", "best"}}}}},
+                                    "x.json", folder_.path());
+  };
+  const auto inputs = experiment_on({{"layout", "shrec11"}, {"root", "shapes"}}).inputs(1);
+  EXPECT_EQ(inputs.at("classification"), sha256_of_file(folder_.path() / "shapes/test.cla"));
+  EXPECT_EQ(inputs.at("models").size(), 1U);
+  EXPECT_FALSE(experiment_on({{"generate", nlohmann::json::object()}}).inputs) << "known after the run only";
+}
+
 TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
   const TemporaryFolder folder;
-  nlohmann::json document = read_configuration_document(SHAPEGAUGE_CONFIGS_FOLDER "/generated_segmentation.json");
+  nlohmann::json document = read_json(SHAPEGAUGE_CONFIGS_FOLDER "/generated_segmentation.json");
   document["dataset"]["generate"] = {{"classes", 2}, {"models_per_class", 1}, {"faces", 1000}};
   const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder.path());
   Cache cache;
@@ -256,7 +323,6 @@ TEST(SegmentationConfiguration, FillsInDefaultsThatReadBackTheSame) {
   for (const char* name : {"psb_segmentation", "table3_segmentation", "generated_segmentation"}) {
     const nlohmann::json document =
         read_json(std::filesystem::path(SHAPEGAUGE_CONFIGS_FOLDER) / (std::string(name) + ".json"));
-    EXPECT_TRUE(is_segmentation(document)) << name;
     nlohmann::json here = document;
     if (here["dataset"].contains("root")) here["dataset"]["root"] = "/data";
     const nlohmann::json filled = to_json(segmentation_from_json(here, name, "/"));

@@ -3,7 +3,7 @@
 
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/datasets/files/csv.h"
-#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
 #include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
@@ -205,7 +205,7 @@ TEST_F(RunComparison, TheSidesOfACloudsOwnNormalsCountWhereTheFileHasThem) {
 
 TEST(GeneratedComparison, RunsWithoutData) {
   const fs::path file = fs::path(SHAPEGAUGE_CONFIGS_FOLDER) / "generated_comparison.json";
-  Json document = read_configuration_document(file);
+  Json document = read_json(file);
   document["shapes"].erase(document["shapes"].begin() + 2, document["shapes"].end());
   for (Json& shape : document["shapes"]) shape["generate"] = {{"class", "snake"}, {"faces", 1000}};
   const ShapeComparisonResults results = run_shape_comparison(comparison_from_json(document, file.string(), ""), {});

@@ -127,9 +127,9 @@ TEST_F(WriteShapeComparison, TheManifestHasWhatWasReadAndWhatFailed) {
   const auto& read = manifest.at("inputs").at("shapes");
   EXPECT_EQ(read.size(), 2U);
   EXPECT_EQ(read.at("true"), read.at("other")) << "the same bytes";
-  ASSERT_EQ(manifest.at("failed_shapes").size(), 1U);
-  EXPECT_EQ(manifest["failed_shapes"][0].at("shape"), "gone");
-  EXPECT_EQ(manifest["failed_shapes"][0].at("error"), "it is broken");
+  ASSERT_EQ(manifest.at("failed_models").size(), 1U);
+  EXPECT_EQ(manifest["failed_models"][0].at("model"), "gone");
+  EXPECT_EQ(manifest["failed_models"][0].at("error"), "it is broken");
 }
 
 }  // namespace

@@ -152,6 +152,7 @@ TEST(CacheRecords, AllThatIsKnownOfAShape) {
   model.diagnostics.noise_deviation = 1.0 / 7;
   model.diagnostics.noisy = true;
   model.chosen = {2, 0};
+  model.remarks = {"decimated to 9 faces"};
   model.area = 1.0 / 3;
   model.noise = 0.2;
   model.pass_band = 0.1;
@@ -159,6 +160,7 @@ TEST(CacheRecords, AllThatIsKnownOfAShape) {
   EXPECT_EQ(diagnostics_json(found.diagnostics), diagnostics_json(model.diagnostics));
   EXPECT_EQ(found.diagnostics.noise_deviation, model.diagnostics.noise_deviation);
   EXPECT_EQ(found.chosen, model.chosen);
+  EXPECT_EQ(found.remarks, model.remarks);
   EXPECT_EQ(found.area, model.area);
   EXPECT_EQ(found.noise, model.noise);
   EXPECT_EQ(found.pass_band, model.pass_band);

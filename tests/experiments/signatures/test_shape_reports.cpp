@@ -27,6 +27,16 @@ TEST(DiagnosticsJson, AnEmptyShapeHasNoFractionThatIsNotANumber) {
   EXPECT_EQ(diagnostics_json(diagnose(Shape{}))["boundary_fraction"], 0);
 }
 
+TEST(PerturbationNote, CountsTheShapesAndNamesTheFirst) {
+  std::vector<ShapeReport> shapes(3);
+  const std::vector<std::string> names{"a", "b", "c"};
+  EXPECT_EQ(perturbation_note(names, shapes, "model"), "");
+  shapes[1].remarks = {"one", "two"};
+  shapes[2].remarks = {"three"};
+  EXPECT_EQ(perturbation_note(names, shapes, "model"),
+            "2 of 3 models were not perturbed as requested; the first, b: one; two");
+}
+
 /// A model of diagonal 10 with gaps of this length, and what a field of a fixed offset and one that chose it made of
 /// it.
 ModelDescription model_with_gaps(double gap_size, double chosen_offset) {

@@ -141,7 +141,14 @@ void add_experiment_kind() {
   shapegauge::experiment_kinds().add(
       {.name = "count",
        .description = "Number of models of a data set.",
-       .describes = [](const nlohmann::json& document) { return document.contains("count"); },
+       .keys = {"count"},
+       .paths = {.files = {"/count"}},
+       .schema =
+           [] {
+             return nlohmann::ordered_json{{"type", "object"},
+                                           {"additionalProperties", false},
+                                           {"properties", {{"count", {{"$ref", "#/definitions/dataset_root"}}}}}};
+           },
        .read =
            [](const nlohmann::json& document, const std::string& /*source*/, const std::filesystem::path& folder) {
              const shapegauge::DatasetLocation place{.layout = "flat", .root = folder / document.at("count")};
@@ -154,7 +161,8 @@ void add_experiment_kind() {
                shapegauge::write_file_atomically(context.results / "count.txt", outcome.summary + "\n");
                return outcome;
              };
-             return shapegauge::Experiment{.name = "count", .configuration = document, .dataset = place, .run = run};
+             return shapegauge::Experiment{
+                 .name = "count", .configuration = document, .input_paths = {place.root}, .run = run};
            }});
 }
 

@@ -1,0 +1,44 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shapegauge/experiments/configuration/document_paths.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> places(const std::vector<std::string_view>& patterns) {
+  const auto document = nlohmann::json::parse(
+      R"({"dataset": {"root": "x"}, "shapes": [{"file": "a"}, {"name": "b"}, {"file": "c"}], "groups": {"file": "d"}})");
+  std::vector<std::string> texts;
+  for (const auto& place : matching_places(document, patterns)) texts.push_back(place.to_string());
+  return texts;
+}
+
+TEST(MatchingPlaces, AreThoseInTheDocument) {
+  EXPECT_THAT(places({"/dataset"}), ElementsAre("/dataset"));
+  EXPECT_THAT(places({"/dataset/root"}), ElementsAre("/dataset/root"));
+  EXPECT_THAT(places({"/dataset/split", "/absent/root", "/dataset/root/x"}), IsEmpty());
+}
+
+TEST(MatchingPlaces, AStarMatchesEachIndexOfAnArray) {
+  EXPECT_THAT(places({"/shapes/*/file"}), ElementsAre("/shapes/0/file", "/shapes/2/file"));
+  EXPECT_THAT(places({"/shapes/*"}), ElementsAre("/shapes/0", "/shapes/1", "/shapes/2"));
+  EXPECT_THAT(places({"/groups/*", "/dataset/*/root"}), IsEmpty()) << "an object is no array";
+}
+
+TEST(MatchingPlaces, AreInTheOrderOfThePatterns) {
+  EXPECT_THAT(places({"/shapes/*/name", "/groups/file"}), ElementsAre("/shapes/1/name", "/groups/file"));
+  EXPECT_THAT(places({}), IsEmpty());
+}
+
+}  // namespace
+
+}  // namespace shapegauge
