@@ -88,18 +88,34 @@ std::vector<fs::path> models_or_itself(const fs::path& folder) {
   return is_readable_folder(folder) ? model_files(folder) : std::vector{folder};
 }
 
-/// Returns the files of a class: those of the split, and with "all" also those directly in the class's folder.
-std::vector<fs::path> class_files(const fs::path& folder, const std::string& split, std::set<fs::path>& visited) {
+/// Files of a class.
+struct ClassFiles {
   std::vector<fs::path> files;
-  if (split == "all" || !is_readable_folder(folder)) files = models_or_itself(folder);
+  std::vector<fs::path> repeated;  ///< links to folders visited before
+};
+
+/// Finds the files of a class: those of the split, and with "all" also those directly in the class's folder.
+ClassFiles class_files(const fs::path& folder, const std::string& split, std::set<fs::path>& visited) {
+  ClassFiles found;
+  if (split == "all" || !is_readable_folder(folder)) found.files = models_or_itself(folder);
   for (const char* part : {"test", "train"}) {
     const bool there = is_folder(folder / part) || leads_nowhere(folder / part);
     if (!there || (split != "all" && split != part)) continue;
-    if (!visited.insert(canonical_or_same(folder / part)).second) continue;
+    if (!visited.insert(canonical_or_same(folder / part)).second) {
+      found.repeated.push_back(folder / part);
+      continue;
+    }
     const std::vector<fs::path> more = models_or_itself(folder / part);
-    files.insert(files.end(), more.begin(), more.end());
+    found.files.insert(found.files.end(), more.begin(), more.end());
   }
-  return files;
+  return found;
+}
+
+/// Returns the end of a message about missing models: names the first of the links that were not followed.
+std::string repeated_text(const std::vector<fs::path>& links) {
+  return links.empty()
+             ? ""
+             : fmt::format("; {} is a link to a folder that contains it or was visited before", links.front().string());
 }
 
 /// Finds a data set of the layout "folders": a folder for each class, with the models, or with folders train and test
@@ -110,12 +126,16 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
   Dataset dataset;
   std::set<std::string> ids;
   std::set<fs::path> visited = visited_at_root(location.root);
-  for (const fs::path& folder : unvisited(subfolders(location.root), visited)) {
-    const std::vector<fs::path> files = class_files(folder, location.split, visited);
+  std::vector<fs::path> links = subfolders(location.root);
+  const std::vector<fs::path> folders = unvisited(links, visited);
+  std::erase_if(links, [&](const fs::path& path) { return std::ranges::find(folders, path) != folders.end(); });
+  for (const fs::path& folder : folders) {
+    const auto [files, repeated] = class_files(folder, location.split, visited);
     if (files.empty()) {
-      throw InputError(fmt::format(
-          "{}: no models ({}) in this class{}", folder.string(), fmt::join(unambiguous_shape_extensions(), ", "),
-          location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split)));
+      throw InputError(fmt::format("{}: no models ({}) in this class{}{}", folder.string(),
+                                   fmt::join(unambiguous_shape_extensions(), ", "),
+                                   location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split),
+                                   repeated_text(repeated)));
     }
     const int label = static_cast<int>(dataset.classes.size());
     dataset.classes.push_back(folder.filename().string());
@@ -127,8 +147,8 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
     }
   }
   if (dataset.classes.empty()) {
-    throw InputError(
-        fmt::format("{}: the layout \"folders\" needs a folder for each class; found none", location.root.string()));
+    throw InputError(fmt::format("{}: the layout \"folders\" needs a folder for each class; found none{}",
+                                 location.root.string(), repeated_text(links)));
   }
   std::ranges::sort(dataset.models, natural_less, &Model::id);
   return dataset;
@@ -170,8 +190,10 @@ Dataset find_shrec11_dataset(const DatasetLocation& location) {
 void require_folder(const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) return;
-  throw InputError(fmt::format("{}: {}; expected the folder of the data set", folder.string(),
-                               fs::exists(folder, ignored) ? "is not a folder" : "no such folder"));
+  const char* const fault = is_cyclic_link(folder)        ? "symbolic links lead in a circle"
+                            : fs::exists(folder, ignored) ? "is not a folder"
+                                                          : "no such folder";
+  throw InputError(fmt::format("{}: {}; expected the folder of the data set", folder.string(), fault));
 }
 
 }  // namespace

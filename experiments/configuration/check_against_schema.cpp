@@ -25,7 +25,7 @@ using Json = nlohmann::json;
 struct Finding {
   std::vector<std::string> path;  ///< keys and indices from the root of the document
   std::string message;
-  bool unknown_key = false;
+  std::size_t priority = 0;
 };
 
 std::string shown(const Json& value) {
@@ -134,13 +134,17 @@ class SchemaWalk {
       if (properties.contains(key)) {
         visit_part(properties[key], value, key);
       } else if (schema.contains("additionalProperties") && schema["additionalProperties"] == false) {
-        const std::vector<std::string> keys = keys_of(properties);
-        const bool names_kind = schema.contains("title") && !nearest_word(key, keys);
-        const std::string kind = names_kind ? fmt::format(" in a {}", schema["title"].get<std::string>()) : "";
-        add(fmt::format("unknown key \"{}\"{}{}", printable(key, 60), kind, suggestion(key, keys)));
-        findings_.back().unknown_key = true;
+        add_unknown(key, keys_of(properties), schema.value("title", ""));
       }
     }
+  }
+
+  /// Adds an unknown key. A document, whose schema has a title, may be of another kind if no known key is near.
+  void add_unknown(const std::string& key, const std::vector<std::string>& known, const std::string& title) {
+    const bool other_kind = !title.empty() && !nearest_word(key, known);
+    const std::string kind = other_kind ? fmt::format(" in a {}", title) : "";
+    add(fmt::format("unknown key \"{}\"{}{}", printable(key, 60), kind, suggestion(key, known)));
+    findings_.back().priority = other_kind ? 2000 : 1000;
   }
 
   /// Returns the keys for messages, without "$schema", which editors use.
@@ -176,8 +180,9 @@ bool is_valid(const Json& rules, const Json& configuration) {
   return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(configuration), nullptr);
 }
 
-/// Returns the priority of a finding, most informative first. A misspelt key explains a missing one.
-std::size_t weight(const Finding& finding) { return (finding.unknown_key ? 1000 : 0) + finding.path.size(); }
+/// Returns the weight of a finding, the most informative the largest. A misspelt key explains a missing one, and a
+/// document of another kind explains everything.
+std::size_t weight(const Finding& finding) { return finding.priority + finding.path.size(); }
 
 }  // namespace
 

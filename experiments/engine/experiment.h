@@ -55,10 +55,9 @@ struct Experiment {
 /// Kind of experiment. Kinds know nothing of each other.
 struct ExperimentKind {
   std::string_view name;
-  std::string_view description;  ///< one sentence
-  std::vector<std::string> keys =
-      {};                    ///< root keys of a configuration's document; one with all of them is of this kind
-  DocumentPaths paths = {};  ///< relative paths in the document
+  std::string_view description;        ///< one sentence
+  std::vector<std::string> keys = {};  ///< a document with all of these at its root is of this kind
+  DocumentPaths paths = {};            ///< relative paths in the document
   /// Returns the JSON Schema of the document, which may refer to schema_definitions().
   nlohmann::ordered_json (*schema)() = nullptr;
   /// Reads a document that the schema has accepted. `source` is its name in messages; relative paths are relative to

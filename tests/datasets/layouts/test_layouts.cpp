@@ -165,6 +165,22 @@ TEST_F(Layouts, FoldersErrors) {
   EXPECT_THAT(error("folders", "train"), HasSubstr("for the split \"train\""));
 }
 
+TEST_F(Layouts, FoldersNameLinksThatAreNotFollowed) {
+  fs::create_directories(root() / "ant");
+  fs::create_directory_symlink("..", root() / "ant/train");
+  const auto not_followed = [&](const std::string& link) {
+    return HasSubstr((root() / link).string() + " is a link to a folder that contains it or was visited before");
+  };
+  EXPECT_THAT(error("folders"), testing::AllOf(HasSubstr("ant: no models"), not_followed("ant/train")));
+  fs::remove_all(root() / "ant");
+  EXPECT_THAT(error("folders"), testing::Not(HasSubstr("is a link")));
+  fs::create_directory_symlink(".", root() / "ant");
+  EXPECT_THAT(error("folders"), testing::AllOf(HasSubstr("found none"), not_followed("ant")));
+  fs::create_symlink("circle", root() / "circle");
+  EXPECT_THAT(test::input_error_of([&] { find_dataset({.layout = "folders", .root = root() / "circle"}); }),
+              HasSubstr("circle: symbolic links lead in a circle"));
+}
+
 TEST_F(Layouts, CsvTakesTheTable) {
   write("sub/x.off");
   write("models.csv", "id,path,class,Subcategory\n1,a.off,red,dark\n2,b.off,red,\n3,c.off,red,red\n");

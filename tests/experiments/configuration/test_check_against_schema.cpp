@@ -60,6 +60,10 @@ TEST(SchemaCheck, UnknownKeysWithTheNearestKnownOne) {
 TEST(SchemaCheck, AKeyOfAnotherKindOfExperimentNamesThisKind) {
   EXPECT_THAT(schema_error_with("/shapes", Json::array()),
               StartsWith("x.json: unknown key \"shapes\" in a retrieval experiment; known here: \"dataset\", "));
+  Json document = valid();
+  document["segmentation"] = Json::array();
+  document["signatures"][0]["field"]["ray"] = 9;
+  EXPECT_THAT(test::input_error_of([&] { check(document); }), StartsWith("x.json: unknown key \"segmentation\" in a "));
 }
 
 TEST(SchemaCheck, AKeyOfAnotherFieldTypeIsUnknown) {

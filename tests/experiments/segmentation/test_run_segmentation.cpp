@@ -294,8 +294,8 @@ TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
 }
 
 TEST_F(SegmentationRun, RecordsTheFileOfClasses) {
-  write_off(folder_.path() / "shapes/T0.off", two_balls());
   test::write_text(folder_.path() / "shapes/test.cla", "PSB 1\n1 1\n\nballs 0 1\n0\n");
+  write_off(folder_.path() / "shapes/T0.off", two_balls());
   const auto experiment_on = [&](const nlohmann::json& dataset) {
     return segmentation_kind().read({{"name", "x"}, {"dataset", dataset}, {"segmentation", {{{"name", "best"}}}}},
                                     "x.json", folder_.path());

@@ -260,7 +260,7 @@ TEST_F(DescribeThroughCache, AModelThatFailsFailsAgain) {
   for (int i = 0; i < 2; ++i) {
     const ExperimentResults again = run(skipping);
     ASSERT_EQ(again.failures.size(), 1U);
-    EXPECT_EQ(again.failures[0].model.id, "3");
+    EXPECT_EQ(again.failures[0].id, "3");
     EXPECT_EQ(again.failures[0].message, fresh.failures[0].message);
     EXPECT_EQ(incomplete_methods(again), of_methods);
   }
