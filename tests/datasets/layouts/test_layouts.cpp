@@ -177,7 +177,8 @@ TEST_F(Layouts, FoldersNameLinksThatAreNotFollowed) {
   fs::create_directory_symlink(".", root() / "ant");
   EXPECT_THAT(error("folders"), testing::AllOf(HasSubstr("found none"), not_followed("ant")));
   fs::create_symlink("circle", root() / "circle");
-  EXPECT_THAT(test::input_error_of([&] { find_dataset({.layout = "folders", .root = root() / "circle"}); }),
+  EXPECT_THAT(test::input_error_of(
+                  [&] { find_dataset({.layout = "folders", .root = root() / "circle", .classification = {}}); }),
               HasSubstr("circle: symbolic links lead in a circle"));
 }
 
