@@ -72,9 +72,11 @@ Registry<ExperimentKind>& experiment_kinds() {
 Experiment read_experiment(const Json& document, const std::string& source, const std::filesystem::path& folder) {
   const ExperimentKind& kind = kind_of(document, source);
   Json complete = document;
-  read_dataset_files(complete, source, folder, kind.paths.datasets);
+  const auto files = read_dataset_files(complete, source, folder, kind.paths.datasets);
   check_by_schema(complete, kind.schema(), source);
-  return kind.read(complete, source, folder);
+  Experiment experiment = kind.read(complete, source, folder);
+  experiment.input_paths.insert(experiment.input_paths.end(), files.begin(), files.end());
+  return experiment;
 }
 
 DocumentPaths experiment_paths(const Json& document) { return kinds_of(document).front().get().paths; }

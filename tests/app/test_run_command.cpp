@@ -119,6 +119,17 @@ TEST_F(ReplayReport, AComparisonIsRepeatedToo) {
   EXPECT_THAT(changed.output, HasSubstr("input         shape b"));
 }
 
+TEST_F(ReplayReport, ASegmentationNamesChangedInputsBeforeItRuns) {
+  write_text(at("parts.json"), R"({"name": "parts", "pictures": false,
+    "dataset": {"layout": "shrec11", "root": "data"}, "segmentation": [{"name": "paper", "method": "paper"}]})");
+  ASSERT_EQ(run_executable("run " + quoted("parts.json") + " --output " + quoted("parts")).status, 0);
+  fs::copy_file(at("data/T2.off"), at("data/T1.off"), fs::copy_options::overwrite_existing);
+  const Outcome changed =
+      run_executable("run --replay " + quoted("parts/manifest.json") + " --output " + quoted("again"));
+  EXPECT_EQ(changed.status, 1);
+  EXPECT_THAT(changed.errors, HasSubstr("input: model 1 differs from the recorded one\n")) << "before the run";
+}
+
 TEST_F(ReplayReport, UnusableArgumentsAreOneClearLine) {
   const std::string manifest = "run --replay " + quoted("out/manifest.json");
   write_text(at("text.json"), "{}");
@@ -231,6 +242,20 @@ TEST_F(RunCommand, UnusableInputIsOneClearLine) {
        {file + out + "--threads 0", "--threads"},
        {file + out + "--threads many", "--threads"},
        {"run", "configuration is required"}});
+}
+
+TEST_F(RunCommand, DoesNotOverwriteTheFilesItReads) {
+  write_text(at("sets/summary.json"), R"({"layout": "shrec11", "root": "../data"})");
+  write_text(at("own/manifest.json"), R"({"name": "own", "dataset": "../sets/summary.json",
+    "signatures": [{"name": "d2", "descriptor": {"type": "d2"}}]})");
+  const auto refusal = [&](const std::string& file) { return "would overwrite the input " + at(file).string(); };
+  expect_error_lines(
+      {{"run " + quoted("own/manifest.json") + " -o " + quoted("own"), refusal("own/manifest.json")},
+       {"run " + quoted("own/manifest.json") + " -o " + quoted("sets"), "would overwrite the input "},
+       {"run " + quoted("small.json") + " -o " + quoted("sets") + " --set dataset=" + quoted("sets/summary.json"),
+        refusal("sets/summary.json")},
+       {"run " + quoted("small.json") + " -o " + quoted("data"), refusal("data")}});
+  EXPECT_FALSE(fs::exists(at("sets/manifest.json")));
 }
 
 TEST_F(RunCommand, AnEmptyOrContradictoryClassificationIsOneClearLine) {

@@ -166,6 +166,11 @@ TEST_F(ExperimentKinds, DoNotWriteIntoTheirDataSet) {
   EXPECT_THAT(test::input_error_of([&] { (void)run(retrieval(), "data", none, *single_process()); }),
               HasSubstr("the results would overwrite the input " + at("data").string()));
   EXPECT_FALSE(fs::exists(at("data") / "manifest.json"));
+  Json document = comparison();
+  document["shapes"][0]["file"] = "spheres/summary.json";
+  test::write_text(at("spheres/summary.json"), "a shape");
+  EXPECT_THAT(test::input_error_of([&] { (void)run(document, "spheres", none, *single_process()); }),
+              HasSubstr("the results would overwrite the input " + at("spheres/summary.json").string()));
 }
 
 TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
