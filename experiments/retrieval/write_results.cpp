@@ -134,8 +134,10 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
                      .used = results.models.size(),
                      .cache = results.cache};
   std::vector<std::string> ids;
+  std::vector<std::vector<std::string>> remarks;
   for (const Model& model : results.models) ids.push_back(model.id);
-  for (std::string note : {skipped_text(results.skipped), perturbation_note(ids, results.shapes, outcome.noun)}) {
+  for (const ShapeReport& shape : results.shapes) remarks.push_back(shape.remarks);
+  for (std::string note : {skipped_text(results.skipped), perturbation_note(ids, remarks, outcome.noun)}) {
     if (!note.empty()) outcome.notes.push_back(std::move(note));
   }
   for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);

@@ -69,6 +69,23 @@ Labels carried_over(const Labels& labels, const Shape& changed, const Shape& mes
   return carried;
 }
 
+/// Parts of one shape by one method.
+struct Parts {
+  Labels labels;
+  std::vector<std::string> remarks = {};  ///< of the perturbations
+};
+
+/// Record of parts for the cache: an array of the labels if there are no remarks.
+nlohmann::json parts_record(const Parts& parts) {
+  if (parts.remarks.empty()) return parts.labels;
+  return {{"labels", parts.labels}, {"remarks", parts.remarks}};
+}
+
+Parts read_parts_record(const nlohmann::json& record) {
+  if (record.is_array()) return {.labels = record.get<Labels>()};
+  return {.labels = record.at("labels").get<Labels>(), .remarks = record.at("remarks").get<std::vector<std::string>>()};
+}
+
 /// Segmentation of one shape, with its inputs and results.
 class SegmentationJob {
  public:
@@ -84,7 +101,11 @@ class SegmentationJob {
       people_.push_back(read_seg(file, mesh_));
       result.people_sha256.push_back(sha256_of_file(file));
     }
-    for (const SegmentationMethod& method : experiment.methods) result.labels.push_back(cached_labels(method));
+    for (const SegmentationMethod& method : experiment.methods) {
+      const Parts& parts = cached_parts(method);
+      result.labels.push_back(parts.labels);
+      for (const std::string& remark : parts.remarks) result.remarks.push_back(method.name + ": " + remark);
+    }
     const SegmentationScorer scorer(mesh_, {.by = experiment.by, .cuts = experiment.cuts});
     for (const Labels& labels : result.labels) errors.push_back(scorer.errors_against(labels, people_));
     errors.push_back(scorer.errors_among(people_));
@@ -99,31 +120,31 @@ class SegmentationJob {
   std::vector<SegmentationErrors> errors;  ///< by method, then people's
 
  private:
-  Labels cached_labels(const SegmentationMethod& method) {
+  const Parts& cached_parts(const SegmentationMethod& method) {
     const std::string key =
         segmentation_key({.sha256 = result.mesh_sha256, .file = model_.mesh, .id = model_.id, .index = index_}, method,
                          versions_of(method), experiment_);
     // Several methods may need the same undamaged parts, possibly without a cache.
     const auto done = done_.find(key);
     if (done != done_.end()) return done->second;
-    return done_[key] = looked_up_labels(method, key);
+    return done_[key] = looked_up_parts(method, key);
   }
 
-  Labels looked_up_labels(const SegmentationMethod& method, const std::string& key) {
-    const auto read = [](const nlohmann::json& value) { return value.get<Labels>(); };
-    std::optional<Labels> found = cache_.lookup(EntryKind::segmentation, key, read);
-    const bool hit = found && std::ssize(*found) == mesh_.triangles.rows();
+  Parts looked_up_parts(const SegmentationMethod& method, const std::string& key) {
+    std::optional<Parts> found = cache_.lookup(EntryKind::segmentation, key, read_parts_record);
+    const bool hit = found && std::ssize(found->labels) == mesh_.triangles.rows();
     cache_.count(EntryKind::segmentation, hit);
     if (hit) return *std::move(found);
-    Labels labels = computed_labels(method);
-    cache_.store(EntryKind::segmentation, key, labels);
-    return labels;
+    Parts parts = computed_parts(method);
+    cache_.store(EntryKind::segmentation, key, parts_record(parts));
+    return parts;
   }
 
-  [[nodiscard]] Labels computed_labels(const SegmentationMethod& method) const {
-    if (method.perturbations.empty()) return segment_shape(prepared(mesh_), method.options);
-    const Shape changed = perturb_model(mesh_, method.perturbations, experiment_.seed, model_.id, index_).shape;
-    return renumbered(carried_over(segment_shape(prepared(changed), method.options), changed, mesh_));
+  [[nodiscard]] Parts computed_parts(const SegmentationMethod& method) const {
+    if (method.perturbations.empty()) return {.labels = segment_shape(prepared(mesh_), method.options)};
+    PerturbedShape changed = perturb_model(mesh_, method.perturbations, experiment_.seed, model_.id, index_);
+    const Labels labels = segment_shape(prepared(changed.shape), method.options);
+    return {.labels = renumbered(carried_over(labels, changed.shape, mesh_)), .remarks = std::move(changed.remarks)};
   }
 
   /// Prepares a shape. The default preparation only scales, on which parts do not depend.
@@ -137,7 +158,7 @@ class SegmentationJob {
     SegmentationMethod without = experiment_.methods[method];
     if (without.perturbations.empty()) return std::numeric_limits<double>::quiet_NaN();
     without.perturbations.clear();
-    return scorer.errors(result.labels[method], cached_labels(without)).rand_index;
+    return scorer.errors(result.labels[method], cached_parts(without).labels).rand_index;
   }
 
   void take_pictures() {
@@ -157,7 +178,7 @@ class SegmentationJob {
   Cache& cache_;
   Shape mesh_;
   std::vector<Labels> people_;
-  std::map<std::string, Labels> done_;  ///< by key of the cache
+  std::map<std::string, Parts> done_;  ///< by key of the cache
 };
 
 /// Makes a benchmark without human segmentations.
@@ -247,6 +268,7 @@ void pack(const CutShape& cut, Packer& packer) {
   const SegmentedShape& shape = cut.shape;
   packer.add(shape.mesh_sha256).add(shape.has_polygons).add(shape.moved).add(cut.errors);
   pack_texts(shape.people_sha256, packer);
+  pack_texts(shape.remarks, packer);
   pack_texts(shape.pictures, packer);
   pack_lists(shape.labels, packer);
   pack_lists(shape.part_sizes, packer);
@@ -257,6 +279,7 @@ CutShape unpack_cut_shape(Unpacker& unpacker) {
   SegmentedShape& shape = cut.shape;
   unpacker.take(shape.mesh_sha256).take(shape.has_polygons).take(shape.moved).take(cut.errors);
   shape.people_sha256 = unpack_texts(unpacker);
+  shape.remarks = unpack_texts(unpacker);
   shape.pictures = unpack_texts(unpacker);
   unpack_lists(shape.labels, unpacker);
   unpack_lists(shape.part_sizes, unpacker);

@@ -145,6 +145,11 @@ std::vector<std::string> write_parts(const std::filesystem::path& folder, const 
 std::vector<std::string> notes_of(const SegmentationResults& results) {
   std::vector<std::string> notes;
   if (const std::string skipped = skipped_text(results.benchmark.skipped); !skipped.empty()) notes.push_back(skipped);
+  std::vector<std::string> ids;
+  std::vector<std::vector<std::string>> remarks;
+  for (const SegmentedModel& model : results.benchmark.models) ids.push_back(model.id);
+  for (const SegmentedShape& shape : results.shapes) remarks.push_back(shape.remarks);
+  if (std::string note = perturbation_note(ids, remarks, "shape"); !note.empty()) notes.push_back(std::move(note));
   const auto count = std::ranges::count_if(results.shapes, &SegmentedShape::has_polygons);
   if (count == 0) return notes;
   notes.push_back(

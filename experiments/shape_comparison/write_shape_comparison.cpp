@@ -133,23 +133,25 @@ TextTable timings_table(const ShapeComparisonResults& results) {
   return table;
 }
 
-std::vector<ShapeReport> shape_reports(const ShapeComparisonResults& results) {
-  std::vector<ShapeReport> reports;
-  for (const ShapeMeasurement& shape : results.shapes) reports.push_back(shape.report);
-  return reports;
-}
-
 TextTable shapes_table(const ShapeComparisonResults& results) {
   TextTable table{.header = {"shape"}, .rows = {}};
-  for (const ShapeMeasurement& shape : results.shapes) table.rows.push_back({shape.name});
-  return with_shape_reports(std::move(table), shape_reports(results), results.comparison.preparation, results.fields);
+  std::vector<ShapeReport> reports;
+  for (const ShapeMeasurement& shape : results.shapes) {
+    table.rows.push_back({shape.name});
+    reports.push_back(shape.report);
+  }
+  return with_shape_reports(std::move(table), reports, results.comparison.preparation, results.fields);
 }
 
 /// Returns a note on shapes that could not be perturbed as requested.
 std::vector<std::string> notes_of(const ShapeComparisonResults& results) {
   std::vector<std::string> names;
-  for (const ShapeMeasurement& shape : results.shapes) names.push_back(shape.name);
-  const std::string note = perturbation_note(names, shape_reports(results), "shape");
+  std::vector<std::vector<std::string>> remarks;
+  for (const ShapeMeasurement& shape : results.shapes) {
+    names.push_back(shape.name);
+    remarks.push_back(shape.report.remarks);
+  }
+  const std::string note = perturbation_note(names, remarks, "shape");
   return note.empty() ? std::vector<std::string>() : std::vector{note};
 }
 

@@ -57,15 +57,14 @@ ShapeReport report_shape(const ModelDescription& model) {
   return report;
 }
 
-std::string perturbation_note(std::span<const std::string> names, std::span<const ShapeReport> shapes,
+std::string perturbation_note(std::span<const std::string> names, std::span<const std::vector<std::string>> remarks,
                               std::string_view noun) {
-  const auto fell_short = [](const ShapeReport& shape) { return !shape.remarks.empty(); };
-  const auto first = std::ranges::find_if(shapes, fell_short);
-  if (first == shapes.end()) return {};
+  const auto fell_short = [](const std::vector<std::string>& of_shape) { return !of_shape.empty(); };
+  const auto first = std::ranges::find_if(remarks, fell_short);
+  if (first == remarks.end()) return {};
   return fmt::format("{} of {} {}s were not perturbed as requested; the first, {}: {}",
-                     std::ranges::count_if(shapes, fell_short), shapes.size(), noun,
-                     printable(names[static_cast<std::size_t>(first - shapes.begin())], 100),
-                     fmt::join(first->remarks, "; "));
+                     std::ranges::count_if(remarks, fell_short), remarks.size(), noun,
+                     printable(names[static_cast<std::size_t>(first - remarks.begin())], 100), fmt::join(*first, "; "));
 }
 
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {

@@ -56,9 +56,9 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
 /// Returns the report on a model.
 ShapeReport report_shape(const ModelDescription& model);
 
-/// Returns a note on the shapes, by name, whose perturbations fell short of their settings; empty if there are none.
-/// `noun` is that for a shape.
-std::string perturbation_note(std::span<const std::string> names, std::span<const ShapeReport> shapes,
+/// Returns a note on the shapes whose perturbations fell short of their settings; empty if there are none. `remarks`
+/// are those of each shape, `noun` is that for a shape.
+std::string perturbation_note(std::span<const std::string> names, std::span<const std::vector<std::string>> remarks,
                               std::string_view noun);
 
 /// Returns warnings about the fields, one sentence each: offsets that leak, samples undecided or without a value.

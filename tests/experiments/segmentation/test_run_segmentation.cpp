@@ -273,6 +273,22 @@ TEST_F(SegmentationRun, SegmentsPreparedShapesAndCarriesThePartsBackToTheFile) {
   EXPECT_EQ(denoised[1], denoised[0]) << "parts do not depend on the scale before the preparation";
 }
 
+TEST_F(SegmentationRun, NotesShapesThatAreNotPerturbedAsRequestedFromTheCacheToo) {
+  const SegmentationExperiment run = segmentation_from_json(
+      {{"name", "balls"},
+       {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
+       {"segmentation", {{{"name", "coarse"}, {"perturbations", {{{"type", "decimate"}, {"faces", 1}}}}}}}},
+      "x.json", folder_.path());
+  for (const char* const again : {"computed", "cached"}) {
+    Cache cache(folder_.path() / "cache");
+    const SegmentationResults results = cut(run, folder_.path() / "none", {.threads = 1}, cache);
+    EXPECT_THAT(write_segmentation(folder_.path(), results).notes,
+                testing::ElementsAre(testing::StartsWith(
+                    "3 of 3 shapes were not perturbed as requested; the first, 1: coarse: decimated to ")))
+        << again;
+  }
+}
+
 TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
   const nlohmann::json document{{"name", "balls"},
                                 {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},

@@ -28,12 +28,12 @@ TEST(DiagnosticsJson, AnEmptyShapeHasNoFractionThatIsNotANumber) {
 }
 
 TEST(PerturbationNote, CountsTheShapesAndNamesTheFirst) {
-  std::vector<ShapeReport> shapes(3);
+  std::vector<std::vector<std::string>> remarks(3);
   const std::vector<std::string> names{"a", "b", "c"};
-  EXPECT_EQ(perturbation_note(names, shapes, "model"), "");
-  shapes[1].remarks = {"one", "two"};
-  shapes[2].remarks = {"three"};
-  EXPECT_EQ(perturbation_note(names, shapes, "model"),
+  EXPECT_EQ(perturbation_note(names, remarks, "model"), "");
+  remarks[1] = {"one", "two"};
+  remarks[2] = {"three"};
+  EXPECT_EQ(perturbation_note(names, remarks, "model"),
             "2 of 3 models were not perturbed as requested; the first, b: one; two");
 }
 
