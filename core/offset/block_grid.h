@@ -42,6 +42,7 @@ struct BlockGrid {
   }
   /// Returns the block that contains a point of the grid. Truncates, which is faster than rounding down: coordinates
   /// just below 0 give block 0.
+  // NOLINTNEXTLINE(readability-convert-member-functions-to-static): reads like to_cells()
   [[nodiscard]] Eigen::Vector3i block_of(const Eigen::Vector3d& x) const { return (x / block_edge).cast<int>(); }
 };
 

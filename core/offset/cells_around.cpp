@@ -14,6 +14,7 @@ CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x)
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     const int last = block_edge * grid.blocks[axis] - 1;
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): half a cell is part of the formula; negative positions are clamped
     const auto low = static_cast<unsigned>(std::clamp(static_cast<int>(x[axis] + 0.5) - 1, 0, last - 1));
     blocks[k] = {(low >> 2U) * stride, ((low + 1) >> 2U) * stride};
     bits[k] = {(low & 3U) << (2 * k), ((low + 1) & 3U) << (2 * k)};

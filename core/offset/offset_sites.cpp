@@ -184,18 +184,24 @@ void NearbySites::collect(const Eigen::AlignedBox3d& box, double reach) {
         const Eigen::Vector3i begin = (edge * cube).cwiseMax(low);
         const Eigen::Vector3i end = (edge * (cube + one)).cwiseMin(high + one);
         if (box_of(sites_, begin, end).squaredExteriorDistance(box) > reach2) continue;
-        for (int k = begin.z(); k < end.z(); ++k) {
-          for (int j = begin.y(); j < end.y(); ++j) {
-            const Eigen::Vector3i first(begin.x(), j, k);
-            if (box_of(sites_, first, {end.x(), j + 1, k + 1}).squaredExteriorDistance(box) > reach2) continue;
-            collect_row(first, end.x());
-          }
-        }
+        collect_blocks(begin, end, box, reach2);
       }
     }
   }
-  for (std::vector<float>* values : {&x_, &y_, &z_, &squared_[0], &squared_[1]})
+  for (std::vector<float>* values : {&x_, &y_, &z_, squared_.data(), squared_.data() + 1})
     values->resize(site_.size() + grid_padding);
+}
+
+/// Collects the sites of the blocks from begin to before end whose row along x is near the box.
+void NearbySites::collect_blocks(const Eigen::Vector3i& begin, const Eigen::Vector3i& end,
+                                 const Eigen::AlignedBox3d& box, double squared_reach) {
+  for (int k = begin.z(); k < end.z(); ++k) {
+    for (int j = begin.y(); j < end.y(); ++j) {
+      const Eigen::Vector3i first(begin.x(), j, k);
+      if (box_of(sites_, first, {end.x(), j + 1, k + 1}).squaredExteriorDistance(box) > squared_reach) continue;
+      collect_row(first, end.x());
+    }
+  }
 }
 
 /// Collects the sites of a row of blocks along x.

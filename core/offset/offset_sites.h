@@ -83,6 +83,8 @@ class NearbySites {
   void start_sites(std::size_t place, double margin, double apart, std::size_t max_count, std::vector<Site>& found);
 
  private:
+  void collect_blocks(const Eigen::Vector3i& begin, const Eigen::Vector3i& end, const Eigen::AlignedBox3d& box,
+                      double squared_reach);
   void collect_row(const Eigen::Vector3i& begin, int end);
   [[nodiscard]] double nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Vector3d& x, double limit);
 

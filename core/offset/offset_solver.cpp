@@ -143,8 +143,8 @@ class Solver {
                                                ClosestTriangles& triangles) const;
   bool find_starts(Scratch& scratch) const;
   void find_starts(Search& search, Scratch& scratch) const;
-  void set_starts(Search& search, std::size_t side, double margin, double apart, std::size_t max_count,
-                  Scratch& scratch) const;
+  static void set_starts(Search& search, std::size_t side, double margin, double apart, std::size_t max_count,
+                         Scratch& scratch);
   void iterate(Scratch& scratch) const;
   [[nodiscard]] Eigen::Vector3d nearest_site(const Search& search) const;
   bool begin_iteration(Search& search, OffsetPointTask& task) const;
@@ -235,7 +235,7 @@ std::int32_t Solver::covering_triangle(const Sample& sample, const Eigen::Vector
 
 /// Sets the starts of one side of a search: sites whose distance exceeds the smallest by less than the margin.
 void Solver::set_starts(Search& search, std::size_t side, double margin, double min_apart, std::size_t max_count,
-                        Scratch& scratch) const {
+                        Scratch& scratch) {
   scratch.sites.start_sites(side, margin, min_apart, max_count, scratch.starts);
   search.starts[side].count = scratch.starts.size();
   std::copy(scratch.starts.begin(), scratch.starts.end(), search.starts[side].list.begin());
