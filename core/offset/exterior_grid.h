@@ -37,8 +37,8 @@ class ExteriorGrid {
   /// Cubes of a block with an exterior corner (cubes_at_exterior()): the bits of the two lower and the two upper
   /// layers.
   using Cubes = std::array<std::uint32_t, 2>;
-  /// Returns the cubes of block 0 of boundary(). Those of a block have its state as the offset. The cubes of
-  /// none_exterior are empty, those of smaller states are not.
+  /// Returns a pointer that is indexed by state: cubes()[block(i)] are the cubes of block i. Indices may be negative.
+  /// The cubes of none_exterior are empty, those of smaller states are not.
   [[nodiscard]] const Cubes* cubes() const { return cubes_.data() + first_cubes_; }
 
   /// Returns the exterior cells of a block.

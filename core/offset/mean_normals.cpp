@@ -59,7 +59,7 @@ class NormalSums {
 };
 
 /// Accumulates area n n^T over the groups of the runs within reach. Each of the six entries has sixteen partial sums,
-/// whatever the vector width: the same bits on every machine.
+/// whatever the width of vectors.
 void add_normals(const GridPoints& points, const Coordinates& normals, const std::vector<GridPoints::Run>& runs,
                  const Eigen::Vector3f& from, float reach, LaneSums& sums) {
   const QueryPoint place(from);

@@ -68,7 +68,7 @@ class OffsetPointLanes {
   void run() {
     while (start() || active_ != 0) {
       const LaneBits moving = active_ & advance();
-      look_around(moving);
+      collect_triangles(moving);
       finish(active_ & ~(moving & evaluate(moving)));
     }
   }
@@ -196,7 +196,7 @@ class OffsetPointLanes {
   }
 
   /// Collects the triangles around x and, close to convergence, those nearest to the contacts.
-  void look_around(LaneBits moving) {
+  void collect_triangles(LaneBits moving) {
     constexpr float nearly_settled = 0.05F;  // of a step's length, in units of r
     const Vectors x = sum(load(origin_), load(x_));
     touches_exterior_ = bits_of(find_cells(exterior_, lowest_cells_around(exterior_, x), others_.data()));
@@ -207,16 +207,16 @@ class OffsetPointLanes {
     for (std::size_t i = 0; i < max_contacts; ++i) {
       if ((close & contacts_[i].kept) != 0) store(minus_product<D>(x, real(r_), load(contacts_[i].normal)), places[i]);
     }
-    for_each_lane(close, [&](std::size_t lane) { look_at_contacts(lane, places); });
+    for_each_lane(close, [&](std::size_t lane) { collect_near_contacts(lane, places); });
   }
 
   /// Collects the triangles nearest to the kept contacts of a lane, given places on them, unless they are contacts.
-  void look_at_contacts(std::size_t lane, const std::array<VectorLanes, max_contacts>& places) {
+  void collect_near_contacts(std::size_t lane, const std::array<VectorLanes, max_contacts>& places) {
     const Eigen::Vector3d x = origin_.at(lane) + x_.at(lane);
     std::size_t next = cells_around_point;
     for (std::size_t i = 0; i < max_contacts; ++i) {
       if ((contacts_[i].kept >> lane & 1U) == 0) continue;
-      const std::int32_t triangle = closest_.near(places[i].at(lane), x);
+      const std::int32_t triangle = closest_.closest_near(places[i].at(lane), x);
       const bool is_contact = std::any_of(contacts_.begin(), contacts_.end(),
                                           [&](const Contact& contact) { return contact.triangle[lane] == triangle; });
       if (triangle < 0 || is_contact) continue;

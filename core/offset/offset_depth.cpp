@@ -49,18 +49,17 @@ ClosestLanes closest_around(const ExteriorGrid& exterior, const VectorLanes& pla
 /// closest.
 void set_depth(const ExteriorGrid& exterior, ClosestTriangles& triangles, const ClosestLanes& closest, std::size_t lane,
                OffsetDepthTask& task) {
-  constexpr double slack = 1e-3;
   const double r = exterior.grid().r;
   const bool touches_exterior = (closest.touches_exterior >> lane & 1U) != 0;
   auto squared = static_cast<double>(closest.squared[lane]);
-  const double least = (1 - slack) * r;
+  const double least = (1 - surface_slack) * r;
   const bool has_triangle = closest.squared[lane] < infinity;
   task.is_exterior = touches_exterior && squared >= least * least;
   task.depth = 1;
   if (task.is_exterior || !has_triangle) return;
   if (squared >= std::pow((1 - blend_depth) * r, 2)) {
     // A small depth must be accurate: a triangle that is nearest to no cell may be closer.
-    const std::int32_t triangle = triangles.near(task.x - closest.vector.at(lane), task.x);
+    const std::int32_t triangle = triangles.closest_near(task.x - closest.vector.at(lane), task.x);
     if (triangle >= 0) squared = std::min(squared, exterior.surface().triangles.squared_distance(task.x, triangle));
   }
   task.depth = std::max(1 - std::sqrt(squared) / r, 0.0);

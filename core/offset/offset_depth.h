@@ -8,6 +8,9 @@
 
 namespace shapegauge {
 
+/// Tolerance of the offset surface, in units of r.
+inline constexpr double surface_slack = 1e-3;
+
 /// Place, in cells, with its depth inside O(r).
 struct OffsetDepthTask {
   Eigen::Vector3d x;

@@ -127,7 +127,7 @@ class OffsetExitLanes {
   /// Advances rays to the next cube with an exterior corner or out of the grid, until most of them are there. Returns
   /// those.
   LaneBits walk() {
-    constexpr int most = std::max(1, 3 * static_cast<int>(hn::MaxLanes(D())) / 4);
+    constexpr int arrivals_to_stop = std::max(1, 3 * static_cast<int>(hn::MaxLanes(D())) / 4);
     RayAxis x = axis(origin_.x, direction_.x, cube_[0], 0);
     RayAxis y = axis(origin_.y, direction_.y, cube_[1], 1);
     RayAxis z = axis(origin_.z, direction_.z, cube_[2], 2);
@@ -140,7 +140,7 @@ class OffsetExitLanes {
       const Integers block = hn::IfThenElseZero(is_in_grid, hn::Add(hn::Add(x.block(), y.block()), z.block()));
       const Integers state = hn::GatherIndex(DI(), exterior_.blocks(), block);
       arrived |= active_ & ~bits_of(of_reals(hn::AndNot(has_exterior_corner(x, y, z, state), is_in_grid)));
-      if (arrived == active_ || std::popcount(arrived) >= most) break;
+      if (arrived == active_ || std::popcount(arrived) >= arrivals_to_stop) break;
       const hn::Mask<DI> is_block = hn::Eq(state, integer(ExteriorGrid::none_exterior));
       const RayBox along_x(x, is_block);
       const RayBox along_y(y, is_block);
@@ -197,12 +197,12 @@ class OffsetExitLanes {
     const LaneBits has_triangles = arrived & bits_of(hn::Lt(least, real(infinity)));
     move(has_triangles, covered);
     LaneBits going = has_triangles & bits_of(hn::Gt(covered, real(negligible * r_)));
-    const LaneBits looking = look_near(has_triangles & ~going, x, difference(x, closest));
-    if (looking != 0) {
-      measure(records_, plus_product(load(origin_), load(t_), direction), look_);
-      covered = end_of_balls(look_, direction);
-      move(looking, covered);
-      going |= looking & bits_of(hn::Gt(covered, real(negligible * r_)));
+    const LaneBits has_closer = find_closer(has_triangles & ~going, x, difference(x, closest));
+    if (has_closer != 0) {
+      measure(records_, plus_product(load(origin_), load(t_), direction), closer_);
+      covered = end_of_balls(closer_, direction);
+      move(has_closer, covered);
+      going |= has_closer & bits_of(hn::Gt(covered, real(negligible * r_)));
     }
     entering_ |= going;
     return arrived & ~going;
@@ -227,20 +227,20 @@ class OffsetExitLanes {
 
   /// Finds triangles that are nearest to none of the cells but may be closer to x: they are near the closest one, whose
   /// place is given. Returns the lanes with one.
-  LaneBits look_near(LaneBits lanes, const Vectors& x, const Vectors& place) {
+  LaneBits find_closer(LaneBits lanes, const Vectors& x, const Vectors& place) {
     VectorLanes positions;
     VectorLanes places;
     store(x, positions);
     store(place, places);
-    store(integer(-1), look_.triangle);
+    store(integer(-1), closer_.triangle);
     LaneBits found = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
-      const std::int32_t triangle = closest_.near(places.at(lane), positions.at(lane));
+      const std::int32_t triangle = closest_.closest_near(places.at(lane), positions.at(lane));
       for (const Surrounding& cell : cells_) {
         if (cell.triangle[lane] == triangle) return;
       }
       if (triangle < 0) return;
-      look_.triangle[lane] = triangle;
+      closer_.triangle[lane] = triangle;
       found |= LaneBits{1} << lane;
     });
     return found;
@@ -259,7 +259,7 @@ class OffsetExitLanes {
   RealLanes t_;
   std::array<IntegerLanes, 3> cube_{};
   std::array<Surrounding, cells_around_point> cells_{};
-  Surrounding look_{};
+  Surrounding closer_{};
 };
 
 void find_exits(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks) {

@@ -224,12 +224,11 @@ std::array<double, 2> Solver::measure(const std::array<Eigen::Vector3d, 2>& plac
 /// (at the end of a wedge), any. Returns -1 if there is none.
 std::int32_t Solver::covering_triangle(const Sample& sample, const Eigen::Vector3d& x,
                                        ClosestTriangles& triangles) const {
-  constexpr double slack = 1e-3;  // of r
-  if ((x - sample.p).norm() < (1 - slack) * grid_.r) return sample.triangle;
+  if ((x - sample.p).norm() < (1 - surface_slack) * grid_.r) return sample.triangle;
   if (cells_around(exterior_, x).touches_exterior) return -1;
-  const std::int32_t closest = triangles.within(grid_.r, x);
+  const std::int32_t closest = triangles.closest_within(grid_.r, x);
   if (closest < 0) return -1;
-  const double least = (1 - slack) * grid_.r;
+  const double least = (1 - surface_slack) * grid_.r;
   return exterior_.surface().triangles.squared_distance(x, closest) < least * least ? closest : -1;
 }
 
@@ -394,7 +393,8 @@ void Solver::find_values(Scratch& scratch) const {
     const Eigen::Index index = scratch.ray_samples[i];
     // Both ends are at least r away from p, except for rounding in single precision.
     const double beyond = (scratch.rays[i].exit - 2 * grid_.r) * grid_.cell;
-    results_.values[index] = std::max(0.0, results_.heights[index] + beyond);
+    const double value = results_.heights[index] + beyond;
+    results_.values[index] = value < 0 ? 0 : value;  // not std::max, which makes 0 of NaN
   }
 }
 

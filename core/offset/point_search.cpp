@@ -62,31 +62,52 @@ std::size_t points_in_cube(const GridPoints& points, const std::vector<GridPoint
   return count;
 }
 
-/// Calls visit(squared distances from x, points, first lane) for vectors of points.
+/// Calls visit(squared distances from x, number of the first point) for vectors of points.
 template <typename Visit>
 HWY_INLINE void for_each_vector_of(const std::vector<PointBlock>& blocks, const Eigen::Vector3f& x,
                                    const Visit& visit) {
   const QueryPoint from(x);
-  for (const PointBlock& block : blocks) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
     for (std::size_t lane = 0; lane < grid_padding; lane += hn::Lanes(PointLanes())) {
-      visit(from.squared(&block.x[lane], &block.y[lane], &block.z[lane]), block, lane);
+      visit(from.squared(&blocks[i].x[lane], &blocks[i].y[lane], &blocks[i].z[lane]), i * grid_padding + lane);
     }
   }
 }
 
-/// Returns the triangle of the point nearest to x.
+/// Smallest of a sequence of numbers. Of equal ones it is the first, whatever the width of vectors.
+class FirstSmallest {
+  using Indices = hn::RebindToSigned<PointLanes>;
+
+ public:
+  HWY_INLINE FirstSmallest()
+      : smallest_(hn::Set(PointLanes(), std::numeric_limits<float>::infinity())), index_(hn::Set(Indices(), none)) {}
+
+  HWY_INLINE void add(Numbers numbers, std::size_t first) {
+    const auto is_smaller = hn::RebindMask(Indices(), hn::Lt(numbers, smallest_));
+    const auto index = hn::Add(hn::Iota(Indices(), 0), hn::Set(Indices(), static_cast<std::int32_t>(first)));
+    index_ = hn::IfThenElse(is_smaller, index, index_);
+    smallest_ = hn::Min(numbers, smallest_);
+  }
+
+  /// Returns the number's position; `none` if no number is finite.
+  [[nodiscard]] HWY_INLINE std::size_t index() const {
+    const auto is_smallest = hn::RebindMask(Indices(), hn::Eq(smallest_, hn::MinOfLanes(PointLanes(), smallest_)));
+    const auto candidates = hn::IfThenElse(is_smallest, index_, hn::Set(Indices(), none));
+    return static_cast<std::size_t>(hn::GetLane(hn::MinOfLanes(Indices(), candidates)));
+  }
+  static constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
+
+ private:
+  Numbers smallest_;
+  hn::Vec<Indices> index_;
+};
+
+/// Returns the triangle of the point nearest to x; -1 if x is not finite.
 std::int32_t triangle_of_nearest(const std::vector<PointBlock>& blocks, const Eigen::Vector3f& x) {
-  const PointLanes d;
-  const hn::RebindToSigned<PointLanes> di;
-  Numbers smallest = hn::Set(d, std::numeric_limits<float>::infinity());
-  auto closest = hn::Set(di, -1);
-  for_each_vector_of(blocks, x, [&](Numbers squared, const PointBlock& block, std::size_t lane) HWY_ATTR {
-    const auto is_smaller = hn::RebindMask(di, hn::Lt(squared, smallest));
-    closest = hn::IfThenElse(is_smaller, hn::Load(di, &block.triangle[lane]), closest);
-    smallest = hn::Min(squared, smallest);
-  });
-  const auto is_smallest = hn::Eq(smallest, hn::MinOfLanes(d, smallest));
-  return hn::ExtractLane(closest, hn::FindKnownFirstTrue(d, is_smallest));
+  FirstSmallest nearest;
+  for_each_vector_of(blocks, x, [&](Numbers squared, std::size_t first) HWY_ATTR { nearest.add(squared, first); });
+  const std::size_t found = nearest.index();
+  return found == FirstSmallest::none ? -1 : blocks[found / grid_padding].triangle[found % grid_padding];
 }
 
 /// Writes the triangles of the points whose squared distance from x exceeds the smallest by at most the margin, padded
@@ -97,36 +118,31 @@ std::size_t find_candidates(const std::vector<PointBlock>& blocks, const Eigen::
   const hn::RebindToSigned<PointLanes> di;
   if (triangles.size() < (blocks.size() + 1) * grid_padding) triangles.resize((blocks.size() + 1) * grid_padding);
   Numbers smallest = hn::Set(d, std::numeric_limits<float>::infinity());
-  for_each_vector_of(blocks, x, [&](Numbers squared, const PointBlock&, std::size_t) HWY_ATTR {
-    smallest = hn::Min(smallest, squared);
-  });
+  for_each_vector_of(blocks, x, [&](Numbers squared, std::size_t) HWY_ATTR { smallest = hn::Min(smallest, squared); });
   const Numbers limit = hn::Add(hn::MinOfLanes(d, smallest), hn::Set(d, margin));
   std::size_t count = 0;
-  for_each_vector_of(blocks, x, [&](Numbers squared, const PointBlock& block, std::size_t lane) HWY_ATTR {
+  for_each_vector_of(blocks, x, [&](Numbers squared, std::size_t first) HWY_ATTR {
     const auto is_candidate = hn::RebindMask(di, hn::Le(squared, limit));
-    hn::StoreU(hn::Compress(hn::Load(di, &block.triangle[lane]), is_candidate), di, &triangles[count]);
+    const auto all = hn::Load(di, &blocks[first / grid_padding].triangle[first % grid_padding]);
+    hn::StoreU(hn::Compress(all, is_candidate), di, &triangles[count]);
     count += hn::CountTrue(di, is_candidate);
   });
   std::fill_n(&triangles[count], grid_padding, triangles[0]);
   return count;
 }
 
-/// Returns the triangle closest to x of those whose points are nearly the nearest.
+/// Returns the triangle closest to x of those whose points are nearly the nearest; -1 if x is not finite.
 std::int32_t closest_of_candidates(const std::vector<PointBlock>& blocks, const float* records,
                                    const Eigen::Vector3f& x, float margin, std::vector<std::int32_t>& triangles) {
   const PointLanes d;
-  const hn::RebindToSigned<PointLanes> di;
   const std::size_t count = find_candidates(blocks, x, margin, triangles);
   const LaneVectors<PointLanes> place{hn::Set(d, x.x()), hn::Set(d, x.y()), hn::Set(d, x.z())};
-  Numbers smallest = hn::Set(d, std::numeric_limits<float>::infinity());
-  auto closest = hn::Set(di, triangles[0]);
+  FirstSmallest closest;
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const Numbers squared = vectors_from_triangles(d, records, &triangles[i], place).squared;
-    closest = hn::IfThenElse(hn::RebindMask(di, hn::Lt(squared, smallest)), hn::LoadU(di, &triangles[i]), closest);
-    smallest = hn::Min(squared, smallest);
+    closest.add(vectors_from_triangles(d, records, &triangles[i], place).squared, i);
   }
-  const auto is_smallest = hn::Eq(smallest, hn::MinOfLanes(d, smallest));
-  return hn::ExtractLane(closest, hn::FindKnownFirstTrue(d, is_smallest));
+  const std::size_t found = closest.index();
+  return found == FirstSmallest::none ? -1 : triangles[found];
 }
 
 }  // namespace
@@ -169,7 +185,7 @@ void find_points_within(const BlockGrid& grid, const GridPoints& points, const E
 ClosestTriangles::ClosestTriangles(const BlockGrid& grid, const GridSurface& surface)
     : grid_(grid), surface_(surface), edge_(edge_of_regions(surface)), shift_(edge_ > 1 ? edge_ / 2 : 0) {}
 
-std::int32_t ClosestTriangles::near(const Eigen::Vector3d& place, const Eigen::Vector3d& x) {
+std::int32_t ClosestTriangles::closest_near(const Eigen::Vector3d& place, const Eigen::Vector3d& x) {
   const Eigen::Vector3i at = ((place.array() + shift_) / edge_).cast<int>();
   std::size_t index = 0;
   for (int k = 0; k < 3; ++k) {
@@ -184,9 +200,9 @@ std::int32_t ClosestTriangles::near(const Eigen::Vector3d& place, const Eigen::V
   return closest_of(region.points, x);
 }
 
-std::int32_t ClosestTriangles::within(double distance, const Eigen::Vector3d& x) {
-  collect(x, distance, others_);
-  return closest_of(others_, x);
+std::int32_t ClosestTriangles::closest_within(double distance, const Eigen::Vector3d& x) {
+  collect(x, distance, points_within_);
+  return closest_of(points_within_, x);
 }
 
 /// Collects the points whose coordinates differ from those of a centre by at most half an edge.

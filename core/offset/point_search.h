@@ -37,11 +37,11 @@ class ClosestTriangles {
   /// Returns the triangle closest to x among those with points within `reach` of the region of a place; -1 if there is
   /// none. The result depends on the place and x only. It is approximate for triangles much smaller than the
   /// spacing of the points.
-  std::int32_t near(const Eigen::Vector3d& place, const Eigen::Vector3d& x);
+  std::int32_t closest_near(const Eigen::Vector3d& place, const Eigen::Vector3d& x);
 
   /// Returns the triangle closest to x among those with points within a distance of x along each axis; -1 if there is
   /// none.
-  std::int32_t within(double distance, const Eigen::Vector3d& x);
+  std::int32_t closest_within(double distance, const Eigen::Vector3d& x);
 
   /// Margin around regions along each axis, in cells.
   static constexpr double reach = 0.75;
@@ -66,10 +66,10 @@ class ClosestTriangles {
   /// Regions, by the lowest bits of their coordinates: a cache without conflicts between neighbours.
   static constexpr unsigned bits_per_axis = 3;
   std::array<Region, std::size_t{1} << (3 * bits_per_axis)> regions_;
-  std::vector<PointBlock> others_;        ///< scratch
-  CollectedPoints collected_;             ///< scratch
-  std::vector<std::int32_t> candidates_;  ///< scratch: triangles
-  std::vector<GridPoints::Run> runs_;     ///< scratch
+  std::vector<PointBlock> points_within_;  ///< scratch
+  CollectedPoints collected_;              ///< scratch
+  std::vector<std::int32_t> candidates_;   ///< scratch: triangles
+  std::vector<GridPoints::Run> runs_;      ///< scratch
 };
 
 }  // namespace shapegauge

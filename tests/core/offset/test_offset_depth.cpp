@@ -89,7 +89,15 @@ TEST(OffsetDepth, OfAPlaceDoesNotDependOnTheOthers) {
   }
 }
 
-TEST(OffsetDepth, IsOneFarFromTheExterior) {
+TEST(OffsetDepth, IsOneWithoutATriangleNearby) {
+  const DepthGrid of(test::sphere(1, 4));
+  std::vector<OffsetDepthTask> tasks{{.x = of.grid.to_cells({0, 0, 0})}};
+  of.solve(tasks);
+  EXPECT_FALSE(tasks[0].is_exterior);
+  EXPECT_EQ(tasks[0].depth, 1);
+}
+
+TEST(OffsetDepth, IsLargeInsideAWall) {
   const DepthGrid of(test::joined({test::sphere(1, 4), test::flipped(test::sphere(0.85, 4))}));
   std::vector<OffsetDepthTask> tasks{{.x = of.grid.to_cells({0.92, 0, 0})}};
   of.solve(tasks);

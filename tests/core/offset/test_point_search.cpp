@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <limits>
 #include <vector>
 
@@ -72,7 +74,7 @@ TEST(ClosestTriangles, AreTheClosestOfThoseNearARegion) {
         nearest = (of.point(i) - x).norm();
         expected = of.surface.points.triangle[i];
       }
-      const std::int32_t found = closest.near(place, x);
+      const std::int32_t found = closest.closest_near(place, x);
       ASSERT_GE(found, 0);
       const auto distance = [&](std::int32_t triangle) {
         return std::sqrt(of.surface.triangles.squared_distance(x, triangle));
@@ -80,7 +82,7 @@ TEST(ClosestTriangles, AreTheClosestOfThoseNearARegion) {
       EXPECT_LE(distance(found), distance(expected) + 1e-4);
       // The answer of a new search, whose cache is empty, is the same.
       if (round % 10 == 0) {
-        EXPECT_EQ(ClosestTriangles(of.grid, of.surface).near(place, x), found);
+        EXPECT_EQ(ClosestTriangles(of.grid, of.surface).closest_near(place, x), found);
       }
     }
   }
@@ -94,7 +96,7 @@ TEST(ClosestTriangles, WithinADistanceAreTheClosestOfAll) {
       const Eigen::Vector3d x = of.anywhere(random);
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < of.surface.points.size(); ++i) nearest = std::min(nearest, (of.point(i) - x).norm());
-      const std::int32_t found = closest.within(4, x);
+      const std::int32_t found = closest.closest_within(4, x);
       if (found < 0) {
         EXPECT_GT(nearest, 4 - 1e-4);
       } else if (nearest < 4) {
@@ -104,12 +106,36 @@ TEST(ClosestTriangles, WithinADistanceAreTheClosestOfAll) {
   }
 }
 
+TEST(ClosestTriangles, OfEqualOnesAreTheFirstWhateverTheWidthOfVectors) {
+  for (const Shape& shape : {test::torus(1, 0.4, 15, 10), test::sphere(1, 4)}) {
+    const Surface of(test::joined({shape, shape}), 0.2);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      hwy::SetSupportedTargetsForTest(target);
+      RandomNumbers random(5);
+      ClosestTriangles closest(of.grid, of.surface);
+      for (int round = 0; round < 200; ++round) {
+        const Eigen::Vector3d place = of.point(random.below(of.surface.points.size()));
+        EXPECT_LT(closest.closest_near(place, place), shape.triangles.rows());
+        EXPECT_LT(closest.closest_within(3, place), shape.triangles.rows());
+      }
+    }
+    hwy::SetSupportedTargetsForTest(0);
+  }
+}
+
+TEST(ClosestTriangles, AreNoneOfAPlaceThatIsNotFinite) {
+  const Surface of(test::sphere(1, 4), 0.2);
+  ClosestTriangles closest(of.grid, of.surface);
+  const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(closest.closest_near(of.point(0), nowhere), -1);
+}
+
 TEST(ClosestTriangles, AreNoneFarFromTheSurface) {
   const Surface of(test::sphere(1, 4), 0.1);
   ClosestTriangles closest(of.grid, of.surface);
   const Eigen::Vector3d middle = of.grid.to_cells({0, 0, 0});
-  EXPECT_EQ(closest.near(middle, middle), -1);
-  EXPECT_EQ(closest.within(1, middle), -1);
+  EXPECT_EQ(closest.closest_near(middle, middle), -1);
+  EXPECT_EQ(closest.closest_within(1, middle), -1);
 }
 
 }  // namespace
