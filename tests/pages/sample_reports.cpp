@@ -84,7 +84,7 @@ SampleReport make_hostile_report() {
   SampleReport sample;
   sample.signatures = {histograms(20, 0.3), histograms(30, 0.8)};
   for (const Signatures& table : sample.signatures) sample.distances.push_back(distance_matrix(table));
-  sample.distances.push_back(sample.distances[0] + sample.distances[1]);
+  sample.distances.emplace_back(sample.distances[0] + sample.distances[1]);
   for (const DistanceMatrix& distances : sample.distances) {
     sample.overviews.push_back(overview_of(distances, labels));
     sample.evaluations.push_back(evaluations_of(distances));

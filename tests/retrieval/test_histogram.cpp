@@ -138,7 +138,7 @@ TEST(EnclosingInterval, HoldsAllIntervalsTightly) {
 
 // Direct convolution: the mirrored histogram in full, summed over all offsets.
 Eigen::VectorXd smoothed_naively(const Eigen::VectorXd& histogram, double standard_deviation) {
-  const auto reach = static_cast<int>(4 * standard_deviation + 0.5);
+  const auto reach = static_cast<int>(std::lround(4 * standard_deviation));
   std::vector<double> once(histogram.begin(), histogram.end());
   std::vector<double> there_and_back = once;
   there_and_back.insert(there_and_back.end(), once.rbegin(), once.rend());

@@ -163,8 +163,8 @@ TEST(ConstrainedDelaunay, OfAPolygonThatCrossesItselfIsEmpty) {
 std::vector<Eigen::Vector3d> in_space(const FlatCorners& corners) {
   std::vector<Eigen::Vector3d> result;
   for (const Eigen::Vector2d& corner : corners) {
-    result.push_back(Eigen::Vector3d(1, 2, 3) + corner.x() * Eigen::Vector3d(2, 1, 0) +
-                     corner.y() * Eigen::Vector3d(0.5, 0, 3));
+    result.emplace_back(Eigen::Vector3d(1, 2, 3) + corner.x() * Eigen::Vector3d(2, 1, 0) +
+                        corner.y() * Eigen::Vector3d(0.5, 0, 3));
   }
   return result;
 }

@@ -107,7 +107,7 @@ TEST(OffsetExit, OfAConvexShapeIsWhereTheDistanceReachesTheOffset) {
   const Samples samples = sample_shape(box, SampleSite::faces);
   RandomNumbers random(2);
   for (int round = 0; round < 300; ++round) {
-    const Eigen::Index i = static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(samples.points.rows())));
+    const auto i = static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(samples.points.rows())));
     const Eigen::Vector3d p = samples.points.row(i);
     const Eigen::Vector3d direction = random_direction(random);
     // The offset solid is convex, and the ray leaves it once: bisection.

@@ -124,7 +124,8 @@ TEST(OffsetSites, OccupiedCubesAreThoseWithSites) {
   EXPECT_TRUE((OffsetSites::cube_edge * cubes.array() >= all.grid.blocks.array()).all());
   EXPECT_TRUE((OffsetSites::cube_edge * (cubes.array() - 1) < all.grid.blocks.array()).all());
   const auto index = [&](const Eigen::Vector3i& cube) {
-    return static_cast<std::size_t>((cube.z() * cubes.y() + cube.y()) * cubes.x() + cube.x());
+    const int index = (cube.z() * cubes.y() + cube.y()) * cubes.x() + cube.x();
+    return static_cast<std::size_t>(index);
   };
   std::vector<std::uint8_t> expected(static_cast<std::size_t>(cubes.prod()), 0);
   for (std::size_t block = 0; block < numbers.size(); ++block) {

@@ -42,7 +42,7 @@ TEST(MultiDatasetResults, AreAveragesOverQueriesAndOverClasses) {
   EXPECT_NEAR(results.tables[0].values(0, 0), 0.5, 1e-12);
   EXPECT_NEAR(results.tables[1].values(0, 0), (0.3 + 0.9) / 2, 1e-12);
   EXPECT_NEAR(results.tables[0].values(1, 1), 0.4, 1e-12);
-  EXPECT_EQ(&main_table(results), &results.tables[0]);
+  EXPECT_EQ(&main_table(results), results.tables.data());
 }
 
 TEST(MultiDatasetResults, AreSummarisedByMeanRank) {

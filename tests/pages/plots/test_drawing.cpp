@@ -18,7 +18,8 @@ Drawing small_drawing() {
 }
 
 std::array<int, 4> pixel(const Image& image, int x, int y) {
-  const auto first = static_cast<std::size_t>(4 * (y * image.width + x));
+  const int pixel = y * image.width + x;
+  const std::size_t first = 4 * static_cast<std::size_t>(pixel);
   return {image.pixels[first], image.pixels[first + 1], image.pixels[first + 2], image.pixels[first + 3]};
 }
 
