@@ -52,7 +52,7 @@ struct RequestedRun {
   std::string source;           ///< name in messages
   fs::path folder;              ///< base of relative paths
   nlohmann::json recorded;      ///< manifest of the run to repeat; null for a new run
-  std::vector<fs::path> files;  ///< the document's, and those of its data sets
+  std::vector<fs::path> files;  ///< files read: configuration or manifest, and descriptions of data sets
 };
 
 struct RunArguments {

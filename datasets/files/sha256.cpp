@@ -67,6 +67,14 @@ std::string sha256_of_file(const std::filesystem::path& path) {
   return digest.text();
 }
 
+std::string sha256_of_file_if_readable(const std::filesystem::path& path) {
+  try {
+    return sha256_of_file(path);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 std::string sha256_of_shape(const ShapeSource& source) {
   const std::string hash = sha256(source.bytes);
   std::string all = hash;

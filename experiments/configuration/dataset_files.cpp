@@ -33,7 +33,7 @@ nlohmann::json dataset_in_file(const fs::path& path) {
 }  // namespace
 
 std::vector<fs::path> read_dataset_files(nlohmann::json& document, const std::string& source, const fs::path& folder,
-                                         const std::vector<std::string_view>& datasets) {
+                                         const std::vector<std::string>& datasets) {
   std::vector<fs::path> files;
   for (const nlohmann::json::json_pointer& place : matching_places(document, datasets)) {
     nlohmann::json& dataset = document.at(place);

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace shapegauge {
@@ -15,6 +14,6 @@ namespace shapegauge {
 /// `source` prefixes the message.
 std::vector<std::filesystem::path> read_dataset_files(nlohmann::json& document, const std::string& source,
                                                       const std::filesystem::path& folder,
-                                                      const std::vector<std::string_view>& datasets);
+                                                      const std::vector<std::string>& datasets);
 
 }  // namespace shapegauge

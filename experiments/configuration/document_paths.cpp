@@ -1,7 +1,7 @@
 #include "shapegauge/experiments/configuration/document_paths.h"
 
 #include <cstddef>
-#include <string>
+#include <string_view>
 #include <utility>
 
 namespace shapegauge {
@@ -32,12 +32,13 @@ std::vector<Place> matching_children(const Json& value, const Place& place, cons
 
 }  // namespace
 
-std::vector<Place> matching_places(const Json& document, const std::vector<std::string_view>& patterns) {
+std::vector<Place> matching_places(const Json& document, const std::vector<std::string>& patterns) {
   std::vector<Place> all;
-  for (std::string_view pattern : patterns) {
+  for (const std::string& pattern : patterns) {
     std::vector<Place> places{Place()};
-    while (!pattern.empty()) {
-      const std::string key = take_key(pattern);
+    std::string_view keys = pattern;
+    while (!keys.empty()) {
+      const std::string key = take_key(keys);
       std::vector<Place> deeper;
       for (const Place& place : places) {
         for (Place& child : matching_children(document.at(place), place, key)) deeper.push_back(std::move(child));

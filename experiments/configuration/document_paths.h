@@ -2,7 +2,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace shapegauge {
@@ -10,8 +10,8 @@ namespace shapegauge {
 /// Relative paths in the documents of a kind of experiment, as patterns of JSON pointers. `*` matches every index of an
 /// array: "/shapes/*/file".
 struct DocumentPaths {
-  std::vector<std::string_view> files = {};     ///< paths of files and folders
-  std::vector<std::string_view> datasets = {};  ///< data sets: objects with a "root", or files of them
+  std::vector<std::string> files = {};     ///< paths of files and folders
+  std::vector<std::string> datasets = {};  ///< data sets: objects with a "root", or files of them
 };
 
 /// Returns the paths of a document, which depend on its kind.
@@ -19,6 +19,6 @@ using PathsOfDocument = std::function<DocumentPaths(const nlohmann::json& docume
 
 /// Returns the positions in the document that match one of the patterns.
 std::vector<nlohmann::json::json_pointer> matching_places(const nlohmann::json& document,
-                                                          const std::vector<std::string_view>& patterns);
+                                                          const std::vector<std::string>& patterns);
 
 }  // namespace shapegauge

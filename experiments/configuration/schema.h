@@ -38,9 +38,9 @@ nlohmann::ordered_json schema_definitions();
 /// or `rerank` methods.
 std::string with_reference_tables(std::string_view page);
 
-/// Validates a document against a schema that may refer to schema_definitions(). Throws InputError for one fault: an
-/// unknown key first, with the nearest known one; otherwise the deepest in the document. The message has the source,
-/// the path in the notation of `--set`, the fault and the valid values.
+/// Validates a document against a schema without definitions of its own, which may refer to schema_definitions().
+/// Throws InputError for one fault: an unknown key first, with the nearest known one; otherwise the deepest in the
+/// document. The message has the source, the path in the notation of `--set`, the fault and the valid values.
 void check_by_schema(const nlohmann::json& document, const nlohmann::ordered_json& schema, const std::string& source);
 
 /// Validates a configuration, or a part of one, against a definition of the schema, such as "descriptor".

@@ -16,10 +16,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Writes the manifest and publishes all files.
-void publish(StagedResults& staged, const nlohmann::json& configuration, const RunOutcome& outcome) {
+/// Returns the names of the main results, which are known before the run.
+std::vector<std::string> main_results(const Experiment& experiment) {
+  std::vector<std::string> folders{""};
+  for (const std::string& part : experiment.result_folders) folders.push_back(part + "/");
+  std::vector<std::string> files;
+  for (const std::string& folder : folders) {
+    files.push_back(fmt::format("{}{}", folder, manifest_name));
+    files.push_back(folder + "summary.json");
+  }
+  return files;
+}
+
+/// Writes the manifest and publishes all files. Throws InputError if one would overwrite an input.
+void publish(StagedResults& staged, const fs::path& destination, const Experiment& experiment,
+             const RunOutcome& outcome) {
+  check_results_are_no_inputs(destination, outcome.files, experiment.input_paths);
   const fs::path& folder = staged.folder();
-  write_file_atomically(folder / manifest_name, manifest_of(configuration, outcome, folder).dump(2) + "\n");
+  write_file_atomically(folder / manifest_name, manifest_of(experiment.configuration, outcome, folder).dump(2) + "\n");
   staged.publish(outcome.files);
 }
 
@@ -49,10 +63,7 @@ RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destina
   std::uintmax_t limit = 0;
   const std::string folder = on_first_rank(ranks, [&] {
     limit = cache_limit();  // reports a wrong setting before the run
-    check_results_are_no_inputs(destination, experiment.input_paths);
-    for (const std::string& part : experiment.result_folders) {
-      check_results_are_no_inputs(destination / part, experiment.input_paths);
-    }
+    check_results_are_no_inputs(destination, main_results(experiment), experiment.input_paths);
     lock.emplace(destination, control.audience);
     prepare_result_folder(destination, experiment.configuration, replace, control.audience);
     staged.emplace(destination);
@@ -62,7 +73,7 @@ RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destina
   RunOutcome outcome = experiment.run(
       {.control = control, .cache = cache, .ranks = ranks, .generated = destination / "dataset", .results = folder});
   on_all_ranks(ranks, [&] {
-    if (staged) with_threads(control.threads, [&] { publish(*staged, experiment.configuration, outcome); });
+    if (staged) with_threads(control.threads, [&] { publish(*staged, destination, experiment, outcome); });
   });
   if (ranks.rank() == 0 && !cache.folder().empty()) trim_cache(cache.folder(), limit);
   return outcome;

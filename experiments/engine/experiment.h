@@ -52,16 +52,18 @@ struct Experiment {
   std::function<RunOutcome(const RunContext&)> run;
 };
 
-/// Kind of experiment. Kinds know nothing of each other.
+/// Kind of experiment: how its documents are recognised, validated and run.
 struct ExperimentKind {
   std::string_view name;
   std::string_view description;        ///< one sentence
   std::vector<std::string> keys = {};  ///< a document with all of these at its root is of this kind
   DocumentPaths paths = {};            ///< relative paths in the document
-  /// Returns the JSON Schema of the document, which may refer to schema_definitions().
+  /// Returns the JSON Schema of the document, which may refer to schema_definitions(). A schema cannot have definitions
+  /// of its own.
   nlohmann::ordered_json (*schema)() = nullptr;
-  /// Reads a document that the schema has accepted. `source` is its name in messages; relative paths are relative to
-  /// `folder`. Throws InputError with the source, the path to the value, the fault and the nearest valid word.
+  /// Reads a document. Those of read_experiment() have been validated by the schema; the library's kinds validate
+  /// others themselves. `source` is its name in messages; relative paths are relative to `folder`. Throws InputError
+  /// with the source, the path to the value, the fault and the nearest valid word.
   Experiment (*read)(const nlohmann::json& document, const std::string& source,
                      const std::filesystem::path& folder) = nullptr;
 };
@@ -75,7 +77,7 @@ nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const Ru
 /// Runs an experiment and publishes its results in a folder, which is created if missing and locked meanwhile.
 /// Collective; rank 0 has the folder and the outcome. Results of an earlier run are replaced when the new ones are
 /// complete, those of another configuration only with `replace`. Finally trims the cache. Throws InputError for an
-/// unusable folder, for one whose results would overwrite the data set, and for different configurations of ranks, and
+/// unusable folder, for results that would overwrite an input, and for different configurations of ranks, and
 /// the errors of the experiment.
 RunOutcome run_into_folder(const Experiment& experiment, const std::filesystem::path& destination, bool replace,
                            const RunControl& control, Cache& cache, Communicator& ranks);

@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/engine/generated_dataset.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/base/error.h"
@@ -19,7 +20,8 @@ using Json = nlohmann::json;
 /// Returns the folder's record of its data set; null if there is none.
 Json record_in(const fs::path& file) {
   try {
-    return fs::exists(file) ? read_json(file) : Json();
+    const Json record = fs::exists(file) ? read_json(file) : Json();
+    return record.is_object() && record.contains("complete") ? record : Json();
   } catch (const InputError&) {
     return {};
   }
@@ -30,6 +32,10 @@ void generate(const fs::path& folder, const GeneratorOptions& options, const Run
   Json record{{"generate", to_json(options)}, {"version", version()}, {"commit", commit()}, {"complete", true}};
   const Json earlier = record_in(record_file);
   if (earlier == record) return;
+  if (earlier.is_null() && fs::exists(record_file)) {
+    throw InputError(fmt::format("cannot generate a data set in {}: {} is not the record of one; use another folder",
+                                 folder.string(), record_file.string()));
+  }
 
   // The record is written first, to recognise the folder after an interruption.
   fs::create_directories(folder);

@@ -9,7 +9,8 @@
 namespace shapegauge {
 
 /// Generates a data set in the folder unless this version and commit already did so with the same options. Collective:
-/// rank 0 generates. Throws InputError as generate_dataset() does, and Interrupted.
+/// rank 0 generates. Throws InputError as generate_dataset() does and for a file "generated.json" that is not the
+/// record of a generated data set; throws Interrupted.
 void prepare_generated(const std::filesystem::path& folder, const GeneratorOptions& options, const RunControl& control,
                        Communicator& ranks);
 

@@ -101,7 +101,11 @@ Json recorded_configuration(const Json& manifest, const fs::path& root, const Pa
 
 std::vector<std::string> changed_inputs(const Json& recorded, const Json& now) {
   const std::map<std::string, std::string> before = named_inputs(recorded);
-  const std::map<std::string, std::string> after = named_inputs(now);
+  Json recorded_kinds = Json::object();  // earlier versions recorded no classification of a segmentation
+  for (const auto& [kind, hashes] : now.items()) {
+    if (recorded.contains(kind)) recorded_kinds[kind] = hashes;
+  }
+  const std::map<std::string, std::string> after = named_inputs(recorded_kinds);
   std::vector<std::string> changes;
   for (const auto& [name, hash] : before) {
     const auto found = after.find(name);

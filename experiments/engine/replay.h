@@ -19,7 +19,7 @@ nlohmann::json recorded_configuration(const nlohmann::json& manifest, const std:
                                       const PathsOfDocument& paths_of);
 
 /// Lists the differences between inputs ("inputs" of the manifest) and those recorded, a line each: changed, absent,
-/// new.
+/// new. Kinds of inputs that were not recorded at all are not compared.
 std::vector<std::string> changed_inputs(const nlohmann::json& recorded, const nlohmann::json& now);
 
 /// Lists the differences between the running program and the recorded one, a line each: version, commit, libraries,

@@ -170,12 +170,16 @@ void make_folder(const fs::path& folder) {
   }
 }
 
-void check_results_are_no_inputs(const fs::path& folder, std::span<const fs::path> inputs) {
-  std::vector<OutputFile> outputs;
-  for (const fs::path& path : {folder, folder / manifest_name, folder / "summary.json"}) {
-    outputs.push_back({.path = path, .what = "the results"});
+void check_results_are_no_inputs(const fs::path& folder, std::span<const std::string> files,
+                                 std::span<const fs::path> inputs) {
+  std::set<fs::path> names{fs::path()};  // the folder
+  for (const std::string& file : files) {
+    for (fs::path name = file; !name.empty(); name = name.parent_path()) names.insert(name);
   }
-  check_output_files(inputs, outputs, true);
+  for (const fs::path& name : names) {
+    const OutputFile output{.path = name.empty() ? folder : folder / name, .what = "the results"};
+    check_output_files(inputs, {&output, 1}, true);
+  }
 }
 
 void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace,

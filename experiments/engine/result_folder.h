@@ -49,8 +49,9 @@ bool holds_timings(std::string_view file);
 /// Creates a folder if missing. Throws InputError if that fails.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws InputError if the folder, or its main results, are among the inputs.
-void check_results_are_no_inputs(const std::filesystem::path& folder, std::span<const std::filesystem::path> inputs);
+/// Throws InputError if the folder, one of its files (by name in the folder), or a folder of one is among the inputs.
+void check_results_are_no_inputs(const std::filesystem::path& folder, std::span<const std::string> files,
+                                 std::span<const std::filesystem::path> inputs);
 
 /// Prepares the result folder before a run. The folder may be new, have no results, or have those of the same
 /// configuration, which a repeated run replaces. Throws InputError if it has other results, unless `replace` is set, or

@@ -25,11 +25,16 @@ using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 using Kinds = std::vector<std::reference_wrapper<const ExperimentKind>>;
 
-/// Throws ArgumentError for a kind that no document can have or whose paths are no patterns.
+/// Throws ArgumentError for a kind that no document can have, whose paths are no patterns, or whose schema has
+/// definitions.
 void check_kind(const ExperimentKind& kind) {
   if (kind.keys.empty()) throw ArgumentError(fmt::format("the kind of experiment \"{}\" needs keys", kind.name));
-  for (const auto& patterns : {kind.paths.files, kind.paths.datasets}) {
-    for (const std::string_view pattern : patterns) {
+  if (kind.schema().contains("definitions")) {
+    throw ArgumentError(
+        fmt::format("the kind of experiment \"{}\": a schema cannot have definitions of its own", kind.name));
+  }
+  for (const auto* const patterns : {&kind.paths.files, &kind.paths.datasets}) {
+    for (const std::string& pattern : *patterns) {
       if (pattern.starts_with('/')) continue;
       throw ArgumentError(
           fmt::format("the kind of experiment \"{}\": the path \"{}\" must begin with a slash", kind.name, pattern));

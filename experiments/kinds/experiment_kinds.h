@@ -11,7 +11,7 @@
 namespace shapegauge {
 
 /// Returns the registry of kinds of experiments: those of the library, followed by those added. An entry must have keys
-/// and both functions; its patterns of paths begin with a slash.
+/// and both functions; its patterns of paths begin with a slash, and its schema has no definitions.
 Registry<ExperimentKind>& experiment_kinds();
 
 /// Reads the experiment of a configuration's document: replaces files of data sets by their contents

@@ -309,6 +309,7 @@ void run_stages(const RunContext& context, SegmentationResults& results) {
   Communicator& ranks = context.ranks;
   const Stopwatch stopwatch;
   results.benchmark = benchmark_of(results.experiment, context);
+  results.classification_sha256 = sha256_of_file_if_readable(results.experiment.location.classification);
   results.has_people =
       std::ranges::any_of(results.benchmark.models, [](const SegmentedModel& model) { return !model.people.empty(); });
   std::vector<std::size_t> all(results.benchmark.models.size());

@@ -38,6 +38,7 @@ struct SegmentationResults {
   std::vector<SegmentedShape> shapes;  ///< in the order of the benchmark
   std::vector<LeftOutShape> failures;
   std::vector<SegmentedModel> failed;  ///< shapes of the failures
+  std::string classification_sha256;   ///< hash of the file of classes when the run began; empty if there is none
   CacheReport cache;
   int threads = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage

@@ -69,7 +69,9 @@ struct HashedShape {
 /// Hashes the files of a shape. Files that cannot be read have empty hashes.
 HashedShape hashes_of(const SegmentedModel& model) {
   HashedShape hashed{.mesh = sha256_if_readable(model.mesh), .people = {}};
-  for (const std::filesystem::path& file : model.people) hashed.people.push_back(sha256_if_readable(file));
+  for (const std::filesystem::path& file : model.people) {
+    hashed.people.push_back(sha256_of_file_if_readable(file));
+  }
   return hashed;
 }
 
@@ -84,10 +86,10 @@ void add_hashes(const SegmentedModel& model, const HashedShape& hashed, Json& mo
   }
 }
 
-Json inputs_json(const SegmentationExperiment& experiment, Json models) {
+/// Makes the inputs of a manifest from hashes; that of the classification is empty if there is none.
+Json inputs_json(Json models, const std::string& classification) {
   Json json{{"algorithm", "SHA-256"}, {"models", std::move(models)}};
-  const std::filesystem::path& classification = experiment.location.classification;
-  if (!classification.empty()) json["classification"] = sha256_of_file(classification);
+  if (!classification.empty()) json["classification"] = classification;
   return json;
 }
 
@@ -98,7 +100,7 @@ Json inputs_on_disk(const SegmentationExperiment& experiment) {
   parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = hashes_of(shapes.models[i]); });
   Json models = Json::object();
   for (std::size_t i = 0; i < hashes.size(); ++i) add_hashes(shapes.models[i], hashes[i], models);
-  return inputs_json(experiment, std::move(models));
+  return inputs_json(std::move(models), sha256_of_file_if_readable(experiment.location.classification));
 }
 
 /// Returns the hashes of the used and of the failed meshes, and of the human segmentations.
@@ -109,7 +111,7 @@ Json inputs(const SegmentationResults& results) {
     add_hashes(results.benchmark.models[i], {.mesh = shape.mesh_sha256, .people = shape.people_sha256}, models);
   }
   for (const SegmentedModel& model : results.failed) add_hashes(model, hashes_of(model), models);
-  return inputs_json(results.experiment, std::move(models));
+  return inputs_json(std::move(models), results.classification_sha256);
 }
 
 Json manifest_entries(const SegmentationResults& results) {

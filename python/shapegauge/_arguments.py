@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import collections as _collections
 import collections.abc as _abc
 import functools as _functools
 import inspect as _inspect
@@ -204,21 +205,29 @@ def index_of(values: Any, part: str = "index") -> Optional[list[Any]]:
     return list(getattr(values, part)) if hasattr(values, "iloc") and hasattr(values, part) else None
 
 
+def _comparable(name: Any) -> Any:
+    """Returns the name of a row such that missing ones (None, NaN, NaT, pandas.NA) are equal to themselves."""
+    if isinstance(name, tuple):
+        return tuple(map(_comparable, name))
+    try:
+        hash(name)
+        return name if name == name else None
+    except (TypeError, ValueError):  # pandas.NA is neither equal nor unequal; lists have no hash
+        return repr(name)
+
+
 def check_order(indexes: Iterable[tuple[str, Optional[list[Any]]]]) -> None:
     """Rejects pandas objects whose rows are in different orders: they would be taken by position.
 
-    indexes: what each describes and its index, None if it has none. Indexes of another length are for others to reject,
-    and one that only counts the rows is no order of names.
+    indexes: what each describes and its index, None if it has none. Indexes with different names are not compared.
     """
-    known = [(what, index) for what, index in indexes if index is not None]
-    for (what, index), (other, second) in _itertools.combinations(known, 2):
-        counted = list(range(len(index)))
-        if len(index) != len(second) or (counted in (index, second) and set(index) != set(second)):
+    known = [(what, index, list(map(_comparable, index))) for what, index in indexes if index is not None]
+    for (what, index, names), (other, second, others) in _itertools.combinations(known, 2):
+        if names == others or _collections.Counter(names) != _collections.Counter(others):
             continue
-        for row, (one, two) in enumerate(zip(index, second)):
-            if one != two:
-                raise InputError(f"the {what} and the {other} are in different orders: row {row} (counted from 0) is "
-                                 f"{_shown(one)} and {_shown(two)}; reindex one like the other")
+        row = next(i for i, (one, two) in enumerate(zip(names, others)) if one != two)
+        raise InputError(f"the {what} and the {other} are in different orders: row {row} (counted from 0) is "
+                         f"{_shown(index[row])} and {_shown(second[row])}; reindex one like the other")
 
 
 def _shape_text(array: _numpy.ndarray) -> str:

@@ -31,6 +31,18 @@ class Frame(Series):
         self.columns = list(range(self.values.shape[1])) if columns is None else list(columns)
 
 
+class Missing:
+    """As much of pandas.NA."""
+
+    def __eq__(self, other):
+        return self
+
+    def __bool__(self):
+        raise TypeError("boolean value of NA is ambiguous")
+
+    __hash__ = object.__hash__
+
+
 @pytest.fixture(params=["stand-ins", "pandas"])
 def table(request):
     """The constructors of a series and a frame."""
@@ -50,6 +62,9 @@ def test_rows_in_one_order_are_those_of_the_arrays(table):
     assert sg.evaluate(frame(DISTANCES, NAMES, NAMES), series(LABELS, NAMES)).micro == expected
     assert sg.evaluate(frame(DISTANCES, NAMES), series(LABELS)).micro == expected  # one has no names
     assert sg.evaluate(DISTANCES, series(LABELS, [5, 3, 8, 1, 0, 2, 9])).micro == expected  # by position
+    filtered = series(LABELS, [5, 9, 12, 13, 20, 21, 30])
+    assert sg.evaluate(frame(DISTANCES, NAMES), filtered).micro == expected  # other names
+    assert sg.evaluate(frame(DISTANCES, NAMES), series(LABELS, ["m1", "m0", *NAMES[2:6], "x"])).micro == expected
     np.testing.assert_array_equal(sg.rerank(frame(DISTANCES, NAMES, NAMES)), sg.rerank(DISTANCES))
 
 
@@ -67,6 +82,21 @@ def test_labels_in_another_order_than_the_rows_are_an_error(table):
         sg.compare({"first": frame(DISTANCES, NAMES), "second": DISTANCES}, labels)
     with pytest.raises(sg.InputError, match="the labels and the subclasses"):
         sg.evaluate(DISTANCES, labels, subclasses=series(LABELS, NAMES))
+
+
+@pytest.mark.parametrize("missing", ["nan", "None", "NA", "tuple"])
+def test_missing_names_are_equal_to_themselves(table, missing):
+    series, frame = table
+    not_available = Missing() if series is Series else pytest.importorskip("pandas").NA
+    make = {"nan": lambda: float("nan"), "None": lambda: None, "tuple": lambda: ("m6", float("nan")),
+            "NA": lambda: not_available}[missing]
+    expected = sg.evaluate(DISTANCES, LABELS).micro
+    names = [float(i) for i in range(6)] if missing == "nan" else NAMES[:6]
+    if missing == "tuple":
+        names = [(name, 1.0) for name in names]
+    assert sg.evaluate(frame(DISTANCES, [*names, make()]), series(LABELS, [*names, make()])).micro == expected
+    with pytest.raises(sg.InputError, match="the labels are in different orders: row 0 "):
+        sg.evaluate(frame(DISTANCES, [*names, make()]), series(LABELS, [make(), *names]))
 
 
 def test_columns_in_another_order_than_the_rows_or_targets_are_an_error(table):

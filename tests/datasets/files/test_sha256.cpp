@@ -24,6 +24,8 @@ TEST(Sha256, OfAFile) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(sha256_of_file(folder.file("x", "abc")), sha256("abc"));
   EXPECT_THROW(sha256_of_file(folder.path() / "absent"), InputError);
+  EXPECT_EQ(sha256_of_file_if_readable(folder.path() / "x"), sha256("abc"));
+  EXPECT_EQ(sha256_of_file_if_readable(folder.path() / "absent"), "");
 }
 
 /// Format whose lines name files with one vertex each.

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "shapegauge/datasets/layouts/layouts.h"
@@ -34,7 +34,7 @@ class DatasetFiles : public testing::Test {
     return document;
   }
 
-  std::vector<std::string_view> places_{"/dataset", "/datasets/*"};
+  std::vector<std::string> places_{"/dataset", "/datasets/*"};
 
  private:
   test::TemporaryFolder folder_;

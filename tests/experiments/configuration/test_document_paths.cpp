@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "shapegauge/experiments/configuration/document_paths.h"
@@ -14,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-std::vector<std::string> places(const std::vector<std::string_view>& patterns) {
+std::vector<std::string> places(const std::vector<std::string>& patterns) {
   const auto document = nlohmann::json::parse(
       R"({"dataset": {"root": "x"}, "shapes": [{"file": "a"}, {"name": "b"}, {"file": "c"}], "groups": {"file": "d"}})");
   std::vector<std::string> texts;

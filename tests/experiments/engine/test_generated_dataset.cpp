@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string_view>
 
@@ -50,6 +51,18 @@ TEST(PrepareGenerated, DoesNotReplaceAnotherDataSet) {
   test::write_text(folder.path() / "T0.off", "mine");
   EXPECT_THROW(prepare_generated(folder.path(), two_generated(1), {}, *single_process()), InputError);
   EXPECT_EQ(text_of(folder.path() / "T0.off"), "mine");
+}
+
+TEST(PrepareGenerated, DoesNotReplaceAFileThatIsNoRecord) {
+  for (const char* const text : {R"({"generate": {"classes": 1}})", "[]", "mine"}) {
+    const test::TemporaryFolder folder;
+    test::write_text(folder.path() / "generated.json", text);
+    EXPECT_THAT(
+        test::input_error_of([&] { prepare_generated(folder.path(), two_generated(1), {}, *single_process()); }),
+        testing::HasSubstr("generated.json is not the record of one"));
+    EXPECT_EQ(text_of(folder.path() / "generated.json"), text);
+    EXPECT_FALSE(fs::exists(folder.path() / "T0.off"));
+  }
 }
 
 }  // namespace

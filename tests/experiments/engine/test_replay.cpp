@@ -86,6 +86,15 @@ TEST(Replay, ChangedInputsAreNamed) {
               ElementsAre("shape cat is absent"));
 }
 
+TEST(Replay, KindsOfInputsThatWereNotRecordedAreNotCompared) {
+  const Json recorded{{"models", {{"1", "aa"}}}};
+  EXPECT_THAT(changed_inputs(recorded, {{"models", {{"1", "aa"}}}, {"classification", "dd"}}), IsEmpty());
+  EXPECT_THAT(changed_inputs(recorded, {{"models", {{"1", "aa"}, {"2", "bb"}}}, {"classification", "dd"}}),
+              ElementsAre("model 2 was not recorded"));
+  EXPECT_THAT(changed_inputs({{"models", {{"1", "aa"}}}, {"classification", "dd"}}, recorded),
+              ElementsAre("the classification is absent"));
+}
+
 TEST(Replay, AnotherProgramIsNamed) {
   Json manifest = program_json();
   EXPECT_THAT(changed_program(manifest), IsEmpty());

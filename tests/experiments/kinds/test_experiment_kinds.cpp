@@ -173,6 +173,39 @@ TEST_F(ExperimentKinds, DoNotWriteIntoTheirDataSet) {
               HasSubstr("the results would overwrite the input " + at("spheres/summary.json").string()));
 }
 
+TEST_F(ExperimentKinds, DoNotOverwriteInputsThatHaveTheNameOfAnyResult) {
+  const auto error_of = [&](const Json& document, const std::string& output) {
+    Cache none;
+    return test::input_error_of([&] {
+      (void)run_into_folder(read_experiment(document, "test.json", at("")), at(output), true, {.threads = 1}, none,
+                            *single_process());
+    });
+  };
+  Json document = retrieval();
+  test::write_text(at("classes/shapes.csv"), test::text_of(at("data/test.cla")));
+  document["dataset"]["classification"] = at("classes/shapes.csv").string();
+  EXPECT_THAT(error_of(document, "classes"),
+              HasSubstr("the results would overwrite the input " + at("classes/shapes.csv").string()));
+  EXPECT_EQ(test::text_of(at("classes/shapes.csv")), test::text_of(at("data/test.cla")));
+  EXPECT_FALSE(fs::exists(at("classes") / manifest_name));
+  EXPECT_EQ(error_of(document, "elsewhere"), "no error");
+
+  test::write_small_dataset(at("cut/parts"));
+  document = segmentation();
+  document["dataset"] = {{"layout", "shrec11"}, {"root", at("cut/parts").string()}};
+  EXPECT_THAT(error_of(document, "cut"),
+              HasSubstr("the results would overwrite the input " + at("cut/parts").string()));
+  EXPECT_FALSE(fs::exists(at("cut/parts/best")));
+
+  document = retrieval();
+  document["dataset"] = "made/dataset/generated.json";
+  const std::string text = R"({"generate": {"classes": 2, "models_per_class": 2, "faces": 1000}})";
+  fs::create_directories(at("made/dataset"));
+  test::write_text(at("made/dataset/generated.json"), text);
+  EXPECT_THAT(error_of(document, "made"), HasSubstr("generated.json is not the record of one"));
+  EXPECT_EQ(test::text_of(at("made/dataset/generated.json")), text);
+}
+
 TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
   for (const auto& [name, document] : {std::pair{"retrieval", retrieval()},
                                        {"comparison", comparison()},
@@ -294,10 +327,14 @@ TEST_F(ExperimentKinds, CanBeAddedFromOutsideTheLibrary) {
   EXPECT_EQ(Json::parse(experiment_schema())["else"]["else"]["else"]["then"], Json(count_schema()));
 }
 
-TEST_F(ExperimentKinds, NeedKeysAndPatternsOfPaths) {
+TEST_F(ExperimentKinds, NeedKeysPatternsOfPathsAndNoDefinitions) {
   ExperimentKind kind{.name = "other", .description = "", .schema = count_schema, .read = read_count};
   EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }), HasSubstr("\"other\" needs keys"));
   kind.keys = {"other"};
+  kind.schema = [] { return nlohmann::ordered_json{{"definitions", {{"own", {{"type", "string"}}}}}}; };
+  EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }),
+              HasSubstr("\"other\": a schema cannot have definitions of its own"));
+  kind.schema = count_schema;
   kind.paths.files = {"other"};
   EXPECT_THAT(test::input_error_of([&] { experiment_kinds().add(kind); }), HasSubstr("must begin with a slash"));
   kind.schema = nullptr;

@@ -320,6 +320,16 @@ TEST_F(SegmentationRun, RecordsTheFileOfClasses) {
   EXPECT_EQ(inputs.at("classification"), sha256_of_file(folder_.path() / "shapes/test.cla"));
   EXPECT_EQ(inputs.at("models").size(), 1U);
   EXPECT_FALSE(experiment_on({{"generate", nlohmann::json::object()}}).inputs) << "known after the run only";
+
+  RunControl control{.threads = 1};
+  control.progress = [&](std::string_view, std::size_t, std::size_t) {
+    std::filesystem::remove(folder_.path() / "shapes/test.cla");
+  };
+  Cache none;
+  (void)run_into_folder(experiment_on({{"layout", "shrec11"}, {"root", "shapes"}}), folder_.path() / "results", false,
+                        control, none, *single_process());
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "shapes/test.cla"));
+  EXPECT_EQ(read_json(folder_.path() / "results" / manifest_name).at("inputs"), inputs) << "as read by the run";
 }
 
 TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
