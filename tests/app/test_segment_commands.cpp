@@ -26,10 +26,10 @@ using test_command_line::run_executable;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Two disjoint balls: two parts in every segmentation.
+/// Two disjoint balls of different thickness: two parts in every segmentation.
 Shape two_balls() {
   const Shape ball = test::sphere(1, 2);
-  return test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
+  return test::joined({ball, test::transformed(ball, 0.5, Eigen::Matrix3d::Identity(), {5, 0, 0})});
 }
 
 /// One line per face: the first number for faces of one ball, the second for those of the other.
