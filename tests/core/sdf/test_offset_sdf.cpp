@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <hwy/highway.h>
 #include <limits>
 #include <rapidcheck/gtest.h>
 
@@ -278,6 +280,21 @@ TEST(OffsetSdf, GivesTheSameBytesWithAnyNumberOfThreads) {
   const OffsetSdfResult together = offset_sdf(shape, samples, {.offset = 0.05, .parallel = true});
   EXPECT_TRUE((alone.values.array() == together.values.array()).all());
   EXPECT_TRUE((alone.normals.array() == together.normals.array()).all());
+}
+
+TEST(OffsetSdf, GivesTheSameBytesForAnyWidthOfVectors) {
+  for (const Shape& shape : {bumpy_sphere(3), test::torus(1, 0.4, 60, 40)}) {
+    for (const double offset : {0.01, 0.05}) {
+      const Eigen::VectorXd expected = at_faces(shape, offset).values;
+      for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        // Without fused multiplication, rounding differs.
+        if (target > HWY_AVX2) continue;
+        hwy::SetSupportedTargetsForTest(target);
+        EXPECT_EQ(at_faces(shape, offset).values, expected) << hwy::TargetName(target) << ' ' << offset;
+      }
+      hwy::SetSupportedTargetsForTest(0);
+    }
+  }
 }
 
 TEST(OffsetSdf, OfASphereCloudIsItsDiameter) {
