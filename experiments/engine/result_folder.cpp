@@ -172,8 +172,10 @@ void make_folder(const fs::path& folder) {
 
 void check_results_are_no_inputs(const fs::path& folder, std::span<const std::string> files,
                                  std::span<const fs::path> inputs) {
+  std::vector<std::string> replaced = earlier_results(folder);
+  replaced.insert(replaced.end(), files.begin(), files.end());
   std::set<fs::path> names{fs::path()};  // the folder
-  for (const std::string& file : files) {
+  for (const std::string& file : replaced) {
     for (fs::path name = file; !name.empty(); name = name.parent_path()) names.insert(name);
   }
   for (const fs::path& name : names) {

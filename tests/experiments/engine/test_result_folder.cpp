@@ -143,6 +143,15 @@ TEST_F(StagedResultsTest, TakeThePlaceOfEarlierOnes) {
   EXPECT_EQ(folder_.size(), 4U) << "nothing else: notes, manifest, summary, distances";
 }
 
+TEST_F(StagedResultsTest, InputsMustNotBeResultsOfAnEarlierRun) {
+  const fs::path superseded = at("distances/b.npy");
+  EXPECT_THROW(check_results_are_no_inputs(folder_.path(), {}, {&superseded, 1}), InputError);
+  const fs::path folder_of_results = at("distances");
+  EXPECT_THROW(check_results_are_no_inputs(folder_.path(), {}, {&folder_of_results, 1}), InputError);
+  const fs::path of_the_user = at("notes.txt");
+  EXPECT_NO_THROW(check_results_are_no_inputs(folder_.path(), {}, {&of_the_user, 1}));
+}
+
 TEST_F(StagedResultsTest, AManifestThatListsOtherFilesRemovesNone) {
   const test::TemporaryFolder elsewhere;
   const fs::path neighbour = folder_.path().parent_path() / (folder_.path().filename().string() + "-neighbour.csv");
