@@ -8,6 +8,7 @@
 #include "shapegauge/core/offset/offset_exit.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/spatial/closest_point.h"
+#include "tests/core/sdf/crevice_shapes.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {

@@ -124,8 +124,8 @@ TEST(OffsetSites, OccupiedCubesAreThoseWithSites) {
   EXPECT_TRUE((OffsetSites::cube_edge * cubes.array() >= all.grid.blocks.array()).all());
   EXPECT_TRUE((OffsetSites::cube_edge * (cubes.array() - 1) < all.grid.blocks.array()).all());
   const auto index = [&](const Eigen::Vector3i& cube) {
-    const int index = (cube.z() * cubes.y() + cube.y()) * cubes.x() + cube.x();
-    return static_cast<std::size_t>(index);
+    const int number = (cube.z() * cubes.y() + cube.y()) * cubes.x() + cube.x();
+    return static_cast<std::size_t>(number);
   };
   std::vector<std::uint8_t> expected(static_cast<std::size_t>(cubes.prod()), 0);
   for (std::size_t block = 0; block < numbers.size(); ++block) {
