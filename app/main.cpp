@@ -169,6 +169,7 @@ int run_program(std::span<const std::string> arguments) {
 
 }  // namespace shapegauge
 
+// NOLINTNEXTLINE(bugprone-exception-escape): only without memory for the arguments
 int main(int argc, char** argv) {
   shapegauge::hold_standard_streams();
   shapegauge::keep_memory();

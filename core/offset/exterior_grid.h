@@ -34,8 +34,8 @@ class ExteriorGrid {
   /// Returns the states of all blocks.
   [[nodiscard]] const std::int32_t* blocks() const { return state_.data(); }
 
-  /// Cubes of a block with an exterior corner (cubes_at_exterior()): the bits of the two lower and the two upper
-  /// layers.
+  /// Cubes between the centres of a block's cells and their upper neighbours that have an exterior corner: a bit of
+  /// each one's lowest cell, for the two lower and the two upper layers.
   using Cubes = std::array<std::uint32_t, 2>;
   /// Returns a pointer that is indexed by state: cubes()[block(i)] are the cubes of block i. Indices may be negative.
   /// The cubes of none_exterior are empty, those of smaller states are not.
