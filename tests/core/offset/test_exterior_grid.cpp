@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "shapegauge/core/offset/block_cells.h"
 #include "shapegauge/core/offset/cells_around.h"
 #include "shapegauge/core/offset/exterior_grid.h"
 #include "shapegauge/core/shape/shape.h"
