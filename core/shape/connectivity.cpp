@@ -14,33 +14,31 @@ namespace shapegauge {
 
 namespace {
 
-/// Hash table of the first vertex at each position, with open addressing.
-class PlaceTable {
- public:
-  explicit PlaceTable(const Points& vertices)
-      : vertices_(vertices), slots_(std::bit_ceil(2 * static_cast<std::size_t>(vertices.rows()) + 1), -1) {}
-
-  std::int32_t first_at_place_of(std::int32_t vertex) {
-    std::size_t slot = hash(vertex) % slots_.size();
-    while (slots_[slot] >= 0 && vertices_.row(slots_[slot]) != vertices_.row(vertex)) slot = (slot + 1) % slots_.size();
-    if (slots_[slot] < 0) slots_[slot] = vertex;
-    return slots_[slot];
+/// Returns, for each of `count` elements, the first equal one. Uses a hash table with open addressing.
+template <typename Hash, typename Equal>
+std::vector<std::int32_t> first_of_equal(std::size_t count, const Hash& hash, const Equal& equal) {
+  std::vector<std::int32_t> slots(std::bit_ceil(2 * count + 1), -1);
+  const std::size_t mask = slots.size() - 1;
+  std::vector<std::int32_t> first(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t slot = hash(i) & mask;
+    while (slots[slot] >= 0 && !equal(static_cast<std::size_t>(slots[slot]), i)) slot = (slot + 1) & mask;
+    if (slots[slot] < 0) slots[slot] = static_cast<std::int32_t>(i);
+    first[i] = slots[slot];
   }
+  return first;
+}
 
- private:
-  [[nodiscard]] std::size_t hash(std::int32_t vertex) const {
-    std::uint64_t result = 0;
-    for (int k = 0; k < 3; ++k) {
-      result ^= std::bit_cast<std::uint64_t>(vertices_(vertex, k) + 0.0);  // the same for both zeros
-      result *= 0x9e3779b97f4a7c15ULL;
-      result ^= result >> 32U;
-    }
-    return static_cast<std::size_t>(result);
+/// Returns a hash of three numbers.
+std::size_t hash_of(const std::array<std::uint64_t, 3>& numbers) {
+  std::uint64_t result = 0;
+  for (const std::uint64_t number : numbers) {
+    result ^= number;
+    result *= 0x9e3779b97f4a7c15ULL;
+    result ^= result >> 32U;
   }
-
-  const Points& vertices_;
-  std::vector<std::int32_t> slots_;
-};
+  return static_cast<std::size_t>(result);
+}
 
 /// Returns the welded corners of a triangle.
 std::array<std::int32_t, 3> corner_places(const Triangles& triangles, Eigen::Index triangle,
@@ -79,33 +77,28 @@ bool all_edges(const Shape& shape, Condition condition) {
 }  // namespace
 
 std::vector<std::int32_t> welded_vertices(const Points& vertices) {
-  PlaceTable places(vertices);
-  std::vector<std::int32_t> merged(static_cast<std::size_t>(vertices.rows()));
-  for (std::size_t v = 0; v < merged.size(); ++v) merged[v] = places.first_at_place_of(static_cast<std::int32_t>(v));
-  return merged;
+  const auto place = [&](std::size_t v) { return vertices.row(static_cast<Eigen::Index>(v)); };
+  const auto hash = [&](std::size_t v) {
+    std::array<std::uint64_t, 3> bits{};
+    for (int k = 0; k < 3; ++k) bits[k] = std::bit_cast<std::uint64_t>(place(v)[k] + 0.0);  // the same for both zeros
+    return hash_of(bits);
+  };
+  return first_of_equal(static_cast<std::size_t>(vertices.rows()), hash,
+                        [&](std::size_t a, std::size_t b) { return place(a) == place(b); });
 }
 
 std::vector<std::int32_t> first_duplicates(const Triangles& triangles, std::span<const std::int32_t> merged) {
-  struct SortedCorners {
-    std::array<std::int32_t, 3> corners;
-    std::int32_t triangle;
-  };
-  std::vector<SortedCorners> all(static_cast<std::size_t>(triangles.rows()));
-  for (std::size_t f = 0; f < all.size(); ++f) {
-    all[f] = {corner_places(triangles, static_cast<Eigen::Index>(f), merged), static_cast<std::int32_t>(f)};
-    std::ranges::sort(all[f].corners);
+  std::vector<std::array<std::uint64_t, 3>> corners(static_cast<std::size_t>(triangles.rows()));
+  for (std::size_t f = 0; f < corners.size(); ++f) {
+    const auto [a, b, c] = corner_places(triangles, static_cast<Eigen::Index>(f), merged);
+    const auto [low, high] = std::minmax({a, b, c});
+    const std::int32_t middle = a ^ b ^ c ^ low ^ high;
+    corners[f] = {static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(middle),
+                  static_cast<std::uint64_t>(high)};
   }
-  auto [sorted, first] = bucket_sort(all, merged.size(), [](const SortedCorners& t) { return t.corners[0]; });
-  std::vector<std::int32_t> result(all.size());
-  for (std::size_t v = 0; v < merged.size(); ++v) {
-    const auto of_vertex = std::span(sorted).subspan(first[v], first[v + 1] - first[v]);
-    std::ranges::sort(of_vertex, {}, [](const SortedCorners& t) { return std::tie(t.corners, t.triangle); });
-    for (std::size_t i = 0, leader = 0; i < of_vertex.size(); ++i) {
-      if (of_vertex[i].corners != of_vertex[leader].corners) leader = i;
-      result[static_cast<std::size_t>(of_vertex[i].triangle)] = of_vertex[leader].triangle;
-    }
-  }
-  return result;
+  return first_of_equal(
+      corners.size(), [&](std::size_t f) { return hash_of(corners[f]); },
+      [&](std::size_t f, std::size_t g) { return corners[f] == corners[g]; });
 }
 
 Welding welding_of(const Shape& shape) {

@@ -35,7 +35,7 @@ RC_GTEST_PROP(OffsetExterior, TellsInsideFromOutsideOfATorusHoweverOriented, ())
 }
 
 TEST(OffsetExterior, TellsInsideFromOutsideWhereCubesAreLargerThanTheOffset) {
-  const Shape torus = test::torus(0.35, 0.12, 64, 32);
+  const Shape torus = test::torus(0.35, 0.12, 32, 16);
   const Samples samples = sample_shape(torus, SampleSite::faces);
   const SurfaceTree tree(torus);
   for (const double r : {0.0005, 0.001, 0.002, 0.003, 0.004, 0.0055}) {

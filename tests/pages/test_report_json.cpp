@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/pages/html_page.h"
 #include "shapegauge/pages/report_json.h"

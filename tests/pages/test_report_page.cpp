@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
 #include "shapegauge/pages/report.h"

@@ -29,8 +29,18 @@ struct Surface {
   GridSurface surface;
 };
 
-/// Surfaces on which most triangles have one point, and several.
-std::vector<Surface> surfaces() { return {{test::torus(1, 0.4, 120, 60), 0.2}, {test::torus(1, 0.4, 15, 10), 0.2}}; }
+/// Points so sparse that a group has those of several blocks.
+Shape sparse_cloud() {
+  RandomNumbers random(3);
+  Shape cloud{.vertices = Points(300, 3), .triangles = {}};
+  for (double& coordinate : cloud.vertices.reshaped()) coordinate = random.uniform(-1, 1);
+  return cloud;
+}
+
+/// Surfaces on which most triangles have one point, and several, and a cloud.
+std::vector<Surface> surfaces() {
+  return {{test::torus(1, 0.4, 120, 60), 0.2}, {test::torus(1, 0.4, 15, 10), 0.2}, {sparse_cloud(), 0.2}};
+}
 
 TEST(PointSearch, FindsThePointsWithinADistance) {
   RandomNumbers random(1);

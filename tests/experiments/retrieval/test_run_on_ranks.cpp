@@ -8,6 +8,7 @@
 
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/small_dataset.h"
