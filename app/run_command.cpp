@@ -103,7 +103,7 @@ void check_plot(const RunArguments& arguments) {
 /// Warns of changed inputs before a repeated run starts.
 void warn_of_inputs(const RequestedRun& request, const Experiment& experiment, int threads) {
   if (request.recorded.is_null() || !experiment.inputs) return;
-  warn_of_changed_inputs(changed_inputs(request.recorded.at("inputs"), experiment.inputs(threads)));
+  warn_of_changed_inputs(changed_inputs(request.recorded, experiment.inputs(threads)));
 }
 
 /// Prints the cache's warnings on destruction, however a run ends.

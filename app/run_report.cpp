@@ -44,7 +44,7 @@ int report_replay(const nlohmann::json& recorded, const std::filesystem::path& r
   print_lines(outputs.different, "DIFFERENT");
   print_lines(outputs.timings, "not compared");
   print_lines(changed_program(recorded), "program");
-  const std::vector<std::string> inputs = changed_inputs(recorded.at("inputs"), now.at("inputs"));
+  const std::vector<std::string> inputs = changed_inputs(recorded, now.at("inputs"));
   const std::size_t named = std::min(inputs.size(), most_by_name);
   print_lines({inputs.begin(), inputs.begin() + static_cast<std::ptrdiff_t>(named)}, "input");
   if (named < inputs.size()) print_output("{:<14}and {} more\n", "input", inputs.size() - named);
@@ -59,12 +59,13 @@ int report_replay(const nlohmann::json& recorded, const std::filesystem::path& r
 }
 
 std::string cache_text(const CacheReport& cache) {
-  constexpr std::array<std::pair<EntryKind, std::string_view>, 6> shown{{{EntryKind::shape, "shapes"},
+  constexpr std::array<std::pair<EntryKind, std::string_view>, 7> shown{{{EntryKind::shape, "shapes"},
                                                                          {EntryKind::field, "fields"},
                                                                          {EntryKind::histogram, "histograms"},
                                                                          {EntryKind::features, "features"},
                                                                          {EntryKind::distances, "distance matrices"},
-                                                                         {EntryKind::segmentation, "segmentations"}}};
+                                                                         {EntryKind::segmentation, "segmentations"},
+                                                                         {EntryKind::comparison, "compared shapes"}}};
   std::vector<std::string> parts;
   bool any = false;
   for (const auto& [kind, name] : shown) {

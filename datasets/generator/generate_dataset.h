@@ -14,6 +14,9 @@
 
 namespace shapegauge {
 
+/// Cache version of generated models; increment when they change.
+inline constexpr int generator_version = 1;
+
 /// Model of a data set that generate_dataset() makes with the same number of faces and seed.
 struct GeneratedModel {
   std::string model_class;  ///< one of the choices of generated_model_parameters()

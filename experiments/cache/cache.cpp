@@ -71,8 +71,8 @@ void Cache::store(EntryKind kind, const std::string& key, const nlohmann::json& 
     if (failure) throw InputError(fmt::format("cannot create {}: {}", path.parent_path().string(), failure.message()));
     write_cache_tag(folder_);
     // Only results that take long to compute are worth flushing; others are quickly recomputed from them.
-    const Flush flush = kind == EntryKind::field || kind == EntryKind::samples ? Flush::yes : Flush::no;
-    write_file_atomically(path, encode_entry(kind, key, content), flush);
+    const bool takes_long = kind == EntryKind::field || kind == EntryKind::samples || kind == EntryKind::comparison;
+    write_file_atomically(path, encode_entry(kind, key, content), takes_long ? Flush::yes : Flush::no);
   } catch (const InputError& error) {
     writable_ = false;
     const std::scoped_lock lock(mutex_);

@@ -26,15 +26,16 @@ enum class EntryKind {
   features,      ///< features of a descriptor of one shape
   learnt,        ///< features that a descriptor has learnt from a data set
   segmentation,  ///< parts of a shape
+  comparison,    ///< measurements on a shape of a comparison
   evaluation,    ///< evaluation of a submission to a leaderboard
 };
 
-inline constexpr std::size_t number_of_entry_kinds = 11;
+inline constexpr std::size_t number_of_entry_kinds = 12;
 
 /// Names of the kinds, which are also the extensions of the entries' files.
 inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{
-    "shape", "samples",  "field",  "histogram",    "distances", "picture",
-    "view",  "features", "learnt", "segmentation", "evaluation"};
+    "shape", "samples",  "field",  "histogram",    "distances",  "picture",
+    "view",  "features", "learnt", "segmentation", "comparison", "evaluation"};
 
 constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
 

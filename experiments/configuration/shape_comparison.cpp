@@ -20,13 +20,6 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-Json to_json(const GeneratedModel& generated) {
-  return {{"class", generated.model_class},
-          {"model", generated.model},
-          {"faces", generated.faces},
-          {"seed", generated.seed}};
-}
-
 Json to_json(const ComparedShape& shape) {
   Json json{{"name", shape.name}, {"perturbations", to_json(shape.perturbations)}};
   if (shape.generated) {
@@ -104,6 +97,13 @@ ShapeComparison checked_comparison(const Json& document, const fs::path& folder)
 }
 
 }  // namespace
+
+Json to_json(const GeneratedModel& generated) {
+  return {{"class", generated.model_class},
+          {"model", generated.model},
+          {"faces", generated.faces},
+          {"seed", generated.seed}};
+}
 
 Json to_json(const ShapeComparison& comparison) {
   Json json{{"name", comparison.name},

@@ -36,6 +36,9 @@ struct ShapeComparison {
   std::string distance = "l1";
 };
 
+/// Formats the settings of a generated shape.
+nlohmann::json to_json(const GeneratedModel& generated);
+
 /// Formats the comparison as a configuration with all defaults.
 nlohmann::json to_json(const ShapeComparison& comparison);
 

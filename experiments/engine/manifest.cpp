@@ -45,6 +45,17 @@ OrderedJson failures_json(std::span<const LeftOutShape> failures) {
   return list;
 }
 
+OrderedJson cache_json(const CacheReport& cache) {
+  if (cache.folder.empty()) return nullptr;
+  OrderedJson json = OrderedJson::object();
+  for (std::size_t kind = 0; kind < number_of_entry_kinds; ++kind) {
+    const CacheUse& use = cache.uses.at(kind);
+    if (use.hits + use.computed == 0) continue;
+    json[std::string(entry_kind_names.at(kind))] = {{"from_cache", use.hits}, {"computed", use.computed}};
+  }
+  return json;
+}
+
 OrderedJson outputs_json(const std::filesystem::path& folder, std::span<const std::string> files) {
   OrderedJson hashes = OrderedJson::object();
   for (const std::string& file : files) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {
@@ -18,6 +19,9 @@ nlohmann::ordered_json program_json();
 
 /// Returns the list "failed_models" of a manifest: what the run omitted, and why.
 nlohmann::ordered_json failures_json(std::span<const LeftOutShape> failures);
+
+/// Returns the numbers of results from the cache and computed, by kind; null if there was no cache.
+nlohmann::ordered_json cache_json(const CacheReport& cache);
 
 /// Returns SHA-256 of the result files in the folder, by name, without tables of timings, which vary between runs.
 nlohmann::ordered_json outputs_json(const std::filesystem::path& folder, std::span<const std::string> files);

@@ -4,8 +4,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
@@ -27,6 +29,15 @@ std::map<std::string, std::string> named_inputs(const Json& inputs) {
   }
   if (inputs.contains("classification")) named["the classification"] = inputs.at("classification");
   return named;
+}
+
+/// Returns the model among those that failed in the recorded run to which the named input belongs; empty if none.
+std::string failed_model(const Json& manifest, const std::string& input) {
+  for (const Json& failed : manifest.value("failed_models", Json::array())) {
+    const std::string name = "model " + failed.value("model", "");
+    if (input == name || input.starts_with(name + "/")) return name;
+  }
+  return "";
 }
 
 /// Returns true if the path is the folder or below it.
@@ -99,7 +110,8 @@ Json recorded_configuration(const Json& manifest, const fs::path& root, const Pa
   return configuration;
 }
 
-std::vector<std::string> changed_inputs(const Json& recorded, const Json& now) {
+std::vector<std::string> changed_inputs(const Json& manifest, const Json& now) {
+  const Json& recorded = manifest.at("inputs");
   const std::map<std::string, std::string> before = named_inputs(recorded);
   Json recorded_kinds = Json::object();  // earlier versions recorded no classification of a segmentation
   for (const auto& [kind, hashes] : now.items()) {
@@ -115,8 +127,18 @@ std::vector<std::string> changed_inputs(const Json& recorded, const Json& now) {
       changes.push_back(name + " differs from the recorded one");
     }
   }
+  std::set<std::string> failed;  // earlier versions recorded no files of shapes that a segmentation could not use
   for (const auto& [name, hash] : after) {
-    if (!before.contains(name)) changes.push_back(name + " was not recorded");
+    if (before.contains(name)) continue;
+    if (const std::string model = failed_model(manifest, name); !model.empty()) {
+      failed.insert(model);
+    } else {
+      changes.push_back(name + " was not recorded");
+    }
+  }
+  if (!failed.empty()) {
+    changes.push_back(fmt::format("the files of {} that failed in the recorded run were not recorded",
+                                  count_text(std::ssize(failed), "model", "models")));
   }
   return changes;
 }

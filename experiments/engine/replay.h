@@ -18,9 +18,10 @@ nlohmann::json read_manifest(const std::filesystem::path& path);
 nlohmann::json recorded_configuration(const nlohmann::json& manifest, const std::filesystem::path& root,
                                       const PathsOfDocument& paths_of);
 
-/// Lists the differences between inputs ("inputs" of the manifest) and those recorded, a line each: changed, absent,
-/// new. Kinds of inputs that were not recorded at all are not compared.
-std::vector<std::string> changed_inputs(const nlohmann::json& recorded, const nlohmann::json& now);
+/// Lists the differences between inputs (as "inputs" of a manifest) and those that the manifest of a run records, a
+/// line each: changed, absent, new. Kinds of inputs that were not recorded at all are not compared. Unrecorded files of
+/// models that failed in that run are counted in one line.
+std::vector<std::string> changed_inputs(const nlohmann::json& manifest, const nlohmann::json& now);
 
 /// Lists the differences between the running program and the recorded one, a line each: version, commit, libraries,
 /// processor.

@@ -17,6 +17,8 @@ namespace shapegauge {
 
 int available_threads() { return tbb::info::default_concurrency(); }
 
+int thread_count(const RunControl& control) { return control.threads > 0 ? control.threads : available_threads(); }
+
 void with_threads(int threads, const std::function<void()>& work) {
   const int count = threads > 0 ? threads : available_threads();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
@@ -37,9 +39,13 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
   return for_each_model(models, stage, stop_at_failure, control, *single_process(), job);
 }
 
-std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
-                                         bool stop_at_failure, const RunControl& control, Communicator& ranks,
-                                         const std::function<void(std::size_t model)>& job) {
+namespace {
+
+/// Runs the jobs on all ranks. `run_workers` calls a function as often as a rank works on models at the same time.
+std::vector<ModelFailure> share_models(std::span<const std::size_t> models, std::string_view stage,
+                                       bool stop_at_failure, const RunControl& control, Communicator& ranks,
+                                       const std::function<void(std::size_t model)>& job,
+                                       const std::function<void(const std::function<void()>&)>& run_workers) {
   std::vector<ModelFailure> failures;
   std::mutex mutex;
   std::size_t done = 0;
@@ -61,21 +67,36 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
   // Models start in order. All models before the first failure have therefore been tried when it stops the rest, and
   // the first failure is the same on any number of threads.
   ranks.share_jobs(models.size(), [&](Jobs& jobs) {
-    tbb::parallel_for(
-        0, tbb::this_task_arena::max_concurrency(), 1,
-        [&](int) {
-          while (!control.interrupted()) {
-            const std::optional<std::size_t> next = jobs.next();
-            if (!next) break;
-            attempt(models[*next], jobs);
-          }
-        },
-        tbb::simple_partitioner());
+    run_workers([&] {
+      while (!control.interrupted()) {
+        const std::optional<std::size_t> next = jobs.next();
+        if (!next) break;
+        attempt(models[*next], jobs);
+      }
+    });
   });
   if (control.interrupted() || interruption_requested()) throw Interrupted();
   std::ranges::sort(failures, {}, &ModelFailure::model);
   if (stop_at_failure && failures.size() > 1) failures.resize(1);
   return failures;
+}
+
+}  // namespace
+
+std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
+                                         bool stop_at_failure, const RunControl& control, Communicator& ranks,
+                                         const std::function<void(std::size_t model)>& job) {
+  return share_models(models, stage, stop_at_failure, control, ranks, job, [](const std::function<void()>& worker) {
+    tbb::parallel_for(
+        0, tbb::this_task_arena::max_concurrency(), 1, [&](int) { worker(); }, tbb::simple_partitioner());
+  });
+}
+
+std::vector<ModelFailure> for_each_model_in_turn(std::span<const std::size_t> models, std::string_view stage,
+                                                 bool stop_at_failure, const RunControl& control, Communicator& ranks,
+                                                 const std::function<void(std::size_t model)>& job) {
+  return share_models(models, stage, stop_at_failure, control, ranks, job,
+                      [](const std::function<void()>& worker) { worker(); });
 }
 
 std::vector<ModelFailure> failures_of_all(const std::vector<ModelFailure>& own, Communicator& ranks) {

@@ -43,6 +43,9 @@ struct LeftOutShape {
 /// Returns the number of hardware threads, used for 0.
 int available_threads();
 
+/// Returns the number of threads of a run.
+int thread_count(const RunControl& control);
+
 /// Runs the work on at most `threads` threads (0: available_threads()), including the calling one.
 void with_threads(int threads, const std::function<void()>& work);
 
@@ -60,6 +63,11 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
 std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
                                          bool stop_at_failure, const RunControl& control, Communicator& ranks,
                                          const std::function<void(std::size_t model)>& job);
+
+/// Like for_each_model(), but a rank works on one model at a time, in the calling thread: each model has all threads.
+std::vector<ModelFailure> for_each_model_in_turn(std::span<const std::size_t> models, std::string_view stage,
+                                                 bool stop_at_failure, const RunControl& control, Communicator& ranks,
+                                                 const std::function<void(std::size_t model)>& job);
 
 /// Returns the failures of all ranks, in the models' order. Collective.
 std::vector<ModelFailure> failures_of_all(const std::vector<ModelFailure>& own, Communicator& ranks);

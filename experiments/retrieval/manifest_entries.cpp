@@ -45,18 +45,6 @@ OrderedJson inputs(const ExperimentResults& results) {
   return inputs_json(results.configuration, ids, hashes);
 }
 
-/// Returns the numbers of results taken from the cache by kind.
-OrderedJson cache_json(const CacheReport& cache) {
-  if (cache.folder.empty()) return nullptr;
-  OrderedJson json = OrderedJson::object();
-  for (std::size_t kind = 0; kind < number_of_entry_kinds; ++kind) {
-    const CacheUse& use = cache.uses.at(kind);
-    if (use.hits + use.computed == 0) continue;
-    json[std::string(entry_kind_names.at(kind))] = {{"from_cache", use.hits}, {"computed", use.computed}};
-  }
-  return json;
-}
-
 /// Returns the models that some method cannot take, although another can.
 OrderedJson method_failures(const ExperimentResults& results) {
   OrderedJson list = OrderedJson::array();

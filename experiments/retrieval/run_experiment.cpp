@@ -57,7 +57,7 @@ ExperimentResults run_experiment(const Configuration& configuration, const RunCo
   ExperimentResults results;
   results.processes = context.ranks.size();
   results.configuration = configuration;
-  results.threads = context.control.threads > 0 ? context.control.threads : available_threads();
+  results.threads = thread_count(context.control);
   with_threads(context.control, [&] { run_stages(configuration, context, distance_files, results); });
   results.cache = cache_report(context.cache, context.ranks);
   return results;

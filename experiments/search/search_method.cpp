@@ -107,7 +107,8 @@ void take_terms(const SignatureConfiguration& signature, std::size_t index, Sear
 
 std::string SearchMethod::key() const {
   // Cache keys of a fixed shape represent all settings, versions and the program.
-  const std::string shape = shape_key({.sha256 = "", .file = "any.off", .id = "", .index = 0}, configuration);
+  const std::string shape = shape_key({.sha256 = "", .file = "any.off", .id = "", .index = 0},
+                                      configuration.preparation, configuration.perturbations, configuration.seed);
   Json depends_on{
       {"index", index_version}, {"terms", terms}, {"distances", Json::array()}, {"signatures", Json::array()}};
   for (const std::size_t term : terms) {

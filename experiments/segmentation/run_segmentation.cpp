@@ -362,7 +362,7 @@ nlohmann::json versions_of(const SegmentationMethod& method) {
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const RunContext& context) {
   SegmentationResults results;
   results.experiment = experiment;
-  results.threads = context.control.threads > 0 ? context.control.threads : available_threads();
+  results.threads = thread_count(context.control);
   with_threads(context.control, [&] { run_stages(context, results); });
   results.cache = cache_report(context.cache, context.ranks);
   return results;

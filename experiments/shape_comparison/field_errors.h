@@ -10,6 +10,9 @@
 
 namespace shapegauge {
 
+/// Cache version; increment when errors change.
+inline constexpr int field_errors_version = 1;
+
 /// Returns the weighted quantile: the smallest value whose cumulative weight reaches this fraction of the total. With
 /// 0.5 it is the (lower) median, always one of the values. NaN without values or weight. Throws ArgumentError for
 /// different numbers of values and weights.

@@ -1,29 +1,18 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
-#include "shapegauge/experiments/engine/run_control.h"
-#include "shapegauge/experiments/shape_comparison/field_errors.h"
+#include "shapegauge/experiments/engine/experiment.h"
+#include "shapegauge/experiments/shape_comparison/measured_shape.h"
 #include "shapegauge/experiments/signatures/compute_signatures.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
-
-/// Results of a comparison for one field on one shape.
-struct FieldMeasurement {
-  std::size_t samples = 0;
-  std::size_t missing = 0;  ///< samples without a value
-  double build_seconds = 0;
-  double query_seconds = 0;
-  std::optional<ValueErrors> errors;           ///< only with a reference to which the shapes are registered
-  std::optional<NormalErrors> offset_normals;  ///< likewise, if the field estimates normals and the reference is a mesh
-  std::optional<NormalErrors> own_normals;     ///< of the samples' own normals; together with offset_normals
-};
 
 /// Results of a comparison for one shape.
 struct ShapeMeasurement {
@@ -48,14 +37,17 @@ struct ShapeComparisonResults {
   std::vector<LeftOutShape> failures;
   std::vector<FieldReport> fields;
   std::vector<SignatureResults> signatures;  ///< by signature of the comparison
-  int threads = 1;
+  CacheReport cache;
+  int threads = 1;  ///< of each process
+  int processes = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
 };
 
-/// Runs a whole comparison: fields, histograms, distances from the reference, errors. Shapes are measured one after the
-/// other with all threads, which makes their timings comparable. Everything but the timings is the same for any number
-/// of threads. Writes nothing. Throws InputError for a shape that fails with OnError::stop, a reference that fails, and
-/// if no shape is left; throws Interrupted.
-ShapeComparisonResults run_shape_comparison(const ShapeComparison& comparison, const RunControl& control);
+/// Runs a whole comparison: fields, histograms, distances from the reference, errors; shapes are measured through the
+/// cache. Each process measures its shapes one after the other with all its threads, which makes their timings
+/// comparable; the reference comes first. Everything but the timings is the same for any number of threads and
+/// processes; rank 0 has the results. Writes nothing. Collective. Throws InputError for a shape that fails with
+/// OnError::stop, a reference that fails, and if no shape is left; throws Interrupted.
+ShapeComparisonResults run_shape_comparison(const ShapeComparison& comparison, const RunContext& context);
 
 }  // namespace shapegauge

@@ -207,6 +207,13 @@ OrderedJson manifest_entries(const ShapeComparisonResults& results) {
           {"fields", fields_json(results.fields)}};
 }
 
+OrderedJson execution_entries(const ShapeComparisonResults& results) {
+  OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
+  if (results.processes > 1) execution["processes"] = results.processes;
+  execution["cache"] = cache_json(results.cache);
+  return execution;
+}
+
 /// Formats the summary for a terminal: distances, errors, normals, timings.
 std::string summary_text(const ShapeComparisonResults& results) {
   std::string text;
@@ -220,13 +227,14 @@ std::string summary_text(const ShapeComparisonResults& results) {
 
 RunOutcome write_shape_comparison(const std::filesystem::path& folder, const ShapeComparisonResults& results) {
   RunOutcome outcome{.manifest = manifest_entries(results),
-                     .execution = execution_json(results.threads, results.timings, results.fields),
+                     .execution = execution_entries(results),
                      .summary = summary_text(results),
                      .notes = notes_of(results),
                      .warnings = field_warnings(results.fields),
                      .left_out = results.failures,
                      .used = results.shapes.size(),
-                     .noun = "shape"};
+                     .noun = "shape",
+                     .cache = results.cache};
   for (const auto& [name, text] : comparison_files(results)) {
     write_file_atomically(folder / name, text);
     outcome.files.push_back(name);
@@ -236,12 +244,10 @@ RunOutcome write_shape_comparison(const std::filesystem::path& folder, const Sha
 
 namespace {
 
-/// Runs on rank 0 alone, for undisturbed run times.
-RunOutcome run_alone(const ShapeComparison& comparison, const RunContext& context) {
+RunOutcome run_and_write(const ShapeComparison& comparison, const RunContext& context) {
+  const ShapeComparisonResults results = run_shape_comparison(comparison, context);
   return on_all_ranks(context.ranks, [&] {
-    return context.ranks.rank() == 0
-               ? write_shape_comparison(context.results, run_shape_comparison(comparison, context.control))
-               : RunOutcome();
+    return context.ranks.rank() == 0 ? write_shape_comparison(context.results, results) : RunOutcome();
   });
 }
 
@@ -254,7 +260,7 @@ Experiment read_comparison(const nlohmann::json& document, const std::string& so
           .configuration = to_json(comparison),
           .input_paths = std::move(files),
           .inputs = [comparison](int) { return inputs_of(comparison); },
-          .run = [comparison](const RunContext& context) { return run_alone(comparison, context); }};
+          .run = [comparison](const RunContext& context) { return run_and_write(comparison, context); }};
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 #include "shapegauge/experiments/signatures/cache_records.h"
 
-#include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -15,7 +13,6 @@
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
-#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/engine/build_information.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/pages/coarse_view.h"
@@ -105,17 +102,23 @@ std::string segmentation_key(const ModelSource& source, const SegmentationMethod
   return key_of(EntryKind::segmentation, std::move(depends_on));
 }
 
-std::string shape_key(const ModelSource& source, const Configuration& configuration) {
+std::string shape_key(const ModelSource& source, const PreparationOptions& preparation,
+                      const std::vector<Perturbation>& perturbations, std::uint64_t seed) {
   Json depends_on{{"file", source.sha256},
                   {"extension", lower_case(source.file.extension().string())},
-                  {"preparation", to_json(configuration.preparation)},
+                  {"preparation", to_json(preparation)},
                   {"versions", {shape_reading_version, preparation_version, diagnostics_version}}};
-  if (!configuration.perturbations.empty()) {
-    depends_on["perturbations"] = to_json(configuration.perturbations);
-    depends_on["perturbed"] = {versions_of(configuration.perturbations), configuration.seed, sha256(source.id),
-                               source.index};
+  if (!perturbations.empty()) {
+    depends_on["perturbations"] = to_json(perturbations);
+    depends_on["perturbed"] = {versions_of(perturbations), seed, sha256(source.id), source.index};
   }
   return key_of(EntryKind::shape, std::move(depends_on));
+}
+
+std::string comparison_key(const std::vector<std::string>& histograms, const std::string& reference, int version,
+                           int threads) {
+  return key_of(EntryKind::comparison,
+                {{"histograms", histograms}, {"reference", reference}, {"version", version}, {"threads", threads}});
 }
 
 std::string samples_key(const std::string& shape, const SamplePlan& plan) {

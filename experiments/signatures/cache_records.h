@@ -2,14 +2,17 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/experiments/signatures/model_picture.h"
@@ -35,7 +38,8 @@ struct ModelSource {
 
 /// Returns the key of a model's shape, perturbed and prepared. It does not depend on the file's path nor, without
 /// perturbations, on the id.
-std::string shape_key(const ModelSource& source, const Configuration& configuration);
+std::string shape_key(const ModelSource& source, const PreparationOptions& preparation,
+                      const std::vector<Perturbation>& perturbations, std::uint64_t seed);
 
 /// Returns the key of samples of that shape.
 std::string samples_key(const std::string& shape, const SamplePlan& plan);
@@ -70,6 +74,12 @@ std::string distance_of(const Descriptor& descriptor);
 /// preparation. `versions` are those of the method's algorithms.
 std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method,
                              const nlohmann::json& versions, const SegmentationExperiment& experiment);
+
+/// Returns the key of what a comparison measures on a shape. `histograms` are the keys of the shape's histograms;
+/// `reference` identifies the shape that it is compared with; `version` is that of the errors. Run times depend on the
+/// number of threads.
+std::string comparison_key(const std::vector<std::string>& histograms, const std::string& reference, int version,
+                           int threads);
 
 /// Record of an array of numbers.
 nlohmann::json numbers_record(const Eigen::VectorXd& numbers);

@@ -320,8 +320,10 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
   const std::string hash = sha256_of_shape(file);
   const ModelSource depends_on{.sha256 = hash, .file = source.file, .id = source.id, .index = model};
   const bool viewed = configuration.report.views && dataset.models.size() <= most_models_with_views;
-  DescribedModel described(configuration, plan, shape_key(depends_on, configuration),
-                           viewed ? faces_of_views(dataset.models.size()) : 0, cache);
+  DescribedModel described(
+      configuration, plan,
+      shape_key(depends_on, configuration.preparation, configuration.perturbations, configuration.seed),
+      viewed ? faces_of_views(dataset.models.size()) : 0, cache);
   described.lookup();
   const auto perturbed = [&] {
     return perturb_model(read_shape(file), configuration.perturbations, configuration.seed, source.id, model);

@@ -65,9 +65,10 @@ std::map<std::string, std::string> results_in(const std::filesystem::path& folde
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().lexically_relative(folder).string();
-    if (!entry.is_regular_file() || entry.path().filename() == "shape_seconds.csv") continue;
+    const std::string file = entry.path().filename().string();
+    if (!entry.is_regular_file() || file == "shape_seconds.csv" || file == "timings.csv") continue;
     files[name] = test::text_of(entry.path());
-    if (entry.path().filename() != "manifest.json") continue;
+    if (file != "manifest.json") continue;
     nlohmann::json manifest = nlohmann::json::parse(files.at(name));
     manifest.erase("execution");
     files[name] = manifest.dump();

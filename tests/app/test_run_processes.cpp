@@ -227,15 +227,28 @@ TEST_F(RunProcesses, WithoutTheModuleItSaysWhatIsMissing) {
 
 TEST_F(RunProcesses, RunComparisonsToo) {
   if (!missing().empty()) GTEST_SKIP() << missing();
-  write_text(at("small.json"),
-             json{{"name", "x"},
-                  {"shapes", {{{"name", "a"}, {"file", at("data/T0.off").string()}}}},
-                  {"signatures",
-                   {{{"name", "s"}, {"field", {{"type", "cone_sdf"}}}, {"histogram", {{"range", "per-shape"}}}}}}}
-                 .dump());
-  const Outcome outcome = run_ranks(2, "out");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_TRUE(fs::exists(at("out/histograms.csv")));
+  json comparison{
+      {"name", "x"},
+      {"shapes", json::array()},
+      {"reference", "1"},
+      {"signatures", {{{"name", "s"}, {"field", {{"type", "cone_sdf"}}}, {"histogram", {{"range", "dataset"}}}}}}};
+  for (int i = 0; i < 5; ++i) {
+    comparison["shapes"].push_back(
+        {{"name", std::to_string(i)}, {"file", at("data/T" + std::to_string(i) + ".off").string()}});
+  }
+  write_text(at("small.json"), comparison.dump());
+  const auto expected = results_of_one();
+  const std::string from_cache = "From the cache: 5 of 5 compared shapes\n";
+  for (const int ranks : {2, 3}) {
+    SCOPED_TRACE(ranks);
+    const std::string output = "out" + std::to_string(ranks);
+    const Outcome outcome = run_ranks(ranks, output);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    EXPECT_EQ(outcome.output.find(from_cache) != std::string::npos, ranks == 3) << outcome.output;
+    EXPECT_EQ(results_in(at(output)), expected);
+    EXPECT_EQ(json::parse(text_of(at(output) / "manifest.json"))["execution"]["processes"], ranks);
+  }
 }
 
 }  // namespace

@@ -23,6 +23,15 @@ TEST(Manifest, OutputsAreHashedButForTimings) {
             (OrderedJson{{"algorithm", "SHA-256"}, {"files", {{"summary.csv", hash_of_abc}}}}));
 }
 
+TEST(Manifest, TheUseOfTheCacheIsByKindThatWasNeeded) {
+  EXPECT_EQ(cache_json({}), nullptr);
+  CacheReport report{.folder = "cache", .uses = {}};
+  report.uses.at(static_cast<std::size_t>(EntryKind::field)) = {.hits = 2, .computed = 1};
+  report.uses.at(static_cast<std::size_t>(EntryKind::comparison)) = {.hits = 0, .computed = 4};
+  EXPECT_EQ(cache_json(report), (OrderedJson{{"field", {{"from_cache", 2}, {"computed", 1}}},
+                                             {"comparison", {{"from_cache", 0}, {"computed", 4}}}}));
+}
+
 }  // namespace
 
 }  // namespace shapegauge

@@ -76,23 +76,34 @@ TEST(Replay, OneOfSeveralDataSetsIsLookedForInAnotherFolderByItsName) {
 
 TEST(Replay, ChangedInputsAreNamed) {
   const Json recorded{
-      {"algorithm", "SHA-256"}, {"models", {{"1", "aa"}, {"2", "bb"}, {"3", "cc"}}}, {"classification", "dd"}};
-  EXPECT_THAT(changed_inputs(recorded, recorded), IsEmpty());
+      {"inputs",
+       {{"algorithm", "SHA-256"}, {"models", {{"1", "aa"}, {"2", "bb"}, {"3", "cc"}}}, {"classification", "dd"}}}};
+  EXPECT_THAT(changed_inputs(recorded, recorded.at("inputs")), IsEmpty());
   const Json now{{"models", {{"1", "aa"}, {"2", "xx"}, {"4", "ee"}}}, {"classification", "yy"}};
   EXPECT_THAT(changed_inputs(recorded, now),
               ElementsAre("model 2 differs from the recorded one", "model 3 is absent",
                           "the classification differs from the recorded one", "model 4 was not recorded"));
-  EXPECT_THAT(changed_inputs({{"shapes", {{"cat", "aa"}}}}, {{"shapes", Json::object()}}),
+  EXPECT_THAT(changed_inputs({{"inputs", {{"shapes", {{"cat", "aa"}}}}}}, {{"shapes", Json::object()}}),
               ElementsAre("shape cat is absent"));
 }
 
 TEST(Replay, KindsOfInputsThatWereNotRecordedAreNotCompared) {
-  const Json recorded{{"models", {{"1", "aa"}}}};
+  const Json inputs{{"models", {{"1", "aa"}}}};
+  const Json recorded{{"inputs", inputs}};
   EXPECT_THAT(changed_inputs(recorded, {{"models", {{"1", "aa"}}}, {"classification", "dd"}}), IsEmpty());
   EXPECT_THAT(changed_inputs(recorded, {{"models", {{"1", "aa"}, {"2", "bb"}}}, {"classification", "dd"}}),
               ElementsAre("model 2 was not recorded"));
-  EXPECT_THAT(changed_inputs({{"models", {{"1", "aa"}}}, {"classification", "dd"}}, recorded),
+  EXPECT_THAT(changed_inputs({{"inputs", {{"models", {{"1", "aa"}}}, {"classification", "dd"}}}}, inputs),
               ElementsAre("the classification is absent"));
+}
+
+TEST(Replay, UnrecordedFilesOfModelsThatFailedAreOneLine) {
+  const Json recorded{{"inputs", {{"models", {{"1", "aa"}}}}},
+                      {"failed_models", {{{"model", "2"}, {"error", "x"}}, {{"model", "3"}, {"error", "x"}}}}};
+  const Json now{{"models", {{"1", "aa"}, {"2", "bb"}, {"2/a.seg", "cc"}, {"20", "dd"}, {"3", "ee"}}}};
+  EXPECT_THAT(changed_inputs(recorded, now),
+              ElementsAre("model 20 was not recorded",
+                          "the files of 2 models that failed in the recorded run were not recorded"));
 }
 
 TEST(Replay, AnotherProgramIsNamed) {

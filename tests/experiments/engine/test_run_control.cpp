@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <string>
+#include <tbb/task_arena.h>
 #include <thread>
 #include <vector>
 
 #include "shapegauge/experiments/engine/run_control.h"
+#include "tests/support/thread_ranks.h"
 
 namespace shapegauge {
 
@@ -58,6 +60,27 @@ TEST(ForEachModel, WhatHasNotBegunIsSkippedAfterAFailure) {
     });
   });
   EXPECT_THAT(begun, testing::ElementsAre(2, 3));
+}
+
+TEST(ForEachModelInTurn, WorksOnOneModelAtATimeWithAllThreads) {
+  const std::vector<std::size_t> models{2, 3, 5, 7};
+  for (const int size : {1, 2}) {
+    std::atomic<int> jobs = 0;
+    test::on_thread_ranks(size, [&](Communicator& ranks) {
+      std::atomic<int> running = 0;
+      with_threads(3, [&] {
+        const auto failures = for_each_model_in_turn(models, "test", false, {}, ranks, [&](std::size_t) {
+          EXPECT_EQ(++running, 1);
+          EXPECT_EQ(tbb::this_task_arena::max_concurrency(), 3);
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+          --running;
+          ++jobs;
+        });
+        EXPECT_THAT(failures, testing::IsEmpty());
+      });
+    });
+    EXPECT_EQ(jobs, 4);
+  }
 }
 
 TEST(ForEachModel, AnInterruptionIsThrown) {

@@ -45,7 +45,9 @@ class ExperimentKinds : public testing::Test {
     return Json::parse(R"({
       "name": "spheres",
       "shapes": [{"name": "a", "file": "a.off"},
-                 {"name": "b", "file": "b.off", "perturbations": [{"type": "vertex_noise", "amplitude": 0.01}]}],
+                 {"name": "b", "file": "b.off", "perturbations": [{"type": "vertex_noise", "amplitude": 0.01}]},
+                 {"name": "c", "file": "b.off", "perturbations": [{"type": "remove_faces", "fraction": 0.1}]},
+                 {"name": "d", "file": "b.off"}],
       "reference": "a",
       "signatures": [{"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"bins": 10, "range": "dataset"}}]})");
   }
@@ -94,7 +96,7 @@ class ExperimentKinds : public testing::Test {
 TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
   EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation", "multi_dataset"));
   EXPECT_TRUE(read_experiment(retrieval(), "test.json", at("")).inputs);
-  EXPECT_EQ(read_experiment(comparison(), "test.json", at("")).configuration["shapes"].size(), 2U);
+  EXPECT_EQ(read_experiment(comparison(), "test.json", at("")).configuration["shapes"].size(), 4U);
   EXPECT_EQ(read_experiment(segmentation(), "test.json", at("")).name, "parts");
   EXPECT_EQ(read_experiment(multi_dataset(), "test.json", at("")).configuration["datasets"].size(), 3U);
   EXPECT_THAT(test::input_error_of([&] {
@@ -230,8 +232,10 @@ TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
 }
 
 TEST_F(ExperimentKinds, GoOnFromTheCacheAfterAnInterruption) {
-  for (const auto& [name, document] :
-       {std::pair{"retrieval", retrieval()}, {"segmentation", segmentation()}, {"multi_dataset", multi_dataset()}}) {
+  for (const auto& [name, document] : {std::pair{"retrieval", retrieval()},
+                                       {"comparison", comparison()},
+                                       {"segmentation", segmentation()},
+                                       {"multi_dataset", multi_dataset()}}) {
     SCOPED_TRACE(name);
     const std::string place = name;
     Cache none;

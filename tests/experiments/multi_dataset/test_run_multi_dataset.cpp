@@ -165,11 +165,11 @@ TEST_F(RunMultiDataset, IsRepeatedFromItsManifest) {
   const ComparedOutputs compared = compare_outputs(recorded, now);
   EXPECT_TRUE(compared.different.empty()) << testing::PrintToString(compared.different);
   EXPECT_GT(compared.same.size(), 20U);
-  EXPECT_TRUE(changed_inputs(recorded.at("inputs"), now.at("inputs")).empty());
+  EXPECT_TRUE(changed_inputs(recorded, now.at("inputs")).empty());
   EXPECT_EQ(read(document()).inputs(1), now.at("inputs"));
   test::write_small_dataset(at("second"));
   test::write_text(at("second/test.cla"), "PSB 1\n2 6\n\nsphere 0 3\n0\n3\n6\n\ncube 0 3\n1\n4\n7\n");
-  EXPECT_EQ(changed_inputs(recorded.at("inputs"), read(document()).inputs(1)).size(), 1U);
+  EXPECT_EQ(changed_inputs(recorded, read(document()).inputs(1)).size(), 1U);
   EXPECT_THAT(test::input_error_of([&] { recorded_configuration(recorded, at("first"), paths); }),
               HasSubstr("datasets.0.root"));
 }

@@ -298,8 +298,8 @@ TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
   const Experiment experiment = segmentation_kind().read(document, "x.json", folder_.path());
   Cache none;
   (void)run_into_folder(experiment, folder_.path() / "results", false, {.threads = 1}, none, *single_process());
-  const nlohmann::json recorded = read_json(folder_.path() / "results" / manifest_name).at("inputs");
-  EXPECT_EQ(recorded.at("models").size(), 9U);
+  nlohmann::json recorded = read_json(folder_.path() / "results" / manifest_name);
+  EXPECT_EQ(recorded.at("inputs").at("models").size(), 9U);
   EXPECT_THAT(changed_inputs(recorded, experiment.inputs(1)), testing::IsEmpty());
   write_off(root() / "off/1.off", test::sphere(1, 2));
   write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(640, 0));
@@ -307,6 +307,12 @@ TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
   EXPECT_THAT(changed_inputs(recorded, experiment.inputs(1)),
               testing::ElementsAre("model 1 differs from the recorded one",
                                    "model 21/a.seg differs from the recorded one", "model 22/b.seg is absent"));
+
+  // Earlier versions recorded no files of failed shapes.
+  for (const char* const file : {"21", "21/a.seg", "21/b.seg"}) recorded.at("inputs").at("models").erase(file);
+  EXPECT_THAT(changed_inputs(recorded, experiment.inputs(1)),
+              testing::ElementsAre("model 1 differs from the recorded one", "model 22/b.seg is absent",
+                                   "the files of 1 model that failed in the recorded run were not recorded"));
 }
 
 TEST_F(SegmentationRun, RecordsTheFileOfClasses) {

@@ -1,13 +1,13 @@
 #include <atomic>
 #include <gmock/gmock.h>
 
-#include "shapegauge/core/io/off.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
 #include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
 #include "tests/experiments/shape_comparison/published_comparison.h"
+#include "tests/support/run_alone.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
@@ -24,31 +24,17 @@ using Json = nlohmann::json;
 /// A sphere, a copy of its file under another name, and a noisy sphere.
 class RunComparison : public testing::Test {
  protected:
-  void SetUp() override {
-    Shape sphere = test::sphere(10, 3);
-    sphere.vertices.rowwise() += Eigen::RowVector3d(5, 0, 1);  // another scale and position
-    write_off(path("sphere.off"), sphere);
-  }
+  void SetUp() override { test::write_sphere(path("sphere.off")); }
   [[nodiscard]] fs::path path(const std::string& name) const { return folder_.path() / name; }
-  [[nodiscard]] static Json document() {
-    return Json::parse(R"({
-      "name": "spheres",
-      "shapes": [
-        {"name": "noisy", "file": "sphere.off", "perturbations": [{"type": "vertex_noise", "amplitude": 0.01}]},
-        {"name": "clean", "file": "sphere.off"},
-        {"name": "again", "file": "sphere.off"}
-      ],
-      "reference": "clean",
-      "signatures": [
-        {"name": "offset", "field": {"type": "offset_sdf", "offset": 0.03},
-         "histogram": {"bins": 10, "range": {"fixed": [0, 0.6]}}},
-        {"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"bins": 10, "range": "dataset"}},
-        {"name": "vertices", "field": {"type": "offset_sdf", "offset": 0.03, "at": "vertices"},
-         "histogram": {"bins": 10, "range": "per-shape"}}
-      ]})");
-  }
+  [[nodiscard]] static Json document() { return test::three_spheres(); }
   [[nodiscard]] ShapeComparisonResults run(const Json& changed = document(), const RunControl& control = {}) const {
-    return run_shape_comparison(comparison_from_json(changed, "test.json", folder_.path()), control);
+    Cache none;
+    return run(changed, control, none);
+  }
+  [[nodiscard]] ShapeComparisonResults run(const Json& changed, const RunControl& control, Cache& cache) const {
+    return test::run_alone(control, cache, "", [&](const RunContext& context) {
+      return run_shape_comparison(comparison_from_json(changed, "test.json", folder_.path()), context);
+    });
   }
 
  private:
@@ -184,6 +170,49 @@ TEST_F(RunComparison, ABadShapeStopsItOrIsLeftOut) {
   EXPECT_THAT(test::input_error_of([&] { static_cast<void>(run(changed)); }), HasSubstr("it is the reference"));
 }
 
+TEST_F(RunComparison, ASecondRunMeasuresNothing) {
+  Cache first(path("cache"));
+  test::publish(path("first"), run(document(), {.threads = 2}, first));
+  Cache second(path("cache"));
+  const ShapeComparisonResults results = run(document(), {.threads = 2}, second);
+  test::publish(path("second"), results);
+  const CacheUse use = results.cache.uses.at(static_cast<std::size_t>(EntryKind::comparison));
+  EXPECT_EQ(use.hits, 3U);
+  EXPECT_EQ(use.computed, 0U);
+  Json one = Json::parse(text_of(path("first") / "manifest.json"));
+  Json two = Json::parse(text_of(path("second") / "manifest.json"));
+  EXPECT_EQ(two["execution"]["cache"], (Json{{"comparison", {{"from_cache", 3}, {"computed", 0}}}}));
+  EXPECT_EQ(two["execution"]["field_seconds"], one["execution"]["field_seconds"]);
+  one.erase("execution");
+  two.erase("execution");
+  EXPECT_EQ(one, two);
+  for (const std::string file : one.at("files")) {  // timings.csv, too
+    EXPECT_NE(text_of(path("first") / file), "") << file;
+    EXPECT_TRUE(text_of(path("first") / file) == text_of(path("second") / file)) << file;
+  }
+}
+
+TEST_F(RunComparison, AnInterruptedOneGoesOnFromTheCache) {
+  Json longer = document();
+  longer["shapes"].push_back(
+      {{"name", "fewer"}, {"file", "sphere.off"}, {"perturbations", {{{"type", "remove_faces"}, {"fraction", 0.1}}}}});
+  bool interrupted = false;
+  RunControl control{.interrupted = [&] { return interrupted; }};
+  control.progress = [&](std::string_view stage, std::size_t done, std::size_t) {
+    interrupted = stage == "shapes" && done == 1;
+  };
+  Cache first(path("cache"));
+  EXPECT_THROW(static_cast<void>(run(longer, control, first)), Interrupted);
+  Cache second(path("cache"));
+  const ShapeComparisonResults results = run(longer, {}, second);
+  const CacheUse use = results.cache.uses.at(static_cast<std::size_t>(EntryKind::comparison));
+  EXPECT_EQ(use.hits, 2U) << "the reference and the first of the others";
+  EXPECT_EQ(use.computed, 2U);
+  test::publish(path("continued"), results);
+  test::publish(path("alone"), run(longer));
+  EXPECT_EQ(test::reproducible_results(path("continued")), test::reproducible_results(path("alone")));
+}
+
 TEST_F(RunComparison, AnInterruptionStopsIt) {
   std::atomic<int> asked = 0;
   RunControl control;
@@ -218,7 +247,10 @@ TEST(GeneratedComparison, RunsWithoutData) {
   Json document = read_json(file);
   document["shapes"].erase(document["shapes"].begin() + 2, document["shapes"].end());
   for (Json& shape : document["shapes"]) shape["generate"] = {{"class", "snake"}, {"faces", 1000}};
-  const ShapeComparisonResults results = run_shape_comparison(comparison_from_json(document, file.string(), ""), {});
+  Cache none;
+  const ShapeComparisonResults results = test::run_alone({}, none, "", [&](const RunContext& context) {
+    return run_shape_comparison(comparison_from_json(document, file.string(), ""), context);
+  });
   EXPECT_EQ(results.shapes.size(), 2U);
   EXPECT_TRUE(results.failures.empty());
   EXPECT_EQ(results.signatures[0].distances[0], 0);

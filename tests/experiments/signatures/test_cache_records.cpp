@@ -16,17 +16,21 @@ namespace {
 
 const ModelSource source{.sha256 = "abc", .file = "data/T1.off", .id = "1", .index = 1};
 
+std::string key_of_shape(const ModelSource& of, const Configuration& configuration) {
+  return shape_key(of, configuration.preparation, configuration.perturbations, configuration.seed);
+}
+
 std::vector<Perturbation> noise(double amplitude) {
   return make_perturbations({{{"type", "vertex_noise"}, {"amplitude", amplitude}}});
 }
 
 TEST(CacheKeys, AShapeIsItsBytesAndItsFormatWhereverItIs) {
   const Configuration plain;
-  const std::string key = shape_key(source, plain);
+  const std::string key = key_of_shape(source, plain);
   EXPECT_EQ(key.size(), 64U);
-  EXPECT_EQ(key, shape_key({.sha256 = "abc", .file = "elsewhere/X.OFF", .id = "7", .index = 3}, plain));
-  EXPECT_NE(key, shape_key({.sha256 = "abd", .file = "data/T1.off", .id = "1", .index = 1}, plain));
-  EXPECT_NE(key, shape_key({.sha256 = "abc", .file = "data/T1.txt", .id = "1", .index = 1}, plain));
+  EXPECT_EQ(key, key_of_shape({.sha256 = "abc", .file = "elsewhere/X.OFF", .id = "7", .index = 3}, plain));
+  EXPECT_NE(key, key_of_shape({.sha256 = "abd", .file = "data/T1.off", .id = "1", .index = 1}, plain));
+  EXPECT_NE(key, key_of_shape({.sha256 = "abc", .file = "data/T1.txt", .id = "1", .index = 1}, plain));
 }
 
 TEST(CacheKeys, AShapeDependsOnThePreparation) {
@@ -35,7 +39,7 @@ TEST(CacheKeys, AShapeDependsOnThePreparation) {
     for (const ScaleEstimate scale : {ScaleEstimate::area, ScaleEstimate::tube_area}) {
       Configuration configuration;
       configuration.preparation = {.denoise = denoise, .scale = scale};
-      keys.insert(shape_key(source, configuration));
+      keys.insert(key_of_shape(source, configuration));
     }
   }
   EXPECT_EQ(keys.size(), 4U);
@@ -44,15 +48,15 @@ TEST(CacheKeys, AShapeDependsOnThePreparation) {
 TEST(CacheKeys, APerturbedShapeDependsOnTheSeedAndTheModelToo) {
   Configuration configuration;
   configuration.seed = 2;
-  EXPECT_EQ(shape_key(source, configuration), shape_key(source, Configuration{})) << "nothing is drawn";
+  EXPECT_EQ(key_of_shape(source, configuration), key_of_shape(source, Configuration{})) << "nothing is drawn";
   configuration.perturbations = noise(0.01);
-  std::set<std::string> keys{shape_key(source, Configuration{}), shape_key(source, configuration)};
-  keys.insert(shape_key({.sha256 = "abc", .file = "data/T1.off", .id = "2", .index = 1}, configuration));
-  keys.insert(shape_key({.sha256 = "abc", .file = "data/T1.off", .id = "1", .index = 2}, configuration));
+  std::set<std::string> keys{key_of_shape(source, Configuration{}), key_of_shape(source, configuration)};
+  keys.insert(key_of_shape({.sha256 = "abc", .file = "data/T1.off", .id = "2", .index = 1}, configuration));
+  keys.insert(key_of_shape({.sha256 = "abc", .file = "data/T1.off", .id = "1", .index = 2}, configuration));
   configuration.seed = 3;
-  keys.insert(shape_key(source, configuration));
+  keys.insert(key_of_shape(source, configuration));
   configuration.perturbations = noise(0.02);
-  keys.insert(shape_key(source, configuration));
+  keys.insert(key_of_shape(source, configuration));
   EXPECT_EQ(keys.size(), 6U);
 }
 
@@ -88,6 +92,13 @@ TEST(CacheKeys, AHistogramDependsOnItsSettings) {
     keys.insert(histogram_key("other field", histogram));
   }
   EXPECT_EQ(keys.size(), 12U);
+}
+
+TEST(CacheKeys, AComparedShapeDependsOnItsHistogramsTheReferenceTheVersionAndTheThreads) {
+  const std::set<std::string> keys{comparison_key({"a", "b"}, "c", 1, 2), comparison_key({"b", "a"}, "c", 1, 2),
+                                   comparison_key({"a", "b"}, "", 1, 2), comparison_key({"a", "b"}, "c", 2, 2),
+                                   comparison_key({"a", "b"}, "c", 1, 1)};
+  EXPECT_EQ(keys.size(), 5U);
 }
 
 TEST(CacheKeys, APictureDependsOnItsFieldAndOnHowItIsDrawn) {
