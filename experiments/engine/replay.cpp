@@ -34,7 +34,7 @@ std::map<std::string, std::string> named_inputs(const Json& inputs) {
 /// Returns the model among those that failed in the recorded run to which the named input belongs; empty if none.
 std::string failed_model(const Json& manifest, const std::string& input) {
   for (const Json& failed : manifest.value("failed_models", Json::array())) {
-    const std::string name = "model " + failed.value("model", "");
+    std::string name = "model " + failed.value("model", "");
     if (input == name || input.starts_with(name + "/")) return name;
   }
   return "";

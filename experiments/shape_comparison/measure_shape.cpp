@@ -95,8 +95,8 @@ MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size
   const std::string hash = source_hash(source, file);
   const std::string shape = shape_key({.sha256 = hash, .file = source.file, .id = source.name, .index = index},
                                       comparison.preparation, source.perturbations, comparison.seed);
-  // The record of the reference has more contents than that of an equal shape.
-  const std::string compared_with = is_compared_with ? "itself" : reference != nullptr ? reference->key : "";
+  std::string compared_with = reference != nullptr ? reference->key : "";
+  if (is_compared_with) compared_with = "itself";  // its record has more contents than that of an equal shape
   const std::string key = comparison_key(histogram_keys(comparison, plan, shape), compared_with, field_errors_version,
                                          thread_count(control));
   auto found = cache.lookup(EntryKind::comparison, key,
