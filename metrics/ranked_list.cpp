@@ -6,7 +6,6 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -229,7 +228,7 @@ void append_tied(Runs& runs, const Tied& tied, Ties ties) {
       break;
     case Ties::pessimistic:
       append(runs, misses);
-      for (const Hit& hit : std::views::reverse(hits)) append(runs, hit);
+      std::for_each(hits.rbegin(), hits.rend(), [&](const Hit& hit) { append(runs, hit); });
       break;
     case Ties::expected:
       for (const Hit& hit : hits) grades += hit.grade;
