@@ -25,6 +25,7 @@ struct PerturbationContext {
 };
 
 /// Perturbation step of a configuration, applied to shapes before anything is computed.
+// NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct Perturbation {
   nlohmann::json settings;  ///< type and all settings, with all defaults
   nlohmann::json versions;  ///< versions of the step's type, and of the types that it may choose
