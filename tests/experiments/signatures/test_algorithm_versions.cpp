@@ -180,8 +180,8 @@ std::vector<double> numbers_of(const DescriptorChoice& choice) {
   const LearntFeatures learnt = learning ? choice.descriptor.learn(inputs, choice.values) : LearntFeatures{};
   Signatures features;
   std::vector<double> numbers;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const Eigen::VectorXd found = choice.descriptor.describe(inputs[i], learnt, choice.values).cast<double>();
+  for (const DescriptorInput& input : inputs) {
+    const Eigen::VectorXd found = choice.descriptor.describe(input, learnt, choice.values).cast<double>();
     features.conservativeResize(features.rows() + 1, found.size());
     features.bottomRows<1>() = found.transpose().cast<float>();
     numbers.push_back(found.sum());
