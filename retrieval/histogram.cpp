@@ -25,14 +25,17 @@ void check_range(const Interval& range) {
 }
 
 Eigen::Index bin_of(double value, const Interval& range, int bins) {
-  const double width = range.high - range.low;
-  if (width == 0) return 0;
   // Clamped before the conversion: an infinite position has no integer value.
-  const double position = (value - range.low) / width * bins;
+  const double position = (value - range.low) / (range.high - range.low) * bins;
   return static_cast<Eigen::Index>(std::clamp(position, 0.0, static_cast<double>(bins - 1)));
 }
 
 }  // namespace
+
+bool is_constant(const Interval& range) {
+  constexpr double rounding = 1e-9;
+  return range.high - range.low <= rounding * std::max(std::abs(range.low), std::abs(range.high));
+}
 
 std::optional<Interval> value_range(const ScalarField& field) {
   check_sizes(field);
@@ -63,6 +66,7 @@ Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const
   check_range(range);
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(options.bins);
   double total = 0;
+  const bool is_single_bin = is_constant(range);
   for (Eigen::Index i = 0; i < field.values.size(); ++i) {
     const double weight = field.weights[i];
     if (!(weight >= 0) || !std::isfinite(weight)) {
@@ -70,7 +74,7 @@ Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const
                           "; weights must be finite and not negative");
     }
     if (std::isnan(field.values[i])) continue;
-    counts[bin_of(field.values[i], range, options.bins)] += weight;
+    counts[is_single_bin ? 0 : bin_of(field.values[i], range, options.bins)] += weight;
     total += weight;
   }
   if (!(total > 0)) throw ArgumentError("a field without any value of positive weight has no histogram");

@@ -12,7 +12,7 @@
 namespace shapegauge {
 
 /// Cache version of histogram() and its smoothing; see docs/manual/cache.md.
-inline constexpr int histogram_version = 1;
+inline constexpr int histogram_version = 2;
 
 /// Interval of values.
 struct Interval {
@@ -39,12 +39,15 @@ inline constexpr std::array histogram_table = {
 /// Returns the smallest and largest finite value of positive weight, if any.
 std::optional<Interval> value_range(const ScalarField& field);
 
+/// Returns true if a range is no wider than rounding: 1e-9 of the larger magnitude of its ends.
+bool is_constant(const Interval& range);
+
 /// Returns the smallest interval that contains all of the intervals. Throws ArgumentError if there are none.
 Interval enclosing_interval(std::span<const Interval> intervals);
 
 /// Computes the weighted histogram of a field's values over a range, normalised to sum 1. Bin b covers low + [b, b + 1)
 /// * width / bins; the last bin includes `high`. Values beyond the range, including infinite ones, count in the first
-/// or last bin; NaN values and zero weights are ignored. If the range has no width, all values count in the first bin.
+/// or last bin; NaN values and zero weights are ignored. If the range is_constant(), all values count in the first bin.
 /// Throws ArgumentError if there is no valid value, for different numbers of values and weights, for a weight that is
 /// negative or not finite, and for a range or an option out of range.
 Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const HistogramOptions& options);

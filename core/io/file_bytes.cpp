@@ -59,10 +59,11 @@ struct NewFile {
 NewFile create_beside(const fs::path& path) {
   static std::atomic<unsigned> counter = 0;
   while (true) {
-    fs::path name = path;
-    name += fmt::format(".{}-{}.part", ::getpid(), counter++);
+    // With part of the name only, as names have at most 255 bytes.
+    const fs::path name = path.parent_path() /
+                          fmt::format("{}.{}-{}.part", path.filename().string().substr(0, 200), ::getpid(), counter++);
     const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) return {descriptor, std::move(name)};
+    if (descriptor >= 0) return {descriptor, name};
     if (errno != EEXIST) fail_writing(path, errno);
   }
 }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -28,30 +31,55 @@ fs::path relative_to(const fs::path& folder, const fs::path& path) {
   return below ? relative : fs::absolute(path).lexically_normal();
 }
 
-Collection files_below(const fs::path& folder) {
-  Collection collection{.base = folder, .files = {}};
+void add_files_below(const fs::path& folder, std::set<fs::path>& visited, std::vector<fs::path>& links,
+                     Collection& collection);
+
+/// Collects the shapes in a folder and below unless it has been visited or cannot be read.
+void visit_folder(const fs::path& folder, std::set<fs::path>& visited, std::vector<fs::path>& links,
+                  Collection& collection) {
   std::error_code failure;
-  const auto options = fs::directory_options::follow_directory_symlink | fs::directory_options::skip_permission_denied;
-  std::set<fs::path> visited{fs::canonical(folder, failure)};
-  fs::recursive_directory_iterator entry(folder, options, failure);
-  for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
-    const fs::path& path = entry->path();
+  if (is_readable_folder(folder) && visited.insert(fs::canonical(folder, failure)).second) {
+    add_files_below(folder, visited, links, collection);
+  } else {
+    ++collection.skipped.folders;
+  }
+}
+
+/// Collects the shapes in a folder and below, except beyond links to folders, which are added to `links`.
+void add_files_below(const fs::path& folder, std::set<fs::path>& visited, std::vector<fs::path>& links,
+                     Collection& collection) {
+  std::vector<fs::path> paths;
+  std::error_code failure;
+  const fs::directory_iterator entries(folder, failure);
+  if (!failure) std::ranges::copy(entries, std::back_inserter(paths));
+  if (failure) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failure.message()));
+  std::ranges::sort(paths);
+  for (const fs::path& path : paths) {
     const bool hidden = path.filename().string().starts_with('.');
-    if (is_folder(path)) {
-      std::error_code lost;
-      const bool known = !visited.insert(fs::canonical(path, lost)).second;
-      if (hidden || known) entry.disable_recursion_pending();
-      if (!hidden && (known || !is_readable_folder(path))) ++collection.skipped.folders;
-      continue;
-    }
-    if (is_model_file(path)) {
-      const fs::path relative = path.lexically_relative(folder);
-      collection.files.push_back({.id = relative.generic_string(), .path = relative});
+    if (!is_folder(path)) {
+      if (is_model_file(path)) {
+        const fs::path relative = path.lexically_relative(collection.base);
+        collection.files.push_back({.id = relative.generic_string(), .path = relative});
+      } else if (!hidden) {
+        ++collection.skipped.files;
+      }
+    } else if (!hidden && fs::is_symlink(path, failure)) {
+      links.push_back(path);
     } else if (!hidden) {
-      ++collection.skipped.files;
+      visit_folder(path, visited, links, collection);
     }
   }
-  if (failure) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failure.message()));
+}
+
+/// Collects the shapes in a folder and below. A folder with several names is visited once, by its own name if possible.
+Collection files_below(const fs::path& folder) {
+  Collection collection{.base = folder, .files = {}};
+  std::set<fs::path> visited = visited_at_root(folder);
+  std::vector<fs::path> links;
+  add_files_below(folder, visited, links, collection);
+  while (!links.empty()) {
+    for (const fs::path& link : std::exchange(links, {})) visit_folder(link, visited, links, collection);
+  }
   return collection;
 }
 

@@ -68,10 +68,10 @@ void check_axis(const JointAxis& axis) {
   }
 }
 
-/// Sets the range of an axis to that of some values; a single value becomes its lower end.
+/// Sets the range of an axis to that of some values. The lower end of a constant one becomes that of a unit.
 void set_range(JointAxis& axis, const Interval& of_values) {
   axis.low = of_values.low;
-  axis.high = of_values.low < of_values.high ? of_values.high : of_values.low + 1;
+  axis.high = is_constant(of_values) ? of_values.low + 1 : of_values.high;
 }
 
 /// Returns the axis, with the range of the shape if requested.

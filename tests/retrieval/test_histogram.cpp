@@ -55,7 +55,13 @@ TEST(Histogram, NanAndWeightZeroDoNotCount) {
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.5F, 0.5F}));
 }
 
-TEST(Histogram, ARangeOfNoWidthPutsAllInTheFirstBin) {
+TEST(Histogram, ARangeNoWiderThanRoundingPutsAllInTheFirstBin) {
+  const double above = 1 + 4e-16;
+  EXPECT_EQ(bins_of(histogram(evenly_weighted({1, above}), {1, above}, with_bins(3))), (std::vector<float>{1, 0, 0}));
+  EXPECT_EQ(bins_of(histogram(evenly_weighted({1, 1 + 2e-9}), {1, 1 + 2e-9}, with_bins(2))),
+            (std::vector<float>{0.5F, 0.5F}));
+  EXPECT_EQ(bins_of(histogram(evenly_weighted({0, 1e-12}), {0, 1e-12}, with_bins(2))),
+            (std::vector<float>{0.5F, 0.5F}));
   const auto result = histogram(evenly_weighted({2, 2, 2}), {2, 2}, with_bins(3));
   EXPECT_EQ(bins_of(result), (std::vector<float>{1, 0, 0}));
 }

@@ -44,6 +44,15 @@ TEST_F(CollectionOf, AFolderIsAllShapesInItAndBelow) {
   EXPECT_EQ(found.skipped.folders, 1U);  // the circle
 }
 
+TEST_F(CollectionOf, AFolderWithALinkHasItsOwnName) {
+  std::filesystem::create_directory(at("a"));
+  std::filesystem::create_directory_symlink(at("deep/er"), at("a/alias"));
+  std::filesystem::create_directory_symlink(at("deep"), at("b"));
+  const Collection found = find_collection(at(""));
+  EXPECT_THAT(ids_of(found), ElementsAre("a9.OBJ", "a10.off", "deep/er/b.stl"));
+  EXPECT_EQ(found.skipped.folders, 2U);
+}
+
 TEST_F(CollectionOf, AListIsItsLines) {
   const Collection found = find_collection(written("list.txt", "# shapes\n\n deep/er/b.stl \r\na10.off\n"));
   EXPECT_THAT(ids_of(found), ElementsAre("a10.off", "deep/er/b.stl"));

@@ -211,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         RecordedDescriptor{
             {{"type", "joint_histogram"}, {"fields", two_fields}},
-            1,
+            2,
             {0.999999981, 0.246301972, 0.999999998, 0.166473898, 1, 0.219391857, 1.99971883, 1.99787547}},
         RecordedDescriptor{{{"type", "bag_of_features"}, {"words", 7}, {"fields", two_fields}},
                            1,
@@ -250,7 +250,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {
   const ScalarField field{.values = Eigen::VectorXd::LinSpaced(40, 0.1, 1.3).array().square(),
                           .weights = Eigen::VectorXd::LinSpaced(40, 1, 2)};
-  EXPECT_EQ(histogram_version, 1);
+  EXPECT_EQ(histogram_version, 2);
   const Eigen::VectorXf plain = histogram(field, {.low = 0, .high = 1.7}, {.bins = 7});
   const Eigen::VectorXf smooth = histogram(field, {.low = 0, .high = 1.7}, {.bins = 7, .smoothing_bins = 1.5});
   const std::vector<float> recorded_plain{0.25F,        0.16452992F,   0.130341887F, 0.111965813F,

@@ -124,6 +124,18 @@ TEST(JointHistogram, AsADescriptorItTakesTheDataSetsRange) {
   EXPECT_EQ(joint.describe(inputs[0], learnt, settings), joint_histogram(small, expected));
 }
 
+TEST(JointHistogram, OfAFieldThatIsConstantUpToRoundingHasOneBin) {
+  std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
+  const Shape none;
+  const Descriptor& joint = descriptors().at("joint_histogram");
+  DescriptorSettings settings = default_settings(joint, 2);
+  settings.axes[0].set("per_shape", true);
+  fields[0].values.setConstant(1);
+  const Eigen::VectorXf constant = compute_features(joint, {none, fields}, {}, settings);
+  fields[0].values[7] += 4e-16;
+  EXPECT_EQ(compute_features(joint, {none, fields}, {}, settings), constant);
+}
+
 TEST(JointHistogram, OverADataSetOfOneValueItIsThatOfEachShapesOwnRange) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   fields[0].values.setConstant(0.7);
