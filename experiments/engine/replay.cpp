@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/engine/replay.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -76,6 +77,23 @@ void move_dataset(Json& dataset, const fs::path& root) {
   dataset["classification"] = moved(dataset.at("classification").get<std::string>(), old_root, root).string();
 }
 
+/// Returns true for an object of hashes by name.
+bool has_hashes(const Json& value) {
+  return value.is_object() && std::ranges::all_of(value, [](const Json& hash) { return hash.is_string(); });
+}
+
+/// Throws InputError for hashes of inputs and outputs that changed_inputs() and compare_outputs() cannot read.
+void check_hashes(const Json& manifest, const std::string& source) {
+  const auto expect = [&](const char* place, bool valid, const char* expected) {
+    if (!valid) throw InputError(fmt::format("{}: {}: expected {}; the manifest is damaged", source, place, expected));
+  };
+  const Json& inputs = manifest.at("inputs");
+  expect("inputs.models", has_hashes(inputs.value("models", Json::object())), "the hash of each model");
+  expect("inputs.shapes", has_hashes(inputs.value("shapes", Json::object())), "the hash of each shape");
+  expect("inputs.classification", inputs.value("classification", Json("")).is_string(), "a hash");
+  expect("outputs.files", has_hashes(manifest.at("outputs").value("files", Json())), "the hash of each file");
+}
+
 }  // namespace
 
 Json read_manifest(const fs::path& path) {
@@ -87,6 +105,7 @@ Json read_manifest(const fs::path& path) {
                       path.string(), key, manifest_name));
     }
   }
+  check_hashes(manifest, path.string());
   return manifest;
 }
 

@@ -14,8 +14,10 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/model_ids.h"
 #include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/experiments/configuration/dataset_files.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/schema.h"
 
 namespace shapegauge {
 
@@ -104,16 +106,19 @@ Collection files_of_dataset(const DatasetLocation& location) {
   return collection;
 }
 
+/// Validates and reads the "dataset" of a configuration.
 DatasetLocation location_in(const fs::path& configuration) {
-  const nlohmann::json document = read_json(configuration);
+  const std::string source = configuration.string();
+  nlohmann::json document = read_json(configuration);
+  read_dataset_files(document, source, configuration.parent_path(), retrieval_paths().datasets);
   if (!document.is_object() || !document.contains("dataset") || document["dataset"].contains("generate")) {
-    throw InputError(fmt::format("{}: a collection needs a configuration with a \"dataset\" of files on disk",
-                                 configuration.string()));
+    throw InputError(fmt::format("{}: a collection needs a configuration with a \"dataset\" of files on disk", source));
   }
+  check_by_schema(document, {{"properties", {{"dataset", {{"$ref", "#/definitions/dataset"}}}}}}, source);
   try {
     return at_key("dataset", [&] { return read_location(document["dataset"], configuration.parent_path()); });
   } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("{}: {}: {}", configuration.string(), error.path, error.message));
+    throw InputError(fmt::format("{}: {}: {}", source, error.path, error.message));
   }
 }
 

@@ -23,12 +23,28 @@ TEST(Replay, AManifestThatTellsTooLittleIsAnError) {
     test::write_text(folder.path() / "m.json", text);
     return test::input_error_of([&] { read_manifest(folder.path() / "m.json"); });
   };
-  EXPECT_EQ(error_for(R"({"configuration": {}, "inputs": {}, "outputs": {}})"), "no error");
+  EXPECT_EQ(error_for(R"({"configuration": {}, "inputs": {}, "outputs": {"files": {}}})"), "no error");
   EXPECT_THAT(error_for("[]"), HasSubstr("m.json: missing \"configuration\""));
   EXPECT_THAT(error_for(R"({"configuration": {}, "inputs": {}})"), HasSubstr("m.json: missing \"outputs\""));
   EXPECT_THAT(error_for(R"({"configuration": 1, "inputs": {}, "outputs": {}})"), HasSubstr("manifest.json"));
   EXPECT_THAT(error_for("{"), HasSubstr("m.json"));
   EXPECT_THAT(test::input_error_of([] { read_manifest("/nowhere/manifest.json"); }), HasSubstr("no such file"));
+}
+
+TEST(Replay, HashesThatAreNoneAreErrors) {
+  const test::TemporaryFolder folder;
+  const auto error_for = [&](const Json& inputs, const Json& outputs) {
+    const Json manifest{{"configuration", Json::object()}, {"inputs", inputs}, {"outputs", outputs}};
+    test::write_text(folder.path() / "m.json", manifest.dump());
+    return test::input_error_of([&] { read_manifest(folder.path() / "m.json"); });
+  };
+  const Json files{{"files", {{"a.csv", "aa"}}}};
+  EXPECT_EQ(error_for({{"models", {{"1", "aa"}}}, {"classification", "bb"}}, files), "no error");
+  EXPECT_THAT(error_for({{"models", 5}}, files), HasSubstr("m.json: inputs.models: expected the hash of each model"));
+  EXPECT_THAT(error_for({{"shapes", {{"cat", 5}}}}, files), HasSubstr("m.json: inputs.shapes: expected"));
+  EXPECT_THAT(error_for({{"classification", {"aa"}}}, files), HasSubstr("m.json: inputs.classification: expected"));
+  EXPECT_THAT(error_for(Json::object(), Json::object()), HasSubstr("m.json: outputs.files: expected"));
+  EXPECT_THAT(error_for(Json::object(), {{"files", {{"a.csv", 1}}}}), HasSubstr("m.json: outputs.files: expected"));
 }
 
 TEST(Replay, ADataSetIsLookedForInAnotherFolder) {

@@ -9,8 +9,10 @@ namespace {
 
 using test::input_error_of;
 using test::SearchedFolder;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 std::vector<std::string> ids_of(const Collection& collection) {
   std::vector<std::string> ids;
@@ -72,6 +74,36 @@ TEST_F(CollectionOf, ADataSetIsItsModels) {
   EXPECT_TRUE(std::filesystem::exists(found.file(found.files[1].path)));
   const SearchedFolder small;
   EXPECT_EQ(find_collection(small.models() / "test.cla").files.size(), 9U);
+}
+
+TEST_F(CollectionOf, ADataSetMayBeGivenByItsFile) {
+  test::write_text(at("models.csv"), "id,path,class\none,a10.off,x\ntwo,deep/er/b.stl,y\n");
+  test::write_text(at("sets/ds.json"), R"({"description": "Two shapes.", "layout": "csv", "root": ".."})");
+  const auto configuration = written("run.json", R"({"name": "n", "dataset": "sets/ds.json"})");
+  EXPECT_THAT(ids_of(find_collection(configuration)), ElementsAre("one", "two"));
+  EXPECT_EQ(collection_base(configuration), std::filesystem::absolute(at("")).lexically_normal());
+  test::write_text(at("sets/ds.json"), R"({"generate": {}})");
+  EXPECT_THAT(input_error_of([&] { find_collection(configuration); }), HasSubstr("of files on disk"));
+  EXPECT_THAT(input_error_of([&] { find_collection(written("run.json", R"({"dataset": "absent.json"})")); }),
+              AllOf(HasSubstr("run.json: dataset: "), HasSubstr("absent.json: no such file")));
+}
+
+TEST_F(CollectionOf, AnInvalidDataSetIsAnErrorWithItsPlace) {
+  for (const auto& [dataset, message] :
+       {std::pair(R"({})", "run.json: dataset: the key \"layout\" is missing"),
+        {R"({"layout": "folders"})", "run.json: dataset: the key \"root\" is missing"},
+        {R"({"layout": "folders", "root": 3})", "run.json: dataset.root: must be of type string, not number (3)"},
+        {R"({"layout": 5, "root": "."})", "run.json: dataset.layout: must be one of \"shrec11\""},
+        {R"({"layout": "csv", "root": ".", "classification": []})",
+         "run.json: dataset.classification: must be of type"},
+        {R"({"layout": "shrec07", "root": ".", "split": "test"})", "run.json: dataset.split: the layout"},
+        {"null", "run.json: dataset: must be of type object, not null"},
+        {"[]", "run.json: dataset: must be of type object, not array"}}) {
+    const auto configuration = written("run.json", fmt::format(R"({{"name": "n", "dataset": {}}})", dataset));
+    EXPECT_THAT(input_error_of([&] { find_collection(configuration); }),
+                AllOf(HasSubstr(message), Not(HasSubstr("json.exception"))))
+        << dataset;
+  }
 }
 
 TEST_F(CollectionOf, WhatIsNoneIsAnError) {
