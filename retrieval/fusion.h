@@ -1,15 +1,19 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/base/words.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/nearest_models.h"
 
 namespace shapegauge {
 
-/// Normalisation of a distance matrix before it is added to others.
+/// Normalisation of a distance matrix before it is added to others. Search indices contain its number.
 enum class DistanceScale {
   none,
   median,  ///< median over pairs of different models
@@ -21,6 +25,38 @@ enum class DistanceScale {
   /// As local, then by the interquartile range of these distances (spread_of_scaled()): a matrix whose distances hardly
   /// differ from pair to pair, as those of many features do, counts as much as one whose distances differ a lot.
   local_spread,
+};
+
+template <>
+inline constexpr std::array<std::string_view, 5> words_of<DistanceScale>{"none", "median", "mean", "local",
+                                                                         "local_spread"};
+
+/// Unsupervised weighting of a sum, in addition to the given weights.
+enum class SumWeights {
+  given,      ///< given weights only
+  agreement,  ///< agreement of a matrix's neighbours with those of other matrices, and their cohesion
+};
+
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<SumWeights>{"given", "agreement"};
+
+/// Options of a sum of distances.
+struct SumOptions {
+  DistanceScale scale = DistanceScale::median;
+  SumWeights weights = SumWeights::given;
+};
+
+/// Parameters of SumOptions.
+inline constexpr std::array sum_table = {
+    option_of<&SumOptions::scale>(
+        "scale",
+        "With sum: divisor of each signature's distances. median, mean: over all pairs of models; local: the two "
+        "models' mean distances to their ten nearest; local_spread: as local, then the interquartile range of the "
+        "result."),
+    option_of<&SumOptions::weights>(
+        "weights",
+        "With sum: factor of the given weights. given: 1; agreement: estimated from the nearest models, by how many a "
+        "signature shares with the other signatures, and how many neighbours share with each other."),
 };
 
 /// Returns true if distances are divided by local scales.
@@ -36,7 +72,7 @@ constexpr bool is_local(DistanceScale scale) {
 /// if a weight or distance is negative or not a number, a weight is infinite, or all weights are 0; and if a median or
 /// mean is 0.
 DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
-                                DistanceScale scale = DistanceScale::median);
+                                DistanceScale scale = SumOptions{}.scale);
 
 /// Throws ArgumentError if there are no terms, for a wrong number of weights, if a weight is negative or not finite, or
 /// all are 0.
@@ -45,12 +81,6 @@ void check_sum_weights(std::size_t terms, std::span<const double> weights);
 /// Returns the divisor of distances with DistanceScale::median (for an even count, the greater of the middle two) or
 /// mean, over finite distances between different models. 1 if there are none, and with DistanceScale::none.
 double distance_unit(const DistanceMatrix& matrix, DistanceScale scale);
-
-/// Unsupervised weighting of a sum, in addition to the given weights.
-enum class SumWeights {
-  given,      ///< given weights only
-  agreement,  ///< agreement of a matrix's neighbours with those of other matrices, and their cohesion
-};
 
 /// Computes the weights of a sum: each given weight times (agreement x cohesion)^7 of its matrix. Both are
 /// means over those k of neighbour_counts() that are less than the number of other models.
@@ -77,12 +107,28 @@ enum class RankScore {
   borda,       ///< number of models ranked behind: all ranks count equally
 };
 
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<RankScore>{"reciprocal", "borda"};
+
+/// Options of fusion_of_ranks().
+struct RankFusionOptions {
+  RankScore score = RankScore::reciprocal;
+};
+
+/// Parameters of RankFusionOptions.
+inline constexpr std::array rank_fusion_table = {
+    option_of<&RankFusionOptions::score>(
+        "score",
+        "With fuse_ranks: score of a rank. reciprocal: 1 / (60 + rank), which favours first ranks; borda: linear in "
+        "the rank."),
+};
+
 /// Fuses rankings: ranks each model's row of each matrix (without the model itself; ties: smaller index first) and sums
 /// the ranks' scores by weight. The distance is 1 minus the mean of the scores of (i, j) and (j, i), divided by the
 /// score of a model that all rank first. The result is symmetric, in [0, 1), zero on the diagonal, and depends on
 /// orders only. Models at an infinite distance are unranked and score 0; pairs unranked in both rows of all matrices
 /// stay at an infinite distance. Throws as sum_of_distances() does.
 DistanceMatrix fusion_of_ranks(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
-                               RankScore score = RankScore::reciprocal);
+                               RankScore score = RankFusionOptions{}.score);
 
 }  // namespace shapegauge

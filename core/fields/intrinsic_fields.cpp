@@ -8,21 +8,12 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/fields/centricity.h"
+#include "shapegauge/core/fields/field_surface.h"
 #include "shapegauge/core/fields/field_types.h"
 #include "shapegauge/core/fields/heat_kernel.h"
 #include "shapegauge/core/fields/laplacian.h"
 
 namespace shapegauge {
-
-namespace {
-
-/// Surface on which a field is computed.
-enum class FieldSurface { mesh, proxy };
-
-}  // namespace
-
-template <>
-inline constexpr std::array<std::string_view, 2> words_of<FieldSurface>{"mesh", "proxy"};
 
 namespace {
 

@@ -17,18 +17,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::array<std::string_view, 3> kinds_of_derived{"sum", "fuse_ranks", "rerank"};
-constexpr std::array<std::string_view, 5> distance_scales{"median", "mean", "none", "local", "local_spread"};
-constexpr std::array<std::string_view, 2> weight_kinds{"given", "agreement"};
-constexpr std::array<std::string_view, 2> rank_scores{"reciprocal", "borda"};
-
-DistanceScale scale_of(std::string_view word) {
-  if (word == "none") return DistanceScale::none;
-  if (word == "local") return DistanceScale::local;
-  if (word == "local_spread") return DistanceScale::local_spread;
-  return word == "mean" ? DistanceScale::mean : DistanceScale::median;
-}
-
-SumWeights weights_of(std::string_view word) { return word == "agreement" ? SumWeights::agreement : SumWeights::given; }
+constexpr auto sum_parameters = parameters_of(sum_table);
+constexpr auto rank_fusion_parameters = parameters_of(rank_fusion_table);
 
 DerivedDistances sum_of(const Json& signature) {
   DerivedDistances derived{.key = "sum", .settings = Json::object(), .names = {}, .compute = {}};
@@ -42,23 +32,23 @@ DerivedDistances sum_of(const Json& signature) {
   if (std::ranges::all_of(weights, [](double weight) { return weight == 0; })) {
     throw ConfigurationError{"sum", "at least one weight must be positive"};
   }
-  const ParameterValues values = read_parameters(derived_parameters(), signature);
-  for (const char* setting : {"scale", "weights"}) derived.settings[setting] = values.word(setting);
-  derived.compute = [settings = sum_settings(derived)](std::span<const DistanceMatrix> matrices) {
-    return sum_of_distances(matrices, sum_weights(matrices, settings.weights, settings.kind), settings.scale);
+  const auto options = read_options(sum_table, signature);
+  derived.settings.update(options_json(sum_table, options));
+  derived.compute = [weights, options](std::span<const DistanceMatrix> matrices) {
+    return sum_of_distances(matrices, sum_weights(matrices, weights, options.weights), options.scale);
   };
   return derived;
 }
 
 DerivedDistances rank_fusion_of(const Json& signature) {
-  const std::string_view score = read_parameters(derived_parameters(), signature).word("score");
+  const auto options = read_options(rank_fusion_table, signature);
   DerivedDistances derived{.key = "fuse_ranks",
-                           .settings = {{"fuse_ranks", signature.at("fuse_ranks")}, {"score", score}},
+                           .settings = options_json(rank_fusion_table, options),
                            .names = signature.at("fuse_ranks"),
                            .compute = {}};
-  derived.compute = [score = score == "borda" ? RankScore::borda
-                                              : RankScore::reciprocal](std::span<const DistanceMatrix> matrices) {
-    return fusion_of_ranks(matrices, std::vector<double>(matrices.size(), 1), score);
+  derived.settings["fuse_ranks"] = derived.names;
+  derived.compute = [options](std::span<const DistanceMatrix> matrices) {
+    return fusion_of_ranks(matrices, std::vector<double>(matrices.size(), 1), options.score);
   };
   return derived;
 }
@@ -82,9 +72,7 @@ DerivedDistances reranking_of(const Json& signature) {
 }  // namespace
 
 SumSettings sum_settings(const DerivedDistances& sum) {
-  SumSettings settings{.weights = {},
-                       .kind = weights_of(sum.settings.at("weights").get<std::string>()),
-                       .scale = scale_of(sum.settings.at("scale").get<std::string>())};
+  SumSettings settings{.weights = {}, .options = read_options(sum_table, sum.settings)};
   for (const Json& term : sum.settings.at("sum")) settings.weights.push_back(term.at("weight"));
   return settings;
 }
@@ -92,28 +80,7 @@ SumSettings sum_settings(const DerivedDistances& sum) {
 std::span<const std::string_view> derived_keys() { return kinds_of_derived; }
 
 std::span<const Parameter> derived_parameters() {
-  static const std::array parameters{
-      Parameter{.name = "scale",
-                .kind = ParameterKind::choice,
-                .default_value = distance_scales[0],
-                .choices = distance_scales,
-                .description = "With sum: divisor of each signature's distances. median, mean: over all pairs of "
-                               "models; local: the two models' mean distances to their ten nearest; local_spread: as "
-                               "local, then the interquartile range of the result."},
-      Parameter{
-          .name = "weights",
-          .kind = ParameterKind::choice,
-          .default_value = weight_kinds[0],
-          .choices = weight_kinds,
-          .description =
-              "With sum: factor of the given weights. given: 1; agreement: estimated from the nearest models, by how "
-              "many a signature shares with the other signatures, and how many neighbours share with each other."},
-      Parameter{.name = "score",
-                .kind = ParameterKind::choice,
-                .default_value = rank_scores[0],
-                .choices = rank_scores,
-                .description = "With fuse_ranks: score of a rank. reciprocal: 1 / (60 + rank), which favours first "
-                               "ranks; borda: linear in the rank."}};
+  static constexpr std::array parameters{sum_parameters[0], sum_parameters[1], rank_fusion_parameters[0]};
   return parameters;
 }
 

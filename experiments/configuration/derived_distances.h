@@ -26,8 +26,7 @@ struct DerivedDistances {
 /// Settings of a sum of distances.
 struct SumSettings {
   std::vector<double> weights;  ///< by term
-  SumWeights kind = SumWeights::given;
-  DistanceScale scale = DistanceScale::median;
+  SumOptions options = {};
 };
 
 /// Returns the settings of derived distances whose key is "sum".

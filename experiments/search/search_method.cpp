@@ -99,8 +99,8 @@ void take_terms(const SignatureConfiguration& signature, std::size_t index, Sear
   method.terms = signature.parts;
   const SumSettings settings = sum_settings(*signature.derived);
   method.weights = settings.weights;
-  method.weight_kind = settings.kind;
-  method.scale = settings.scale;
+  method.weight_kind = settings.options.weights;
+  method.scale = settings.options.scale;
 }
 
 }  // namespace

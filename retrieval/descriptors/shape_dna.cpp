@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/fields/field_surface.h"
 #include "shapegauge/core/fields/laplacian.h"
 #include "shapegauge/retrieval/distances.h"
 
@@ -17,18 +18,19 @@ constexpr std::array table = {
                                              "Number of positive eigenvalues, smallest first."),
     option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank", "Divide the k-th eigenvalue by k."),
 };
-constexpr std::array<std::string_view, 2> surfaces{"mesh", "proxy"};
 
-constexpr auto parameters = [] {
-  constexpr auto options = parameters_of(table);
-  return std::array{options[0], options[1],
-                    Parameter{.name = "on",
-                              .kind = ParameterKind::choice,
-                              .default_value = surfaces[0],
-                              .choices = surfaces,
-                              .description = "mesh: the mesh's own Laplacian; proxy: that of the surface proxy, for "
-                                             "damaged meshes and clouds too."}};
-}();
+struct ShapeDnaSettings {
+  ShapeDnaOptions options = {};
+  FieldSurface on = FieldSurface::mesh;
+};
+
+constexpr std::array settings_table = {
+    option_within<&ShapeDnaSettings::options, table, 0>(),
+    option_within<&ShapeDnaSettings::options, table, 1>(),
+    option_of<&ShapeDnaSettings::on>(
+        "on", "mesh: the mesh's own Laplacian; proxy: that of the surface proxy, for damaged meshes and clouds too."),
+};
+constexpr auto parameters = parameters_of(settings_table);
 
 Eigen::VectorXf features_of(const Spectrum& spectrum, double area, const ShapeDnaOptions& options) {
   Eigen::VectorXf features = Eigen::VectorXf::Zero(options.eigenvalues);
@@ -60,9 +62,9 @@ Descriptor shape_dna_descriptor() {
           .version = version_on_proxy(shape_dna_version),
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                const ShapeDnaOptions options = options_from(table, settings.values);
-                if (settings.values.word("on") == "mesh") return shape_dna(input.shape, options);
-                return on_proxy(input, [&](ProxySource& source) { return shape_dna_on_proxy(source, options); });
+                const ShapeDnaSettings chosen = options_from(settings_table, settings.values);
+                if (chosen.on == FieldSurface::mesh) return shape_dna(input.shape, chosen.options);
+                return on_proxy(input, [&](ProxySource& source) { return shape_dna_on_proxy(source, chosen.options); });
               },
           .distance = l2_distance};
 }

@@ -61,6 +61,25 @@ TEST(Derived, ScaleAndWeightsOfSumsAreThoseOfTheLibrary) {
     EXPECT_EQ(sum.derived->compute(two_matrices),
               sum_of_distances(two_matrices, sum_weights(two_matrices, given, kind), DistanceScale::local));
   }
+  for (const auto& [word, scale] : {std::pair("none", DistanceScale::none),
+                                    {"median", DistanceScale::median},
+                                    {"mean", DistanceScale::mean},
+                                    {"local", DistanceScale::local},
+                                    {"local_spread", DistanceScale::local_spread}}) {
+    const auto sum = derived_signature({{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}, {"scale", word}});
+    EXPECT_EQ(sum.derived->compute(two_matrices), sum_of_distances(two_matrices, given, scale)) << word;
+    EXPECT_EQ(sum_settings(*sum.derived).options.scale, scale) << word;
+  }
+}
+
+TEST(Derived, AnUnknownWordIsNoDefault) {
+  const auto read = [](const Json& changed) {
+    DerivedDistances sum{.key = "sum", .settings = {{"sum", Json::array()}}, .names = {}, .compute = {}};
+    sum.settings.update(changed);
+    return test::input_error_of([&] { sum_settings(sum); });
+  };
+  EXPECT_THAT(read({{"scale", "locally"}}), HasSubstr("scale is \"locally\""));
+  EXPECT_THAT(read({{"weights", "agree"}}), HasSubstr("weights is \"agree\""));
 }
 
 TEST(Derived, NeighboursAreANumberAListOrAuto) {
