@@ -186,7 +186,7 @@ std::shared_ptr<LookArguments> add_look_arguments(CLI::App* command) {
   command->add_option("--layout", arguments->layout, "Layout of the data set (default: detected)")
       ->check(CLI::IsMember(layout_names()));
   command->add_option("--split", arguments->split, "Part of the data set, for layouts that have splits")
-      ->check(CLI::IsMember({"all", "train", "val", "test"}))
+      ->check(CLI::IsMember(std::vector<std::string>(dataset_splits.begin(), dataset_splits.end())))
       ->capture_default_str();
   return arguments;
 }

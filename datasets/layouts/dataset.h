@@ -13,7 +13,7 @@ struct DatasetLocation {
   std::string layout;                    ///< one of dataset_layouts()
   std::filesystem::path root;            ///< its folder
   std::filesystem::path classification;  ///< the .cla file or table of layouts that have one
-  std::string split = "all";             ///< "all", "train", "val" or "test", for layouts with splits
+  std::string split = "all";             ///< one of dataset_splits, for layouts with splits
 };
 
 /// Shape of a data set.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -10,6 +11,9 @@
 #include "shapegauge/datasets/layouts/dataset.h"
 
 namespace shapegauge {
+
+/// Values of DatasetLocation::split.
+inline constexpr std::array<std::string_view, 4> dataset_splits{"all", "train", "val", "test"};
 
 /// Layout of a data set in a folder.
 struct DatasetLayout {

@@ -123,6 +123,29 @@ void add_descriptors(OrderedJson& schema) {
   add_types(descriptor_groups(), schemas, schema);
 }
 
+/// Adds the layouts, with their usual classifications and those that have splits.
+void add_layouts(OrderedJson& definitions) {
+  std::vector<std::string> usual;
+  std::vector<std::string_view> split;
+  for (const DatasetLayout& layout : dataset_layouts().entries()) {
+    if (!layout.usual_classification.empty()) {
+      usual.push_back(fmt::format("{}: {}", layout.name, layout.usual_classification));
+    }
+    if (layout.has_splits) split.push_back(layout.name);
+  }
+  definitions["layout"] = {{"description", described_entries("Layout of the files.", dataset_layouts())},
+                           {"enum", dataset_layouts().names()}};
+  definitions["dataset_classification"] = {
+      {"description",
+       fmt::format("Classification file or table, relative to root. Defaults: {}.", fmt::join(usual, "; "))},
+      {"type", "string"},
+      {"minLength", 1}};
+  definitions["dataset_split"] = {
+      {"description", fmt::format("Split to use, for the layouts {}.", fmt::join(split, " and "))},
+      {"enum", dataset_splits},
+      {"default", dataset_splits.front()}};
+}
+
 void add_rerank_methods(OrderedJson& schema) {
   std::vector<OrderedJson> schemas;
   for (const ParameterGroup& method : rerank_groups()) {
@@ -185,8 +208,7 @@ OrderedJson schema_definitions() {
   add_perturbations(definitions["perturbation"]);
   add_descriptors(definitions["descriptor"]);
   add_rerank_methods(definitions["rerank"]);
-  definitions["layout"]["description"] = described_entries("Layout of the files.", dataset_layouts());
-  definitions["layout"]["enum"] = dataset_layouts().names();
+  add_layouts(definitions);
   OrderedJson& segmented_layouts = definitions["segmented_dataset"]["properties"]["layout"]["enum"];
   segmented_layouts = dataset_layouts().names();
   segmented_layouts.insert(segmented_layouts.begin(), segmentation_layout);

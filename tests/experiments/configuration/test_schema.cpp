@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -55,6 +56,17 @@ TEST(ExperimentSchema, NamesWhatTheRegistriesName) {
   EXPECT_EQ(schema_at("/protocol/enum"), Json(protocol_names()));
   EXPECT_EQ(schema_at("/distance/enum"), Json(distances().names()));
   EXPECT_EQ(schema_at("/evaluation/properties/ties/enum"), Json(ties_names()));
+}
+
+TEST(ExperimentSchema, DescribesClassificationsAndSplitsOfEachLayout) {
+  const std::string classification = schema_at("/dataset_classification/description");
+  const std::string split = schema_at("/dataset_split/description");
+  for (const DatasetLayout& layout : dataset_layouts().entries()) {
+    const std::string usual = fmt::format("{}: {}", layout.name, layout.usual_classification);
+    EXPECT_EQ(classification.find(usual) != std::string::npos, !layout.usual_classification.empty()) << layout.name;
+    EXPECT_EQ(split.find(layout.name) != std::string::npos, layout.has_splits) << layout.name;
+  }
+  EXPECT_EQ(schema_at("/dataset_split/enum"), Json(dataset_splits));
 }
 
 TEST(ExperimentSchema, HasTheParametersOfEachType) {
