@@ -81,7 +81,7 @@ DescriptorChoice choice_of(const DescribeArguments& arguments) {
   try {
     return make_descriptor(settings);
   } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("--set {}: {}", error.path, error.message));
+    throw InputError(fmt::format("--set {}", error.what()));
   }
 }
 

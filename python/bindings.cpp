@@ -112,15 +112,6 @@ PYBIND11_MODULE(_native, module) {
   using namespace shapegauge;
   module.doc() = "Native functions of shapegauge; see the package.";
   py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
-  static PyObject* const input_error = module.attr("InputError").ptr();
-  // NOLINTNEXTLINE(performance-unnecessary-value-param): the type that pybind11 expects
-  py::register_exception_translator([](std::exception_ptr pointer) {
-    try {
-      if (pointer) std::rethrow_exception(pointer);
-    } catch (const ConfigurationError& error) {
-      PyErr_SetString(input_error, (error.path + ": " + error.message).c_str());
-    }
-  });
   bind_shapes(module);
   bind_evaluation(module);
   bind_comparison(module);

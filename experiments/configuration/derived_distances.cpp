@@ -96,7 +96,7 @@ DerivedDistances make_derived(const std::string& key, const Json& signature) {
   for (const Parameter& parameter : derived_parameters()) {
     const std::string_view belongs_to = parameter.name == "score" ? kinds_of_derived[1] : kinds_of_derived[0];
     if (signature.contains(parameter.name) && key != belongs_to) {
-      throw ConfigurationError{std::string(parameter.name), fmt::format("requires \"{}\"", belongs_to)};
+      throw ConfigurationError{parameter.name, fmt::format("requires \"{}\"", belongs_to)};
     }
   }
   if (key == kinds_of_derived[0]) return sum_of(signature);

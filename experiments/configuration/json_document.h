@@ -12,8 +12,12 @@
 
 namespace shapegauge {
 
-/// Error at a path within the current part of a configuration.
-struct ConfigurationError {
+/// Error at a path within the current part of a configuration. Its message is "path: message".
+class ConfigurationError : public InputError {
+ public:
+  ConfigurationError(std::string_view at, std::string_view fault)
+      : InputError(fmt::format("{}: {}", at, fault)), path(at), message(fault) {}
+
   std::string path;
   std::string message;
 };

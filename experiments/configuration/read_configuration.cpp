@@ -168,6 +168,8 @@ SignatureConfiguration signature_of(const Json& settings, const std::vector<std:
   if (kind) {
     try {
       signature.derived = make_derived(*kind, settings);
+    } catch (const ConfigurationError&) {
+      throw;
     } catch (const InputError& error) {
       throw ConfigurationError{*kind, error.what()};
     }

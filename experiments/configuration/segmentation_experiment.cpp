@@ -112,7 +112,7 @@ SegmentationMethod segmentation_method(const Json& settings) {
     const std::string reason = only && *only != method.options.method
                                    ? fmt::format("requires the method \"{}\"", word_of(*only))
                                    : "cannot be combined with the field \"cone\"";
-    throw ConfigurationError{std::string(parameter.name), reason + "; remove it"};
+    throw ConfigurationError{parameter.name, reason + "; remove it"};
   }
   if (settings.contains("perturbations")) method.perturbations = make_perturbations(settings["perturbations"]);
   return method;

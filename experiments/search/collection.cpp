@@ -118,7 +118,7 @@ DatasetLocation location_in(const fs::path& configuration) {
   try {
     return at_key("dataset", [&] { return read_location(document["dataset"], configuration.parent_path()); });
   } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("{}: {}: {}", source, error.path, error.message));
+    throw InputError(fmt::format("{}: {}", source, error.what()));
   }
 }
 

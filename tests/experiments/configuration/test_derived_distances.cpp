@@ -141,7 +141,8 @@ TEST(Derived, MistakesGiveThePlace) {
   EXPECT_THAT(derived_error_with({{"fuse_ranks", {"a", "c"}}}),
               HasSubstr("signatures.2.fuse_ranks: the signature \"c\""));
   EXPECT_THAT(derived_error_with({{"concatenate", {"a"}}}), HasSubstr("signatures.2.concatenate.0"));
-  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}, {"weight", 0}}}}}), HasSubstr("signatures.2.sum"));
+  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}, {"weight", 0}}}}}),
+              HasSubstr("signatures.2.sum: at least one weight"));
   EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}, {"weight", -1}}}}}), HasSubstr("signatures.2.sum.0.weight"));
   EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}}}}, {"score", "borda"}}), HasSubstr("signatures.2.score"));
   EXPECT_THAT(derived_error_with({{"fuse_ranks", {"a"}}, {"weights", "agreement"}}), HasSubstr("signatures.2.weights"));

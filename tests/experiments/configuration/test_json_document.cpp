@@ -1,4 +1,5 @@
 #include <cstdlib>
+#include <exception>
 #include <gmock/gmock.h>
 
 #include "shapegauge/experiments/configuration/json_document.h"
@@ -159,6 +160,18 @@ TEST(ApplyOverride, WhatNoConfigurationCanHoldIsAnError) {
   std::string deep = "a";
   for (int i = 0; i < 100; ++i) deep += ".a";
   EXPECT_THAT(test::input_error_of([&] { overridden(deep + "=1"); }), HasSubstr("more than 100 keys"));
+}
+
+TEST(ConfigurationError, IsAnInputErrorWithItsPath) {
+  try {
+    at_key("signatures", [] { at_key("0", [] { throw InputError("bins is 0"); }); });
+    FAIL();
+  } catch (const std::exception& error) {
+    EXPECT_STREQ(error.what(), "signatures.0: bins is 0");
+  }
+  const std::string message =
+      test::input_error_of([] { at_key("a", [] { throw ConfigurationError("b", "the fault"); }); });
+  EXPECT_EQ(message, "a.b: the fault");
 }
 
 }  // namespace
