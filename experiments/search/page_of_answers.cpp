@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 #include <map>
 #include <numeric>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
-#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/signatures/model_view.h"
 #include "shapegauge/pages/coarse_view.h"
 #include "shapegauge/pages/search_page.h"
@@ -29,8 +30,9 @@ constexpr ViewFaces view_faces{.in_total = 600'000, .fewest = 600, .most = 6000}
 void add_thickness(ShapeView& view) {
   const Samples samples = sample_shape(view.shape, view.site);
   FieldSource source(view.shape);
-  const Field field = read_field({{"type", "offset_sdf"}, {"offset", "auto"}});
-  FieldValues computed = field.compute(source, samples, false);
+  FieldSettings settings = field_settings("offset_sdf");
+  settings.values.set("offset", std::string_view("auto"));
+  FieldValues computed = make_field(std::move(settings)).compute(source, samples, false);
   const auto range = central_range({.values = computed.values, .weights = samples.weights});
   if (!range) return;
   view.fields.push_back({.name = "Thickness", .values = std::move(computed.values), .colours = *range});
