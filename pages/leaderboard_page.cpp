@@ -49,7 +49,7 @@ OrderedJson standings_json(const std::vector<std::vector<MethodStanding>>& by_me
   return measures;
 }
 
-OrderedJson leaderboard_json(const LeaderboardPage& page) {
+OrderedJson page_data_of_leaderboard(const LeaderboardPage& page) {
   OrderedJson methods = OrderedJson::array();
   for (const LeaderboardEntry& entry : page.entries) methods.push_back(entry_json(entry));
   return {{"version", version()},
@@ -73,7 +73,7 @@ std::string leaderboard_page(const LeaderboardPage& page) {
                        {.title = page.title,
                         .styles = {page_files::report_style(), page_files::leaderboard_style()},
                         .libraries = {page_files::chart_library()},
-                        .data = leaderboard_json(page),
+                        .data = page_data_of_leaderboard(page),
                         .script = page_files::leaderboard_script()});
 }
 

@@ -43,7 +43,7 @@ Json intervals_json(const ReportIntervals& intervals) {
           {"macro", intervals_json(intervals.macro)}};
 }
 
-Json evaluation_json(const Evaluation& evaluation) {
+Json page_data_of_evaluation(const Evaluation& evaluation) {
   Json json = charted_json(evaluation);
   json["left_out"] = evaluation.models_left_out;
   json["queries"] = evaluation.queries;
@@ -115,7 +115,7 @@ Json histograms_json(const ReportHistograms& histograms) {
 
 Json method_json(const Report& report, const ReportMethod& method) {
   Json evaluations = Json::array();
-  for (const Evaluation& evaluation : method.evaluations) evaluations.push_back(evaluation_json(evaluation));
+  for (const Evaluation& evaluation : method.evaluations) evaluations.push_back(page_data_of_evaluation(evaluation));
   for (std::size_t i = 0; i < method.intervals.size(); ++i) {
     evaluations[i]["intervals"] = intervals_json(method.intervals[i]);
   }

@@ -48,7 +48,7 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
 }
 
 /// Moves a path from below the old root to the new one; returns other paths unchanged.
-fs::path moved(const fs::path& path, const fs::path& old_root, const fs::path& root) {
+fs::path moved_to_root(const fs::path& path, const fs::path& old_root, const fs::path& root) {
   return lies_in(path, old_root) ? (root / path.lexically_relative(old_root)).lexically_normal() : path;
 }
 
@@ -66,7 +66,7 @@ fs::path common_folder(const Json& configuration, const std::vector<Place>& file
 void move_files(Json& configuration, const std::vector<Place>& files, const fs::path& root) {
   const fs::path old_root = common_folder(configuration, files);
   for (const Place& file : files) {
-    configuration[file] = moved(configuration.at(file).get<std::string>(), old_root, root).string();
+    configuration[file] = moved_to_root(configuration.at(file).get<std::string>(), old_root, root).string();
   }
 }
 
@@ -74,7 +74,7 @@ void move_dataset(Json& dataset, const fs::path& root) {
   const fs::path old_root = dataset.at("root").get<std::string>();
   dataset["root"] = root.string();
   if (!dataset.contains("classification")) return;
-  dataset["classification"] = moved(dataset.at("classification").get<std::string>(), old_root, root).string();
+  dataset["classification"] = moved_to_root(dataset.at("classification").get<std::string>(), old_root, root).string();
 }
 
 /// Returns true for an object of hashes by name.

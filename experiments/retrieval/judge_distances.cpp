@@ -72,7 +72,7 @@ void compute_while_passing(const NamedDistance& distance, const SignatureBlock& 
   }
 }
 
-std::string packed(const QueryScores& scores) {
+std::string bytes_of_scores(const QueryScores& scores) {
   Packer packer;
   packer.add(scores.measures).add(scores.precisions).add(scores.relevant).add(scores.tied).add(scores.first_tiers);
   return std::move(packer).bytes();
@@ -105,7 +105,7 @@ QueryScores together(const std::vector<std::string>& parts) {
   return scores;
 }
 
-std::string packed(const PartialOverview& seen) {
+std::string bytes_of_overview(const PartialOverview& seen) {
   return std::move(
              Packer().add(seen.first).add(seen.sums).add(seen.entries).add(seen.nearest).add(seen.nearest_distances))
       .bytes();
@@ -186,12 +186,12 @@ Judgement DistanceJudge::finish() {
   Judgement judgement;
   if (file_) file_->close();
   for (const RowJudge& judge : judges_) {
-    const std::vector<std::string> parts = ranks_->gather(packed(judge.scores()));
+    const std::vector<std::string> parts = ranks_->gather(bytes_of_scores(judge.scores()));
     if (!parts.empty()) judgement.evaluations.push_back(judge.evaluation_of(together(parts)));
   }
   if (!seen_) return judgement;
   std::vector<PartialOverview> all;
-  for (const std::string& part : ranks_->gather(packed(*seen_))) all.push_back(seen_in(part, *seen_));
+  for (const std::string& part : ranks_->gather(bytes_of_overview(*seen_))) all.push_back(seen_in(part, *seen_));
   if (!all.empty()) judgement.overview = overview_of(all);
   return judgement;
 }

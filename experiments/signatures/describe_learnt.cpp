@@ -44,7 +44,7 @@ Lessons lessons_of(const DescribedModels& models, const PlannedDescriptor& plann
 }
 
 /// Serialises fields in single precision, in which they are stored.
-std::string packed(const Lessons& lessons) {
+std::string bytes_of_lessons(const Lessons& lessons) {
   Packer packer;
   for (const auto& [index, lesson] : lessons) {
     packer.add(index).add(lesson.fields.size());
@@ -101,7 +101,7 @@ constexpr std::size_t most_bytes_to_learn_from = std::size_t{2} << 30;
 Learnt learn_together(const Lessons& own, const std::string& name, const DescriptorChoice& choice, Cache& cache,
                       Communicator& ranks) {
   if (ranks.size() == 1) return learn(own, choice, cache);
-  std::string bytes = packed(own);
+  std::string bytes = bytes_of_lessons(own);
   std::size_t all = 0;
   for (const std::string& count : ranks.gather(std::move(Packer().add(bytes.size())).bytes())) {
     all += Unpacker(count).take_value<std::size_t>();
