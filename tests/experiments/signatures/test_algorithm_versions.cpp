@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "shapegauge/core/preparation/prepare_shape.h"
@@ -86,69 +87,80 @@ TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
   EXPECT_NEAR(found.deviation, 0.0807011254096, 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Each, FieldVersions,
-    testing::Values(Recorded{{{"type", "offset_sdf"}, {"offset", 0.05}},
-                             {{"offset_sdf", 11}},
-                             {{0.242653915264, 0.0889625310615, 1},
-                              {0.167920601592, 0.00469943333799, 1},
-                              {0.146101084313, 0.251082068399, 1}}},
-                    Recorded{{{"type", "offset_sdf"}, {"offset", "auto"}},
-                             {{"offset_sdf", 11}, {"automatic_offset", 2}},
-                             {{0.238434649214, 0.0698555617861, 1}, {0.167916106353, 0.00469944274785, 1}, {0, 0, 1}}},
-                    Recorded{{{"type", "cone_sdf"}, {"at", "vertices"}},
-                             {{"cone_sdf", 3}},
-                             {{0.232795342978, 0.0184649490631, 1},
-                              {0.178653326058, 0.00590609399661, 1},
-                              {0.2384317788, 0.121570595955, 1}}},
-                    Recorded{{{"type", "cone_sdf"}, {"engine", "cgal"}},
-                             {{"cone_sdf", 3}},
-                             {{0.231977234255, 0.018015454063, 1},
-                              {0.16875778698, 0.00462984133005, 1},
-                              {0.216233404362, 0.131093401095, 1}}},
-                    Recorded{{{"type", "cone_sdf"}, {"at", {{"surface", 50}}}},
-                             {{"cone_sdf", 3}},
-                             {{0.229121719107, 0.00860165659469, 1},
-                              {0.171100542702, 0.00698436038499, 1},
-                              {0.179804427187, 0.100130395241, 1}}},
-                    Recorded{{{"type", "cone_sdf"}, {"bilateral", {{"spatial_width", 0.1}}}},
-                             {{"cone_sdf", 3}, {"bilateral", 2}},
-                             {{0.231911001733, 0.0177264830065, 1},
-                              {0.168726834873, 0.00453162312508, 1},
-                              {0.215488226882, 0.129339721505, 1}}},
-                    Recorded{{{"type", "inscribed_ball"}},
-                             {{"inscribed_ball", 1}},
-                             {{0.204150482692, 0.00208308585509, 1},
-                              {0.149390081699, 0.0138750083018, 1},
-                              {0.105571888208, 0.034622436038, 1}}},
-                    Recorded{{{"type", "centricity"}, {"sources", 10}},
-                             {{"centricity", 2}},
-                             {{0.733580482658, 0.00835312157243, 1},
-                              {0.50818944009, 0.0340711017093, 1},
-                              {0.508725727755, 0.0371406930241, 1}}},
-                    Recorded{{{"type", "heat_kernel"}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 3}},
-                             {{2.77857635004, 0.0592608896745, 1},
-                              {4.98598287561, 0.952004588327, 1},
-                              {5.87461205629, 0.946088913311, 1}}},
-                    Recorded{{{"type", "scale_invariant_heat_kernel"}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 3}},
-                             {{2.74588568815, 0.356760653803, 1},
-                              {2.93777064724, 0.047911871497, 1},
-                              {2.92259960366, 0.155531032212, 1}}},
-                    Recorded{{{"type", "wave_kernel"}, {"energy", 3}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 3}},
-                             {{1, 0.000779669197191, 1}, {1, 0.369587130602, 1}, {1, 0.672852617938, 1}}},
-                    Recorded{{{"type", "centricity"}, {"on", "proxy"}},
-                             {{"centricity", 2}, {"surface_proxy", 5}},
-                             {{0.493723502611, 0.0949150207929, 1},
-                              {0.466656530342, 0.0326466806524, 1},
-                              {0.470003779904, 0.0476988769337, 1}}},
-                    Recorded{{{"type", "heat_kernel"}, {"on", "proxy"}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 3}, {"surface_proxy", 5}},
-                             {{4.27886408988, 0.693281556472, 1},
-                              {4.1256332695, 0.359699427998, 1},
-                              {4.87597480109, 1.03229537213, 1}}}));
+/// At least one for each type of field.
+const std::vector<Recorded> field_records{
+    Recorded{{{"type", "offset_sdf"}, {"offset", 0.05}},
+             {{"offset_sdf", 11}},
+             {{0.242653915264, 0.0889625310615, 1},
+              {0.167920601592, 0.00469943333799, 1},
+              {0.146101084313, 0.251082068399, 1}}},
+    Recorded{{{"type", "offset_sdf"}, {"offset", "auto"}},
+             {{"offset_sdf", 11}, {"automatic_offset", 2}},
+             {{0.238434649214, 0.0698555617861, 1}, {0.167916106353, 0.00469944274785, 1}, {0, 0, 1}}},
+    Recorded{{{"type", "cone_sdf"}, {"at", "vertices"}},
+             {{"cone_sdf", 3}},
+             {{0.232795342978, 0.0184649490631, 1},
+              {0.178653326058, 0.00590609399661, 1},
+              {0.2384317788, 0.121570595955, 1}}},
+    Recorded{{{"type", "cone_sdf"}, {"engine", "cgal"}},
+             {{"cone_sdf", 3}},
+             {{0.231977234255, 0.018015454063, 1},
+              {0.16875778698, 0.00462984133005, 1},
+              {0.216233404362, 0.131093401095, 1}}},
+    Recorded{{{"type", "cone_sdf"}, {"at", {{"surface", 50}}}},
+             {{"cone_sdf", 3}},
+             {{0.229121719107, 0.00860165659469, 1},
+              {0.171100542702, 0.00698436038499, 1},
+              {0.179804427187, 0.100130395241, 1}}},
+    Recorded{{{"type", "cone_sdf"}, {"bilateral", {{"spatial_width", 0.1}}}},
+             {{"cone_sdf", 3}, {"bilateral", 2}},
+             {{0.231911001733, 0.0177264830065, 1},
+              {0.168726834873, 0.00453162312508, 1},
+              {0.215488226882, 0.129339721505, 1}}},
+    Recorded{{{"type", "inscribed_ball"}},
+             {{"inscribed_ball", 1}},
+             {{0.204150482692, 0.00208308585509, 1},
+              {0.149390081699, 0.0138750083018, 1},
+              {0.105571888208, 0.034622436038, 1}}},
+    Recorded{{{"type", "centricity"}, {"sources", 10}},
+             {{"centricity", 2}},
+             {{0.733580482658, 0.00835312157243, 1},
+              {0.50818944009, 0.0340711017093, 1},
+              {0.508725727755, 0.0371406930241, 1}}},
+    Recorded{
+        {{"type", "heat_kernel"}, {"eigenvalues", 20}},
+        {{"heat_kernel", 3}},
+        {{2.77857635004, 0.0592608896745, 1}, {4.98598287561, 0.952004588327, 1}, {5.87461205629, 0.946088913311, 1}}},
+    Recorded{
+        {{"type", "scale_invariant_heat_kernel"}, {"eigenvalues", 20}},
+        {{"heat_kernel", 3}},
+        {{2.74588568815, 0.356760653803, 1}, {2.93777064724, 0.047911871497, 1}, {2.92259960366, 0.155531032212, 1}}},
+    Recorded{{{"type", "wave_kernel"}, {"energy", 3}, {"eigenvalues", 20}},
+             {{"heat_kernel", 3}},
+             {{1, 0.000779669197191, 1}, {1, 0.369587130602, 1}, {1, 0.672852617938, 1}}},
+    Recorded{{{"type", "centricity"}, {"on", "proxy"}},
+             {{"centricity", 2}, {"surface_proxy", 5}},
+             {{0.493723502611, 0.0949150207929, 1},
+              {0.466656530342, 0.0326466806524, 1},
+              {0.470003779904, 0.0476988769337, 1}}},
+    Recorded{
+        {{"type", "heat_kernel"}, {"on", "proxy"}, {"eigenvalues", 20}},
+        {{"heat_kernel", 3}, {"surface_proxy", 5}},
+        {{4.27886408988, 0.693281556472, 1}, {4.1256332695, 0.359699427998, 1}, {4.87597480109, 1.03229537213, 1}}}};
+
+/// Expects a record for each name; types that other tests add need none.
+template <typename Records>
+void expect_records(const std::vector<std::string>& names, const Records& records) {
+  for (const std::string& name : names) {
+    if (name.starts_with("test_")) continue;
+    EXPECT_TRUE(std::ranges::any_of(records, [&](const auto& record) { return record.settings["type"] == name; }))
+        << "record values of " << name << " here";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, FieldVersions, testing::ValuesIn(field_records));
+
+TEST(FieldRecords, AreThereForEachType) { expect_records(field_types().names(), field_records); }
 
 /// Statistics of a descriptor on the three shapes: per shape, the sum of features and the sum weighted by position,
 /// counted from 1, over their number; and the distances between the first shape and the others.
@@ -206,46 +218,47 @@ TEST_P(DescriptorVersions, WithOtherValuesComesAnotherVersion) {
 
 const Json two_fields{{{"type", "cone_sdf"}}, {{"type", "centricity"}, {"sources", 10}}};
 
-INSTANTIATE_TEST_SUITE_P(
-    Each, DescriptorVersions,
-    testing::Values(
-        RecordedDescriptor{
-            {{"type", "joint_histogram"}, {"fields", two_fields}},
-            2,
-            {0.999999981, 0.246301972, 0.999999998, 0.166473898, 1, 0.219391857, 1.99971883, 1.99787547}},
-        RecordedDescriptor{{{"type", "bag_of_features"}, {"words", 7}, {"fields", two_fields}},
-                           1,
-                           {1, 0.142857143, 1.00000003, 0.556180605, 1.00000002, 0.677089521, 2.00000003, 2.00000002}},
-        RecordedDescriptor{{{"type", "light_field"}, {"pixels", 64}},
-                           3,
-                           {73762, 36850.8058, 70364, 34971.2902, 78737, 39160.6958, 17.5254902, 15.4666667}},
-        RecordedDescriptor{
-            {{"type", "spherical_harmonics"}},
-            2,
-            {49.2751949, 26.2526351, 43.7502794, 20.8272946, 73.8722302, 36.7951221, 4.12609432, 2.56034255}},
-        RecordedDescriptor{{{"type", "d2"}, {"points", 100}},
-                           2,
-                           {1, 0.341142676, 1, 0.341161616, 0.999999999, 0.341070076, 0.524040404, 0.347878784}},
-        RecordedDescriptor{
-            {{"type", "shape_dna"}},
-            3005,
-            {49.002709, 28.2505905, 18.4892659, 9.94892606, 14.7858938, 7.83061545, 7.57527677, 8.28459551}},
-        RecordedDescriptor{
-            {{"type", "shape_dna"}, {"on", "proxy"}},
-            3005,
-            {20.0490271, 10.5833258, 21.2519672, 10.8234316, 17.9607571, 9.54263312, 1.28719979, 1.08769922}},
-        RecordedDescriptor{
-            {{"type", "geodesic_spectrum"}},
-            1005,
-            {-81.4436155, -49.0773442, -80.2422322, -48.4127842, -80.4336050, -48.6842827, 1.77136818, 0.952826244}},
-        RecordedDescriptor{
-            {{"type", "surflet_pairs"}},
-            1005,
-            {19.5658906, 7.60807875, 19.5462406, 6.45005868, 10.9660654, 3.82700136, 18.1791119, 19.9828287}},
-        RecordedDescriptor{
-            {{"type", "panorama"}},
-            3,
-            {683.257275, 476.282503, 594.60766, 412.353933, 1061.55727, 719.259699, 25.8085216, 27.9393965}}));
+/// At least one for each descriptor.
+const std::vector<RecordedDescriptor> descriptor_records{
+    RecordedDescriptor{{{"type", "joint_histogram"}, {"fields", two_fields}},
+                       2,
+                       {0.999999981, 0.246301972, 0.999999998, 0.166473898, 1, 0.219391857, 1.99971883, 1.99787547}},
+    RecordedDescriptor{{{"type", "bag_of_features"}, {"words", 7}, {"fields", two_fields}},
+                       1,
+                       {1, 0.142857143, 1.00000003, 0.556180605, 1.00000002, 0.677089521, 2.00000003, 2.00000002}},
+    RecordedDescriptor{{{"type", "light_field"}, {"pixels", 64}},
+                       3,
+                       {73762, 36850.8058, 70364, 34971.2902, 78737, 39160.6958, 17.5254902, 15.4666667}},
+    RecordedDescriptor{
+        {{"type", "spherical_harmonics"}},
+        2,
+        {49.2751949, 26.2526351, 43.7502794, 20.8272946, 73.8722302, 36.7951221, 4.12609432, 2.56034255}},
+    RecordedDescriptor{{{"type", "d2"}, {"points", 100}},
+                       2,
+                       {1, 0.341142676, 1, 0.341161616, 0.999999999, 0.341070076, 0.524040404, 0.347878784}},
+    RecordedDescriptor{{{"type", "shape_dna"}},
+                       3005,
+                       {49.002709, 28.2505905, 18.4892659, 9.94892606, 14.7858938, 7.83061545, 7.57527677, 8.28459551}},
+    RecordedDescriptor{
+        {{"type", "shape_dna"}, {"on", "proxy"}},
+        3005,
+        {20.0490271, 10.5833258, 21.2519672, 10.8234316, 17.9607571, 9.54263312, 1.28719979, 1.08769922}},
+    RecordedDescriptor{
+        {{"type", "geodesic_spectrum"}},
+        1005,
+        {-81.4436155, -49.0773442, -80.2422322, -48.4127842, -80.4336050, -48.6842827, 1.77136818, 0.952826244}},
+    RecordedDescriptor{
+        {{"type", "surflet_pairs"}},
+        1005,
+        {19.5658906, 7.60807875, 19.5462406, 6.45005868, 10.9660654, 3.82700136, 18.1791119, 19.9828287}},
+    RecordedDescriptor{
+        {{"type", "panorama"}},
+        3,
+        {683.257275, 476.282503, 594.60766, 412.353933, 1061.55727, 719.259699, 25.8085216, 27.9393965}}};
+
+INSTANTIATE_TEST_SUITE_P(Each, DescriptorVersions, testing::ValuesIn(descriptor_records));
+
+TEST(DescriptorRecords, AreThereForEachDescriptor) { expect_records(descriptors().names(), descriptor_records); }
 
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {
   const ScalarField field{.values = Eigen::VectorXd::LinSpaced(40, 0.1, 1.3).array().square(),
