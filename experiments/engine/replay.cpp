@@ -82,8 +82,10 @@ bool has_hashes(const Json& value) {
   return value.is_object() && std::ranges::all_of(value, [](const Json& hash) { return hash.is_string(); });
 }
 
-/// Throws InputError for hashes of inputs and outputs that changed_inputs() and compare_outputs() cannot read.
-void check_hashes(const Json& manifest, const std::string& source) {
+bool is_failure(const Json& value) { return value.is_object() && value.value("model", Json("")).is_string(); }
+
+/// Throws InputError for entries that changed_inputs() and compare_outputs() cannot read.
+void check_entries(const Json& manifest, const std::string& source) {
   const auto expect = [&](const char* place, bool valid, const char* expected) {
     if (!valid) throw InputError(fmt::format("{}: {}: expected {}; the manifest is damaged", source, place, expected));
   };
@@ -92,6 +94,8 @@ void check_hashes(const Json& manifest, const std::string& source) {
   expect("inputs.shapes", has_hashes(inputs.value("shapes", Json::object())), "the hash of each shape");
   expect("inputs.classification", inputs.value("classification", Json("")).is_string(), "a hash");
   expect("outputs.files", has_hashes(manifest.at("outputs").value("files", Json())), "the hash of each file");
+  const Json failed = manifest.value("failed_models", Json::array());
+  expect("failed_models", failed.is_array() && std::ranges::all_of(failed, is_failure), "the name of each model");
 }
 
 }  // namespace
@@ -105,7 +109,7 @@ Json read_manifest(const fs::path& path) {
                       path.string(), key, manifest_name));
     }
   }
-  check_hashes(manifest, path.string());
+  check_entries(manifest, path.string());
   return manifest;
 }
 

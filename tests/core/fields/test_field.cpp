@@ -25,7 +25,7 @@ namespace {
 using testing::HasSubstr;
 using Values = std::initializer_list<std::pair<const char*, ParameterValue>>;
 
-constexpr SamplePlan at_vertices{.site = SampleSite::vertices};
+constexpr SamplePlan vertex_plan{.site = SampleSite::vertices};
 
 /// Settings of a type with other values than its defaults.
 FieldSettings settings_of(std::string_view type, Values changed = {}, SamplePlan samples = {}) {
@@ -52,7 +52,7 @@ Eigen::VectorXd values_of(const FieldSettings& settings, const Shape& shape) {
 
 TEST(MakeField, OffsetSdfIsThatOfTheCore) {
   const Shape shape = test::sphere(1, 1);
-  const FieldValues computed = compute(make_field(settings_of("offset_sdf", {{"offset", 0.03}}, at_vertices)), shape);
+  const FieldValues computed = compute(make_field(settings_of("offset_sdf", {{"offset", 0.03}}, vertex_plan)), shape);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   EXPECT_EQ(computed.values, offset_sdf(shape, samples, {.offset = 0.03, .parallel = false}).values);
   EXPECT_EQ(computed.outcomes.at("total"), static_cast<std::size_t>(shape.vertices.rows()));
@@ -79,7 +79,7 @@ TEST(MakeField, TakesTheGeodesicsOfCentricity) {
   ASSERT_FALSE(by(GeodesicMethod::exact).isApprox(by(GeodesicMethod::heat), 1e-3));
   for (const auto& [word, method] :
        {std::pair("graph", GeodesicMethod::graph), {"heat", GeodesicMethod::heat}, {"exact", GeodesicMethod::exact}}) {
-    EXPECT_EQ(values_of(settings_of("centricity", {{"method", word}, {"sources", 5}}, at_vertices), shape), by(method))
+    EXPECT_EQ(values_of(settings_of("centricity", {{"method", word}, {"sources", 5}}, vertex_plan), shape), by(method))
         << word;
   }
 }
@@ -124,7 +124,7 @@ TEST(MakeField, FieldsOnTheProxyAreThoseOfItsSource) {
   EXPECT_EQ(values_of(settings_of("heat_kernel", {{"time", 0.1}, {"eigenvalues", 20}, {"on", "proxy"}}), shape),
             source.at_samples(samples, heat));
   const Shape cloud = test::random_points(shape, 500, 1);
-  EXPECT_TRUE(values_of(settings_of("heat_kernel", {{"on", "proxy"}}, at_vertices), cloud).allFinite());
+  EXPECT_TRUE(values_of(settings_of("heat_kernel", {{"on", "proxy"}}, vertex_plan), cloud).allFinite());
   EXPECT_THROW(make_field(settings_of("centricity", {{"on", "proxy"}, {"method", "heat"}})), InputError);
 }
 
@@ -132,13 +132,13 @@ TEST(MakeField, HeatKernelsAreColumnsOfTheLibrarys) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const double area = surface_area(shape);
   const Spectrum spectrum = laplacian_spectrum(shape, 20);
-  EXPECT_TRUE(values_of(settings_of("heat_kernel", {{"time", 0.1}, {"eigenvalues", 20}}, at_vertices), shape)
+  EXPECT_TRUE(values_of(settings_of("heat_kernel", {{"time", 0.1}, {"eigenvalues", 20}}, vertex_plan), shape)
                   .isApprox(heat_kernel_signature(spectrum, area, 0.1), 1e-12));
   const FieldSettings invariant =
-      settings_of("scale_invariant_heat_kernel", {{"frequency", 2}, {"eigenvalues", 20}}, at_vertices);
+      settings_of("scale_invariant_heat_kernel", {{"frequency", 2}, {"eigenvalues", 20}}, vertex_plan);
   EXPECT_TRUE(
       values_of(invariant, shape).isApprox(scale_invariant_heat_kernel_signature(spectrum, area).col(2), 1e-12));
-  const FieldSettings wave = settings_of("wave_kernel", {{"energy", 3}, {"eigenvalues", 20}}, at_vertices);
+  const FieldSettings wave = settings_of("wave_kernel", {{"energy", 3}, {"eigenvalues", 20}}, vertex_plan);
   EXPECT_TRUE(values_of(wave, shape).isApprox(wave_kernel_signature(spectrum, area).col(3), 1e-12));
   EXPECT_THROW(make_field(settings_of("wave_kernel", {{"energy", 16}})), InputError);
 }
@@ -214,7 +214,7 @@ TEST(MakeField, ValuesFollowTheScaleByTheirDimension) {
   const Shape larger = test::transformed(shape, 3, Eigen::Matrix3d::Identity(), {0, 0, 0});
   for (const FieldType& type : field_types().entries()) {
     if (type.name.starts_with("test_")) continue;
-    FieldSettings settings = settings_of(type.name, {}, at_vertices);
+    FieldSettings settings = settings_of(type.name, {}, vertex_plan);
     if (type.name == "offset_sdf") settings.values.set("offset", 0.05);
     if (type.name.ends_with("_kernel")) settings.values.set("eigenvalues", 20);
     const double factor = unit_of(make_field(settings).dimension, 3);

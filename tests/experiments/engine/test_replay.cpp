@@ -31,10 +31,11 @@ TEST(Replay, AManifestThatTellsTooLittleIsAnError) {
   EXPECT_THAT(test::input_error_of([] { read_manifest("/nowhere/manifest.json"); }), HasSubstr("no such file"));
 }
 
-TEST(Replay, HashesThatAreNoneAreErrors) {
+TEST(Replay, EntriesThatCannotBeComparedAreErrors) {
   const test::TemporaryFolder folder;
-  const auto error_for = [&](const Json& inputs, const Json& outputs) {
-    const Json manifest{{"configuration", Json::object()}, {"inputs", inputs}, {"outputs", outputs}};
+  const auto error_for = [&](const Json& inputs, const Json& outputs, const Json& failed = Json::array()) {
+    const Json manifest{
+        {"configuration", Json::object()}, {"inputs", inputs}, {"outputs", outputs}, {"failed_models", failed}};
     test::write_text(folder.path() / "m.json", manifest.dump());
     return test::input_error_of([&] { read_manifest(folder.path() / "m.json"); });
   };
@@ -45,6 +46,8 @@ TEST(Replay, HashesThatAreNoneAreErrors) {
   EXPECT_THAT(error_for({{"classification", {"aa"}}}, files), HasSubstr("m.json: inputs.classification: expected"));
   EXPECT_THAT(error_for(Json::object(), Json::object()), HasSubstr("m.json: outputs.files: expected"));
   EXPECT_THAT(error_for(Json::object(), {{"files", {{"a.csv", 1}}}}), HasSubstr("m.json: outputs.files: expected"));
+  EXPECT_EQ(error_for(Json::object(), files, Json::array({{{"model", "1"}, {"error", "x"}}})), "no error");
+  EXPECT_THAT(error_for(Json::object(), files, Json::array({5})), HasSubstr("m.json: failed_models: expected"));
 }
 
 TEST(Replay, ADataSetIsLookedForInAnotherFolder) {
