@@ -57,7 +57,7 @@ class ScalarField(_ValuesAndWeights):
 
 
 def read(path: PathLike) -> Shape:
-    """Reads a shape: OFF, OBJ, PLY, STL, or a point cloud (XYZ and others).
+    """Reads a mesh or a point cloud in any of the formats (docs/reference/file_formats.md).
 
     >>> sg.read("hand.off")
     <Shape: 5000 vertices, 9996 faces>
