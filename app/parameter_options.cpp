@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/setting_names.h"
 
@@ -50,8 +51,10 @@ CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter,
                                   : command.add_option(names, given.text, meaning);
   if (parameter.kind != ParameterKind::boolean) {
     option->type_name(type_name_of(parameter.kind));
-    option->each([name = option->get_name(), legal = legal_values(parameter)](const std::string& text) {
-      if (text.empty()) throw InputError(fmt::format("{} is empty; it must be {}", name, legal));
+    option->each([name = option->get_name(), parameter](const std::string& text) {
+      if (text.empty()) throw InputError(fmt::format("{} is empty; it must be {}", name, legal_values(parameter)));
+      const auto choice = choice_of(parameter, text);
+      if (choice && *choice != text) note(fmt::format("{0} {1} is now {0} {2}", name, text, *choice));
     });
   }
   given.option = option->get_name();

@@ -20,11 +20,11 @@ vertices, faces, _ = sg.read(mesh)
 package, alone = [], []
 with tempfile.TemporaryDirectory() as folder:
     timings = pathlib.Path(folder) / "timings.json"
-    command = [program, "sdf", mesh, "--method", "cone", "--threads", "1", "--replace", "-o",
+    command = [program, "sdf", mesh, "--method", "cone_sdf", "--threads", "1", "--replace", "-o",
                pathlib.Path(folder) / "sdf.csv"]
     for _ in range(30):
         start = time.perf_counter()
-        sg.sdf(vertices, faces, method="cone", threads=1)
+        sg.sdf(vertices, faces, method="cone_sdf", threads=1)
         package.append(time.perf_counter() - start)
         subprocess.run([*command, "--timings", timings], check=True, stderr=subprocess.DEVNULL)
         seconds = json.loads(timings.read_text())

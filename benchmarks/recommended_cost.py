@@ -2,7 +2,7 @@
 
     python3 benchmarks/recommended_cost.py build/shapegauge MESH...
 
-Runs, alternately and with one thread, configs/recommended.json from an empty cache and `sdf --method cone` of every face;
+Runs, alternately and with one thread, configs/recommended.json from an empty cache and `sdf --method cone_sdf` of every face;
 whole processes, reading and writing included. Prints the least seconds of each and their ratio. Three meshes or more.
 """
 
@@ -46,7 +46,7 @@ def main():
                 [arguments.executable, "run", CONFIGURATION, "--set", data_set(folder, arguments.meshes), "--threads", "1",
                  "--set", "report=false", "--cache", folder / "cache", "--output", folder / "results"]))
             cone.append(sum(processor_seconds(
-                [arguments.executable, "sdf", mesh, "--method", "cone", "--threads", "1", "-o", folder / "values.csv",
+                [arguments.executable, "sdf", mesh, "--method", "cone_sdf", "--threads", "1", "-o", folder / "values.csv",
                  "--replace"]) for mesh in arguments.meshes))
     shapes = len(arguments.meshes)
     print(f"recommended method {min(method) / shapes:.3f} s a shape, cone {min(cone) / shapes:.3f} s, "

@@ -60,9 +60,7 @@ std::optional<std::vector<std::int64_t>> whole_numbers(std::string_view text) {
 std::optional<ParameterValue> choice_equal_to(const Parameter& parameter, const ParameterValue& value) {
   const auto* const word = std::get_if<std::string_view>(&value);
   if (word == nullptr) return std::nullopt;
-  const auto found = std::ranges::find(parameter.choices, *word);
-  if (found == parameter.choices.end()) return std::nullopt;
-  return *found;
+  return choice_of(parameter, *word);
 }
 
 std::optional<ParameterValue> number_equal_to(const Parameter& parameter, const ParameterValue& value) {
@@ -153,6 +151,14 @@ std::string legal_values(const Parameter& parameter) {
   return "one of " + words;
 }
 
+std::optional<std::string_view> choice_of(const Parameter& parameter, std::string_view word) {
+  for (const auto words : {parameter.choices, parameter.older_choices}) {
+    const auto found = std::ranges::find(words, word);
+    if (found != words.end()) return parameter.choices[static_cast<std::size_t>(found - words.begin())];
+  }
+  return std::nullopt;
+}
+
 ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value) {
   if (const std::optional<ParameterValue> legal = legal_value(parameter, value)) return *legal;
   fail_value(parameter, shown(value), legal_values(parameter));
@@ -160,7 +166,7 @@ ParameterValue checked_value(const Parameter& parameter, const ParameterValue& v
 
 ParameterValue parse_value(const Parameter& parameter, std::string_view text) {
   if (parameter.kind == ParameterKind::boolean && (text == "true" || text == "false")) return text == "true";
-  if (std::ranges::find(parameter.choices, text) != parameter.choices.end()) return checked_value(parameter, text);
+  if (const auto choice = choice_of(parameter, text)) return checked_value(parameter, *choice);
   if (parameter.kind == ParameterKind::number) {
     if (const auto number = parse_number(text)) return checked_value(parameter, *number);
   } else if (const auto numbers = whole_numbers(text)) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -82,11 +83,16 @@ struct Parameter {
   ParameterValue default_value = {};               ///< of the parameter's kind; none if mandatory
   Bounds bounds = {};                              ///< of numbers and integers
   std::span<const std::string_view> choices = {};  ///< legal words
-  std::string_view description;                    ///< one sentence
-  std::string_view unit = {};                      ///< of a number, to follow "in": "degrees"; empty: a pure number
+  /// Names of the choices in earlier versions, in the same order; accepted, and converted to the choices.
+  std::span<const std::string_view> older_choices = {};
+  std::string_view description;  ///< one sentence
+  std::string_view unit = {};    ///< of a number, to follow "in": "degrees"; empty: a pure number
 
   [[nodiscard]] bool required() const { return std::holds_alternative<std::monostate>(default_value); }
 };
+
+/// Returns the choice that a word stands for, by its name or an older one; nothing for another word.
+std::optional<std::string_view> choice_of(const Parameter& parameter, std::string_view word);
 
 /// Validates a value and converts it to the parameter's kind. An integer becomes a double for a number parameter and a
 /// list of one for a list parameter; an empty list becomes the choice "auto". Throws InputError, with the parameter's

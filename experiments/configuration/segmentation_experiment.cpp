@@ -109,10 +109,11 @@ SegmentationMethod segmentation_method(const Json& settings) {
   for (const Parameter& parameter : segmentation_method_parameters()) {
     if (!settings.contains(parameter.name) || applies(parameter.name, method.options)) continue;
     const std::optional<SegmentationAlgorithm> only = algorithm_with(parameter.name);
-    const std::string reason = only && *only != method.options.method
-                                   ? fmt::format("requires the method \"{}\"", word_of(*only))
-                                   : "cannot be combined with the field \"cone\"";
-    throw ConfigurationError{parameter.name, reason + "; remove it"};
+    const std::string reason =
+        only && *only != method.options.method
+            ? fmt::format("requires the method \"{}\"", word_of(*only))
+            : fmt::format("cannot be combined with the field \"{}\"", word_of(SegmentedSdf::cone));
+    throw ConfigurationError{std::string(parameter.name), reason + "; remove it"};
   }
   if (settings.contains("perturbations")) method.perturbations = make_perturbations(settings["perturbations"]);
   return method;

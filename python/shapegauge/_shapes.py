@@ -199,7 +199,7 @@ def segment(shape: ShapeArrays, method: str = "best", *, normals: Any = None, th
     method: "best", or the paper's pipeline, "paper". settings: below, as parts=3: how many are wanted.
 
     >>> labels = sg.segment(vertices, faces)
-    >>> labels = sg.segment(vertices, faces, "paper", field="cone", parts=4)
+    >>> labels = sg.segment(vertices, faces, "paper", field="cone_sdf", parts=4)
     >>> labels = sg.segment(mesh, "paper")
     """
     document = _with_settings("segment", {"name": "parts", "method": word(method, "method")}, settings)

@@ -128,10 +128,12 @@ def test_segments_are_the_command_lines(torus_file, tmp_path):
 
 
 def test_segments_of_the_paper_are_the_command_lines(torus_file, tmp_path):
-    labels = sg.segment(sg.read(torus_file), method="paper", field="cone", parts=2)
-    arguments = ["--method", "paper", "--field", "cone", "--parts", 2]
+    labels = sg.segment(sg.read(torus_file), method="paper", field="cone_sdf", parts=2)
+    arguments = ["--method", "paper", "--field", "cone_sdf", "--parts", 2]
     program("segment", torus_file, *arguments, "-o", tmp_path / "torus.seg")
     np.testing.assert_array_equal(labels, np.loadtxt(tmp_path / "torus.seg", dtype=int))
+    older = sg.segment(sg.read(torus_file), method="paper", field="cone", parts=2)
+    np.testing.assert_array_equal(labels, older)
 
 
 @pytest.mark.parametrize(

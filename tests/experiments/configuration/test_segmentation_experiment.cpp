@@ -24,7 +24,7 @@ const Json benchmark{{"layout", "psb_segmentation"}, {"root", "psb"}};
 TEST(SegmentationExperiment, IsTheSameAfterBeingWritten) {
   const std::vector<std::pair<Json, Json>> cases{
       {benchmark, {{"name", "a"}, {"patches", 70}, {"least_probability", 0.25}, {"border_width", 0}}},
-      {benchmark, {{"name", "b"}, {"method", "paper"}, {"field", "cone"}, {"parts", 3}}},
+      {benchmark, {{"name", "b"}, {"method", "paper"}, {"field", "cone_sdf"}, {"parts", 3}}},
       {{{"layout", "shrec11"}, {"root", "s"}, {"classification", "c.cla"}},
        {{"name", "c"}, {"perturbations", {{{"type", "remove_faces"}, {"fraction", 0.1}}}}}},
       {{{"layout", "folders"}, {"root", "s"}, {"split", "test"}}, {{"name", "d"}}},
@@ -53,6 +53,20 @@ TEST(SegmentationExperiment, HasPlacesAndSettingsAsGiven) {
   EXPECT_EQ(options.method, SegmentationAlgorithm::best);
 }
 
+TEST(SegmentationExperiment, TakesTheOlderNamesOfFields) {
+  for (const auto& [older, name] : {std::pair("offset", "offset_sdf"), std::pair("cone", "cone_sdf")}) {
+    const auto method = [](const char* field) { return Json{{"name", "a"}, {"method", "paper"}, {"field", field}}; };
+    EXPECT_EQ(to_json(read(benchmark, method(older))), to_json(read(benchmark, method(name))));
+    EXPECT_EQ(to_json(read(benchmark, method(older)))["segmentation"][0]["field"], name);
+  }
+}
+
+TEST(SegmentationExperiment, SuggestsTheNamesOfFields) {
+  const Json method{{"name", "a"}, {"method", "paper"}, {"field", "ball"}};
+  EXPECT_THAT(test::input_error_of([&] { read(benchmark, method); }),
+              HasSubstr("field: unknown word \"ball\"; known here: \"offset_sdf\", \"cone_sdf\""));
+}
+
 TEST(SegmentationExperiment, HasThePreparationOfOtherExperiments) {
   Json document{{"name", "x"}, {"dataset", benchmark}, {"segmentation", {{{"name", "a"}}}}};
   const auto read_document = [&] { return segmentation_from_json(document, "x.json", "/data"); };
@@ -70,7 +84,7 @@ TEST(SegmentationExperiment, RefusesSettingsThatDoNotGoTogether) {
   };
   EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"method", "paper"}, {"patches", 70}}), HasSubstr("patches"));
   EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"method", "paper"}, {"border_width", 0}}), HasSubstr("border_width"));
-  EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"field", "cone"}}), HasSubstr("field"));
+  EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"field", "cone_sdf"}}), HasSubstr("field"));
   EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"patches", 0}}), HasSubstr("patches"));
   EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"perturbations", {{{"type", "nois"}}}}}), HasSubstr("perturbations"));
   EXPECT_THAT(refusal({{"layout", "psb_segmentation"}, {"root", "r"}, {"split", "all"}}, {{"name", "a"}}),

@@ -370,7 +370,7 @@ TEST(SegmentationConfiguration, RefusesWhatContradictsItself) {
   };
   EXPECT_THAT(error_of({{{"name", "a"}}, {{"name", "a"}}}), HasSubstr("segmentation.1.name"));
   EXPECT_THAT(error_of({{{"name", "a"}, {"offset", 0.1}}}), HasSubstr("segmentation.0.offset"));
-  EXPECT_THAT(error_of({{{"name", "a"}, {"method", "paper"}, {"field", "cone"}, {"offset", 0.1}}}),
+  EXPECT_THAT(error_of({{{"name", "a"}, {"method", "paper"}, {"field", "cone_sdf"}, {"offset", 0.1}}}),
               HasSubstr("segmentation.0.offset"));
   EXPECT_THAT(error_of({{{"name", "a"}, {"method", "bset"}}}), HasSubstr("segmentation.0.method"));
 }
