@@ -25,7 +25,6 @@ constexpr auto page_colours = std::to_array<PageColour>({
     {"rule", "#d9dee2", "#39424a"},
     {"grid", "#e8ebed", "#2a3137"},
     {"accent", "#0b5fa5", "#71b7f2"},
-    {"accent-channels", "11, 95, 165", "88, 166, 236"},
     {"right", "#00705a", "#45cfa5"},
     {"wrong", "#b3470a", "#ff9d5c"},
 });
@@ -41,15 +40,6 @@ constexpr auto colours_of_methods = std::to_array<PageColour>({
 });
 static_assert(colours_of_methods.size() == method_colours);
 
-std::string theme_rule(std::string_view selector, std::string_view theme, std::string_view PageColour::*colour) {
-  std::string rule = fmt::format("{} {{\n  color-scheme: {};\n", selector, theme);
-  for (const PageColour& one : page_colours) rule += fmt::format("  --{}: {};\n", one.name, one.*colour);
-  for (std::size_t i = 0; i < colours_of_methods.size(); ++i) {
-    rule += fmt::format("  --method-{}: {};\n", i, colours_of_methods[i].*colour);
-  }
-  return rule + "}\n";
-}
-
 /// Parses "#rrggbb".
 Colour colour_of_css(std::string_view text) {
   Colour colour = {};
@@ -59,15 +49,29 @@ Colour colour_of_css(std::string_view text) {
   return colour;
 }
 
+const PageColour& page_colour_named(std::string_view name) {
+  const auto* const found = std::ranges::find(page_colours, name, &PageColour::name);
+  if (found == page_colours.end()) throw std::out_of_range(fmt::format("no colour of pages is called {}", name));
+  return *found;
+}
+
+std::string theme_rule(std::string_view selector, std::string_view theme, std::string_view PageColour::*colour) {
+  std::string rule = fmt::format("{} {{\n  color-scheme: {};\n", selector, theme);
+  for (const PageColour& one : page_colours) rule += fmt::format("  --{}: {};\n", one.name, one.*colour);
+  // For shades of the accent, as rgba().
+  const Colour accent = colour_of_css(page_colour_named("accent").*colour);
+  rule += fmt::format("  --accent-channels: {}, {}, {};\n", accent[0], accent[1], accent[2]);
+  for (std::size_t i = 0; i < colours_of_methods.size(); ++i) {
+    rule += fmt::format("  --method-{}: {};\n", i, colours_of_methods[i].*colour);
+  }
+  return rule + "}\n";
+}
+
 }  // namespace
 
 Colour method_colour(std::size_t index) { return colour_of_css(colours_of_methods[index % method_colours].light); }
 
-Colour page_colour(std::string_view name) {
-  const auto* const found = std::ranges::find(page_colours, name, &PageColour::name);
-  if (found == page_colours.end()) throw std::out_of_range(fmt::format("no colour of pages is called {}", name));
-  return colour_of_css(found->light);
-}
+Colour page_colour(std::string_view name) { return colour_of_css(page_colour_named(name).light); }
 
 std::string palette_style() {
   return theme_rule(":root", "light", &PageColour::light) +

@@ -54,6 +54,18 @@ TEST(Palette, CanBeReadOnPaper) {
   }
 }
 
+TEST(Palette, ShadesOfTheAccentAreOfItsColour) {
+  const std::string style = palette_style();
+  static const std::regex accents("--accent: #(..)(..)(..);[^}]*--accent-channels: (\\d+), (\\d+), (\\d+);");
+  int themes = 0;
+  for (std::sregex_iterator found(style.begin(), style.end(), accents), none; found != none; ++found, ++themes) {
+    for (std::size_t k = 1; k <= 3; ++k) {
+      EXPECT_EQ(std::stoi((*found)[k], nullptr, 16), std::stoi((*found)[k + 3])) << found->str();
+    }
+  }
+  EXPECT_EQ(themes, 3);
+}
+
 TEST(CssColour, HasTwoDigitsAChannel) { EXPECT_EQ(css_colour({0, 10, 255}), "#000aff"); }
 
 }  // namespace
