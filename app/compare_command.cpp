@@ -10,11 +10,12 @@
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
 #include "app/help_format.h"
-#include "app/output_files.h"
+#include "app/options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/output_files.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
@@ -198,8 +199,9 @@ std::string formatted_comparison(const AlignedMethods& methods, std::span<const 
   if (csv) return to_csv(pairs);
   const TextTable summary = comparison_summary(methods, comparisons, options, style);
   const std::string words = explanation(methods, comparisons, options);
-  const auto text_of = [&](const TextTable& table) { return table_text(table, arguments.printed.format); };
-  if (arguments.printed.format == "latex") return text_of(summary);
+  const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
+  const auto text_of = [&](const TextTable& table) { return table_text(table, format); };
+  if (format == TableFormat::latex) return text_of(summary);
   return text_of(summary) + "\n" + words + "\n" + text_of(pairs);
 }
 

@@ -11,12 +11,13 @@
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
 #include "app/help_format.h"
-#include "app/output_files.h"
+#include "app/options.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/output_files.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
@@ -87,7 +88,8 @@ std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationT
   const IntervalCells intervals = arguments.printed.format == "csv" ? IntervalCells::columns
                                   : named.intervals.micro.empty()   ? IntervalCells::none
                                                                     : IntervalCells::beside;
-  const auto text_of = [&](const TextTable& table) { return table_text(table, arguments.printed.format); };
+  const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
+  const auto text_of = [&](const TextTable& table) { return table_text(table, format); };
   std::string text;
   if (arguments.each_query) text = text_of(per_query_table(one, task.query_ids, task.class_names, style)) + "\n";
   return text + text_of(summary_table(one, style, intervals));

@@ -53,11 +53,11 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
   CLI::Option* missing = command
                              .add_option("--missing-queries", arguments.missing_queries,
                                          "Queries without a ranked list: skip them, or count them with scores of zero")
-                             ->check(CLI::IsMember({"skip", "zero"}))
+                             ->check(CLI::IsMember(list_of_words<Unanswered>()))
                              ->capture_default_str();
   command
       .add_flag_callback(
-          "-c,--all-queries", [&arguments] { arguments.missing_queries = "zero"; },
+          "-c,--all-queries", [&arguments] { arguments.missing_queries = word_of(Unanswered::count); },
           "Like --missing-queries zero, as trec_eval -c")
       ->excludes(missing);
   command
@@ -73,9 +73,7 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
 }
 
 void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description) {
-  command.add_option("--format", arguments.format, description)
-      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
-      ->capture_default_str();
+  add_format_option(command, arguments.format, description);
   command.add_option("--unit", arguments.unit, "Unit of scores in tables; JSON has fractions")
       ->check(CLI::IsMember({"percent", "fraction"}))
       ->capture_default_str();
@@ -127,7 +125,7 @@ EvaluationFiles files_as_given(const EvaluationArguments& arguments) {
   EvaluationFiles files = arguments.files;
   if (arguments.order == "natural") files.order = RowOrder::natural;
   if (arguments.order == "file" || arguments.order == "classification") files.order = RowOrder::file;
-  if (arguments.missing_queries == "zero") files.unanswered = Unanswered::count;
+  files.unanswered = value_of_word<Unanswered>(arguments.missing_queries).value();
   return files;
 }
 

@@ -23,7 +23,7 @@ struct EvaluationArguments {
   EvaluationFiles files;
   std::string order;
   std::string protocol;
-  std::string missing_queries = "skip";
+  std::string missing_queries{word_of(EvaluationFiles{}.unanswered)};
   int threads = 0;
   std::string ties = name_of(EvaluationOptions{}.ties);
   std::string curve;

@@ -13,10 +13,10 @@
 #include "app/evaluation_arguments.h"
 #include "app/help_format.h"
 #include "app/options.h"
-#include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/output_files.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/leaderboard/judge_submissions.h"
 #include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
@@ -78,8 +78,9 @@ std::string formatted_leaderboard(const Leaderboard& board, const JudgingOptions
                                   const LeaderboardArguments& arguments) {
   const ScoreStyle style = style_of(arguments.printed);
   if (arguments.printed.format == "json") return leaderboard_json(board, options).dump(2) + "\n";
-  if (arguments.printed.format == "csv") return to_csv(leaderboard_csv_table(board, style));
-  return table_text(leaderboard_table(board, style), arguments.printed.format);
+  const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
+  if (format == TableFormat::csv) return to_csv(leaderboard_csv_table(board, style));
+  return table_text(leaderboard_table(board, style), format);
 }
 
 void write_outputs(const Leaderboard& board, const JudgingOptions& options, const LeaderboardArguments& arguments) {

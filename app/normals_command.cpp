@@ -19,7 +19,7 @@ namespace {
 
 struct NormalsArguments {
   ShapeFiles files{.output_format = "csv"};
-  std::string site = "vertices";
+  std::string site{word_of(SampleSite::vertices)};
   OffsetArguments offset;
   bool denoise = false;
 };
@@ -28,7 +28,7 @@ void write_normals(const NormalsArguments& arguments, const NormalFileWriter& wr
                    const Shape& given, const ShapeJob& job, Remarks& remarks) {
   try {
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
-    const Samples samples = sample_shape(shape, arguments.site == "faces" ? SampleSite::faces : SampleSite::vertices);
+    const Samples samples = sample_shape(shape, value_of_word<SampleSite>(arguments.site).value());
     const ChosenOffset chosen = choose_offset(given_offset.fraction_of(shape), shape);
     FieldSettings settings = field_settings("offset_sdf");
     settings.values.set("offset", chosen.offset);
@@ -59,9 +59,7 @@ void add_normals_command(CLI::App& app, int& status) {
   add_shape_outputs(*command, arguments->files,
                     ".csv (index,nx,ny,nz,weight), .npy, .ply (the shape with normals) or .xyz (points with normals)");
   begin_option_group(*command, "Method");
-  command->add_option("--at", arguments->site, "Sampling sites on a mesh; point clouds are sampled at their points")
-      ->check(CLI::IsMember({"faces", "vertices"}))
-      ->capture_default_str();
+  add_site_option(*command, arguments->site);
   add_offset_option(*command, arguments->offset);
   add_denoise_option(*command, arguments->denoise);
   command->callback([arguments, &status] {

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "app/help_format.h"
 #include "app/parameter_options.h"
@@ -16,6 +17,8 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
@@ -25,6 +28,22 @@ void add_threads_option(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "Number of threads (default: all cores)")
       ->check(within<int>(threads_bounds))
       ->group(computation_options);
+}
+
+void add_replace_option(CLI::App& command, bool& replace) {
+  command.add_flag("--replace", replace, "Overwrite existing files")->group(output_options);
+}
+
+void add_format_option(CLI::App& command, std::string& format, const std::string& description) {
+  std::vector<std::string> formats = list_of_words<TableFormat>();
+  formats.emplace_back("json");
+  command.add_option("--format", format, description)->check(CLI::IsMember(formats))->capture_default_str();
+}
+
+void add_site_option(CLI::App& command, std::string& site) {
+  command.add_option("--at", site, "Sampling sites on a mesh; point clouds are sampled at their points")
+      ->check(CLI::IsMember({std::string(word_of(SampleSite::faces)), std::string(word_of(SampleSite::vertices))}))
+      ->capture_default_str();
 }
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {

@@ -24,6 +24,15 @@ namespace shapegauge {
 /// Adds --threads, for with_threads().
 void add_threads_option(CLI::App& command, int& threads);
 
+/// Adds --replace, for check_output_files().
+void add_replace_option(CLI::App& command, bool& replace);
+
+/// Adds --format: a TableFormat or json.
+void add_format_option(CLI::App& command, std::string& format, const std::string& description);
+
+/// Adds --at: faces or vertices, words of SampleSite.
+void add_site_option(CLI::App& command, std::string& site);
+
 /// Adds --seed, a non-negative integer.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 

@@ -63,7 +63,7 @@ std::string descriptions_of_methods() {
 struct SdfArguments {
   ShapeFiles files{.output_format = "csv"};
   std::string method;
-  std::string site = "faces";
+  std::string site{word_of(SamplePlan{}.site)};
   OffsetArguments offset{.offset = fmt::format("{}", OffsetSdfOptions{}.offset)};
   ParameterTexts settings;  ///< of the method, without the offset
   bool denoise = false;
@@ -131,7 +131,7 @@ bool is_offset_sdf(const SdfArguments& arguments) { return arguments.method == "
 /// Makes the requested field. `offset` is that of the offset SDF; automatic if absent.
 Field wanted_field(const SdfArguments& arguments, std::optional<double> offset) {
   FieldSettings settings = field_settings(arguments.method);
-  settings.samples.site = arguments.site == "vertices" ? SampleSite::vertices : SampleSite::faces;
+  settings.samples.site = value_of_word<SampleSite>(arguments.site).value();
   settings.values = parameter_values(settings.values.parameters(), arguments.settings, "--method " + arguments.method);
   if (is_offset_sdf(arguments))
     settings.values.set("offset", offset ? ParameterValue(*offset) : ParameterValue("auto"));
@@ -211,9 +211,7 @@ void add_outputs(CLI::App& command, SdfArguments& arguments) {
       ->required(false);
   command.add_flag("--summary", arguments.summary,
                    "Print minimum, percentiles, maximum and mean of the thickness, and the area below --below");
-  command.add_option("--format", arguments.format, "Format of the summary")
-      ->check(CLI::IsMember({"table", "csv", "markdown", "latex", "json"}))
-      ->capture_default_str();
+  add_format_option(command, arguments.format, "Format of the summary");
   command.add_option("--plot", arguments.plot, "File for a histogram of the values: .svg, .pdf or .png");
 }
 
@@ -243,7 +241,8 @@ void print_summaries(const SdfArguments& arguments, const std::vector<NamedSumma
     print_output("{}\n", (arguments.files.inputs.size() > 1 ? all : all.front()).dump(2));
     return;
   }
-  print_output("{}", table_text(thickness_summary_table(summaries, words), arguments.format));
+  const auto format = value_of_word<TableFormat>(arguments.format).value();
+  print_output("{}", table_text(thickness_summary_table(summaries, words), format));
 }
 
 /// Draws the distribution of values by area, with common bins for all shapes.
@@ -351,9 +350,7 @@ void add_sdf_command(CLI::App& app, int& status) {
       ->transform(with_method_name);
   add_outputs(*command, *arguments);
   begin_option_group(*command, "Method");
-  command->add_option("--at", arguments->site, "Sampling sites on a mesh; point clouds are sampled at their points")
-      ->check(CLI::IsMember({"faces", "vertices"}))
-      ->capture_default_str();
+  add_site_option(*command, arguments->site);
   CLI::Option* const offset = add_offset_option(*command, arguments->offset);
   add_settings(*command, *arguments);
   add_former_options(*command, *arguments);

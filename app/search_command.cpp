@@ -11,11 +11,11 @@
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/options.h"
-#include "app/output_files.h"
 #include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/output_files.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/cache/cache.h"
@@ -174,7 +174,7 @@ class SearchRun {
   void print_answers() const {
     if (arguments_->format == "json") return print_output("{}\n", json().dump(2));
     if (queries_.empty()) return;
-    print_output("{}", table_text(table(), arguments_->format));
+    print_output("{}", table_text(table(), value_of_word<TableFormat>(arguments_->format).value()));
   }
 
   /// Returns the exit status.
@@ -234,9 +234,7 @@ void add_search_command(CLI::App& app, int& status) {
       ->check(within<std::size_t>(parameter_named("count", search_table).bounds))
       ->capture_default_str();
   command->add_flag("--rerank", arguments->rerank, "Re-rank by diffusion over the collection");
-  command->add_option("--format", arguments->format, "Format of the results")
-      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
-      ->capture_default_str();
+  add_format_option(*command, arguments->format, "Format of the results");
   command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures and 3D views of the results");
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Index and method");

@@ -12,9 +12,9 @@
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/options.h"
-#include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/output_files.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
@@ -74,8 +74,9 @@ std::string comparison_text(const SegmentationScores& scores, const MethodCompar
 
 std::string formatted_errors(const SegmentationScores& scores, const SegmentationEvaluationArguments& arguments) {
   if (arguments.format == "json") return json_of(scores, arguments).dump(2) + "\n";
-  if (arguments.format == "csv") return to_csv(mean_table(scores));
-  const auto text = arguments.format == "markdown" ? to_markdown : to_plain_text;
+  const auto format = value_of_word<TableFormat>(arguments.format).value();
+  const auto text = [&](const TextTable& table) { return table_text(table, format); };
+  if (format == TableFormat::csv || format == TableFormat::latex) return text(mean_table(scores));
   std::string result = text(mean_table(scores)) + "\n" + text(class_table(scores));
   const std::optional<MethodComparison> comparison = rand_comparison(scores);
   if (!comparison) return result;
@@ -122,9 +123,7 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, which takes the longest");
   begin_option_group(*command, output_options);
-  command->add_option("--format", arguments->format, "Format of the printed result")
-      ->check(CLI::IsMember({"table", "markdown", "csv", "json"}))
-      ->capture_default_str();
+  add_format_option(*command, arguments->format, "Format of the printed result");
   command->add_option("--per-mesh", arguments->per_mesh, "CSV file for the errors on each mesh");
   add_replace_option(*command, arguments->replace);
   add_threads_option(*command, arguments->threads);

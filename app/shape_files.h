@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/output_files.h"
+#include "shapegauge/core/io/output_files.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 

@@ -13,7 +13,6 @@
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/options.h"
-#include "app/output_files.h"
 #include "app/parameter_options.h"
 #include "app/shape_files.h"
 #include "app/standard_streams.h"
@@ -21,6 +20,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/output_files.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/schema.h"
@@ -141,15 +141,16 @@ void add_field(const WantedField& wanted, const GivenOffset& offset, const Colou
   if (view.normals.rows() == 0) view.normals = std::move(computed.normals);
 }
 
-/// Returns the vertical direction of --up or, for "auto", the convention of the file format: z for CAD, printing and
-/// scanning (STL, PLY, text clouds), y for the others. Nothing for "principal".
+/// Returns the vertical direction of --up or, for "auto", the convention of the format by the extension
+/// (ShapeFormat::y_is_up). Nothing for "principal".
 std::optional<Eigen::Vector3d> up_of(const std::string& word, const std::string& input) {
   if (word == "principal") return std::nullopt;
   std::string axis = word;
   if (word == "auto") {
     const std::string extension = lower_case(fs::path(input).extension().string());
-    const bool y_is_up = extension == ".obj" || extension == ".off" || extension == ".gltf" || extension == ".glb";
-    axis = y_is_up ? "y" : "z";
+    const ShapeFormat* const format = shape_formats().find_if(
+        [&](const ShapeFormat& one) { return std::ranges::count(one.extensions, extension) > 0; });
+    axis = format != nullptr && format->y_is_up ? "y" : "z";
   }
   Eigen::Vector3d up = Eigen::Vector3d::Zero();
   up[axis.back() - 'x'] = axis.starts_with('-') ? -1 : 1;
@@ -285,8 +286,8 @@ void add_view_command(CLI::App& app, int& status) {
   add_colour_options(*command, arguments->colours);
   command
       ->add_option("--up", arguments->up,
-                   "Vertical axis of the initial view; auto: z for STL, PLY and text clouds, y for other formats; "
-                   "principal: the shape's own axes")
+                   "Vertical axis of the initial view; auto: by the convention of the file format; principal: the "
+                   "shape's own axes")
       ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z", "principal"}))
       ->capture_default_str();
   command->add_option("--title", arguments->title, "Title of the page (default: names of the shapes)");

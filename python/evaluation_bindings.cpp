@@ -256,7 +256,7 @@ void bind_evaluation(py::module_& module) {
       .def("table",
            [](const Evaluation& evaluation, const std::string& method, const std::string& format) {
              const std::vector<NamedEvaluation> one{{.method = method, .evaluation = &evaluation}};
-             return table_text(summary_table(one), format);
+             return table_text(summary_table(one), value_of_word<TableFormat>(format).value());
            })
       .def(py::pickle(&state_of, &evaluation_of));
   module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
@@ -293,10 +293,11 @@ void bind_comparison(py::module_& module) {
       .def("summary",
            [](const ComparedMethods& compared, const std::string& format) {
              return table_text(comparison_summary(compared.methods, compared.comparisons, compared.options, {}),
-                               format);
+                               value_of_word<TableFormat>(format).value());
            })
       .def("pairs", [](const ComparedMethods& compared, const std::string& format) {
-        return table_text(pairs_table(compared.methods, compared.comparisons, {}, format == "csv"), format);
+        return table_text(pairs_table(compared.methods, compared.comparisons, {}, format == "csv"),
+                          value_of_word<TableFormat>(format).value());
       });
   module.def("compare", &compare_evaluations);
 }

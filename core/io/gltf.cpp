@@ -446,7 +446,8 @@ ShapeFormat gltf_format() {
           .begins_like = [](std::string_view bytes) { return bytes.starts_with(glb_magic); },
           .check_header = check_gltf_header,
           .read = read_gltf,
-          .neighbours = gltf_neighbours};
+          .neighbours = gltf_neighbours,
+          .y_is_up = true};
 }
 
 }  // namespace shapegauge

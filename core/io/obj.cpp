@@ -176,7 +176,8 @@ ShapeFormat obj_format() {
           .begins_like = begins_like_obj,
           .check_header = check_obj_header,
           .read = read_alone<read_obj>,
-          .write = write_obj};
+          .write = write_obj,
+          .y_is_up = true};
 }
 
 }  // namespace shapegauge

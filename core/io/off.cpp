@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -47,8 +48,6 @@ struct OffCounts {
 /// ignored (colours, normals, declared or not). `words`: records follow each other anywhere, as in a file of a single
 /// line; the keyword then determines the number of values per vertex.
 enum class OffLayout { lines, words };
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Removes a prefix from the text, if present.
 bool consume(std::string_view& text, std::string_view prefix) {
@@ -387,7 +386,8 @@ ShapeFormat off_format() {
           .begins_like = begins_like_off,
           .check_header = check_off_header,
           .read = read_alone<read_off>,
-          .write = write_off};
+          .write = write_off,
+          .y_is_up = true};
 }
 
 }  // namespace shapegauge

@@ -70,6 +70,8 @@ struct ShapeFormat {
   /// for none.
   std::vector<std::string> (*neighbours)(const ShapeSource& source) = nullptr;
   ShapeWriter write = nullptr;  ///< null if the format is not written
+  /// True if y is the vertical axis by convention, as of modelling; false for z, as of CAD, printing and scanning.
+  bool y_is_up = false;
 };
 
 /// Returns the registry of shape formats: those of this folder, one file each and one line in shape_file.cpp, followed

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/base/words.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -30,6 +33,8 @@ enum class SampleSite {
   vertices,  ///< at the vertices, or the points of a cloud
   surface,   ///< at a given number of points of the surface, uniform by area
 };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<SampleSite>{"faces", "vertices", "surface"};
 
 /// Sample points on a shape, in the order of the shape's triangles or vertices.
 struct Samples {

@@ -213,10 +213,18 @@ std::string to_latex(const TextTable& table) {
   return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
-std::string table_text(const TextTable& table, std::string_view format) {
-  if (format == "csv") return to_csv(table);
-  if (format == "markdown") return to_markdown(table);
-  return format == "latex" ? to_latex(table) : to_plain_text(table);
+std::string table_text(const TextTable& table, TableFormat format) {
+  switch (format) {
+    case TableFormat::csv:
+      return to_csv(table);
+    case TableFormat::markdown:
+      return to_markdown(table);
+    case TableFormat::latex:
+      return to_latex(table);
+    case TableFormat::table:
+      break;
+  }
+  return to_plain_text(table);
 }
 
 }  // namespace shapegauge

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "shapegauge/core/base/words.h"
 
 namespace shapegauge {
 
@@ -41,7 +44,12 @@ std::string to_markdown(const TextTable& table);
 /// Formats a table as a LaTeX tabular environment, which needs the package booktabs.
 std::string to_latex(const TextTable& table);
 
-/// Formats a table as "csv", "markdown" or "latex"; otherwise for a terminal.
-std::string table_text(const TextTable& table, std::string_view format);
+/// Formats of tables; `table` is for a terminal.
+enum class TableFormat { table, csv, markdown, latex };
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<TableFormat>{"table", "csv", "markdown", "latex"};
+
+/// Formats a table by one of the functions above.
+std::string table_text(const TextTable& table, TableFormat format);
 
 }  // namespace shapegauge

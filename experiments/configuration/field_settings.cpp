@@ -12,13 +12,13 @@ using Json = nlohmann::json;
 SamplePlan sample_plan_of(const Json& settings) {
   const auto at = settings.find("at");
   if (at == settings.end()) return {};
-  if (at->is_object()) return {.site = SampleSite::surface, .count = at->at("surface")};
-  return {.site = *at == "vertices" ? SampleSite::vertices : SampleSite::faces};
+  if (at->is_object()) return {.site = SampleSite::surface, .count = at->at(word_of(SampleSite::surface))};
+  return {.site = value_of_word<SampleSite>(at->get<std::string>()).value()};
 }
 
 Json to_json(const SamplePlan& plan) {
-  if (plan.site == SampleSite::surface) return {{"surface", plan.count}};
-  return plan.site == SampleSite::vertices ? "vertices" : "faces";
+  if (plan.site == SampleSite::surface) return {{word_of(plan.site), plan.count}};
+  return word_of(plan.site);
 }
 
 Field read_field(const Json& settings) {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/words.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/metrics/retrieval_task.h"
@@ -50,6 +53,8 @@ enum class RowOrder { usual, natural, file };
 
 /// Handling of labelled or judged queries without an answer: ignored, or counted with empty answers.
 enum class Unanswered { left_out, count };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<Unanswered>{"skip", "zero"};
 
 /// Returns the models of a matrix without ids: the i-th row is the i-th labelled model, in that order. If queries and
 /// targets are separate sets: queries by targets if the matrix has that size, otherwise all models by all models.

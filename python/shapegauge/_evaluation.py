@@ -64,7 +64,7 @@ class Scores(_abc.Mapping):
         return len(self.micro)
 
     def __repr__(self) -> str:
-        return self._native.table(self._name, "text").rstrip("\n")
+        return self._native.table(self._name, "table").rstrip("\n")
 
     def _repr_html_(self) -> str:
         cells = "".join(f"<th>{measure}</th>" for measure in self.measures)
@@ -346,7 +346,7 @@ class Comparison:
         self.results = _json.loads(native.json())
 
     def __repr__(self) -> str:
-        return (self._native.summary("text") + "\n" + self._native.pairs("text")).rstrip("\n")
+        return (self._native.summary("table") + "\n" + self._native.pairs("table")).rstrip("\n")
 
     def to_latex(self) -> str:
         """Returns the methods with intervals and marks as LaTeX."""

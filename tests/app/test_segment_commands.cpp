@@ -78,6 +78,20 @@ TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
               testing::AllOf(HasSubstr("--patches"), HasSubstr("from 1 to 100000; default: 150")));
 }
 
+TEST_F(SegmentCommands, SegmentTakesTheOlderNamesOfFields) {
+  const auto segment = [&](const std::string& field) {
+    return run_executable(fmt::format("segment '{}' --method paper --field {} --replace -o '{}'", at("psb/off/1.off"),
+                                      field, at("x.seg")));
+  };
+  const Outcome outcome = segment("cone_sdf");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const std::string parts = text_of(at("x.seg"));
+  const Outcome former = segment("cone");
+  EXPECT_EQ(former.status, 0) << former.errors;
+  EXPECT_EQ(former.errors, "shapegauge: --field cone is now --field cone_sdf\n" + outcome.errors);
+  EXPECT_EQ(text_of(at("x.seg")), parts);
+}
+
 TEST_F(SegmentCommands, SegmentDrawsAndColours) {
   EXPECT_EQ(run_executable(fmt::format("segment '{}' -o '{}'", at("psb/off/1.off"), at("x.png"))).status, 0);
   EXPECT_THAT(text_of(at("x.png")), StartsWith("\x89PNG"));
@@ -104,7 +118,8 @@ TEST_F(SegmentCommands, UnusableCallsOfSegment) {
        {"segment " + shape + " -o x.seg --parts -1", "--parts"},
        {"segment " + shape + " -o x.seg --parts 1000001", "--parts is 1000001; it must be a whole"},
        {"segment " + shape + " -o x.seg --patches 0", "--patches is 0; it must be a whole number from 1"},
-       {"segment " + shape + " -o x.seg --field cone", "--method paper"},
+       {"segment " + shape + " -o x.seg --field cone_sdf", "--method paper"},
+       {"segment " + shape + " -o x.seg --method paper --field ball", "one of offset_sdf, cone_sdf"},
        {"segment " + shape + " -o x.seg --offset 0.1", "--method paper"},
        {"segment " + shape + " -o x.seg --method paper --border-width 0", "--method best"},
        {"segment " + at("absent.off") + " -o x.seg", "absent.off"}});
@@ -138,6 +153,14 @@ TEST_F(SegmentCommands, EvaluateSegmentationWritesEachMesh) {
       fmt::format("evaluate-segmentation '{}' --benchmark '{}' --per-mesh '{}'", at("good"), at("psb"), at("x.csv")));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("good,21,cup,0,0,0,0,0,0,0\n"));
+}
+
+TEST_F(SegmentCommands, EvaluateSegmentationPrintsTheMeansForPapers) {
+  const Outcome outcome =
+      run_executable(fmt::format("evaluate-segmentation --benchmark '{}' --format latex", at("psb")));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, testing::AllOf(StartsWith("\\begin{tabular}"), HasSubstr("people"),
+                                             testing::EndsWith("\\end{tabular}\n")));
 }
 
 TEST_F(SegmentCommands, MeshesWithoutPeopleAreLeftOutWithAWarning) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "tests/app/program.h"
@@ -64,16 +65,21 @@ TEST_F(ViewCommand, ColoursHaveARangeAThresholdAndAUnit) {
 }
 
 TEST_F(ViewCommand, ShapesBeginUpright) {
-  const auto up_shown = [&](const std::string& more) {
-    EXPECT_EQ(view("'" + at("capsule.off") + "' --field cone_sdf --no-parts " + more).status, 0);
+  const auto up_shown = [&](const std::string& name, const std::string& more) {
+    EXPECT_EQ(view("'" + at(name) + "' --field cone_sdf --no-parts " + more).status, 0);
     const ordered_json axes = page()["shapes"][0]["axes"];
     const auto row = axes[1].get<std::vector<double>>();
     Eigen::Index largest = 0;
     Eigen::Map<const Eigen::Vector3d>(row.data()).cwiseAbs().maxCoeff(&largest);
     return (row[static_cast<std::size_t>(largest)] < 0 ? "-" : "") + std::string(1, "xyz"[largest]);
   };
-  EXPECT_EQ(up_shown(""), "y") << "of an OFF file";
-  for (const char* axis : {"x", "y", "z", "-x", "-y", "-z"}) EXPECT_EQ(up_shown(std::string("--up ") + axis), axis);
+  for (const auto& [name, axis] : {std::pair("capsule.off", "y"), {"up.OBJ", "y"}, {"up.ply", "z"}, {"up.stl", "z"}}) {
+    shape_writer(name)(at(name), capsule);
+    EXPECT_EQ(up_shown(name, ""), axis) << name;
+  }
+  for (const char* axis : {"x", "y", "z", "-x", "-y", "-z"}) {
+    EXPECT_EQ(up_shown("capsule.off", std::string("--up ") + axis), axis);
+  }
 }
 
 TEST_F(ViewCommand, ThePageHasTheWarnings) {
