@@ -1,3 +1,12 @@
+# shapegauge_include_folder(TARGET FOLDER): the target includes headers of the folder as "FOLDER/...". Nothing else of the
+# project is reachable through its include directory, <build>/include/FOLDER.
+function(shapegauge_include_folder target folder)
+  set(include_root ${PROJECT_BINARY_DIR}/include/${folder})
+  file(MAKE_DIRECTORY ${include_root})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${include_root}/${folder} SYMBOLIC)
+  target_include_directories(${target} PUBLIC ${include_root})
+endfunction()
+
 # shapegauge_add_library(NAME FOLDER [SEPARATELY] [INTERNAL] [SOURCES sources...] [USES targets...]
 # [USES_PRIVATELY targets...] [PRIVATE_HEADERS headers...]): the library shapegauge_NAME, alias shapegauge::NAME, of
 # sources in a folder of the project and those below it, and its installation. SEPARATELY: its sources are never compiled

@@ -4,8 +4,9 @@
     check_borders.py ARCHITECTURE.md LIBRARIES COMPILER
 
 LIBRARIES has a line for each library: its name, its headers and the include directories of its sources, between
-semicolons. An include of a header of another library must compile where the page says that the library knows it, by
-itself or through others, and must not be found where it does not.
+semicolons; and one without headers for each program. An include of a header of another library must compile where the
+page says that the library knows it, by itself or through others, and must not be found where it does not. No header of a
+library is found without the prefix shapegauge/.
 """
 
 import concurrent.futures
@@ -46,9 +47,12 @@ def main():
     page, listing, compiler = sys.argv[1:]
     known = known_libraries(pathlib.Path(page).read_text())
     libraries = {}
+    folders_of = {}
     for line in pathlib.Path(listing).read_text().splitlines():
         name, headers, folders = line.split("|")
-        libraries[name] = (headers.split(";"), [folder for folder in folders.split(";") if folder])
+        folders_of[name] = [folder for folder in folders.split(";") if folder]
+        if headers:
+            libraries[name] = headers.split(";")[0]
     errors = [f"docs/developer/architecture.md has no library {name}" for name in libraries.keys() - known.keys()]
     errors += [f"there is no library {name} of docs/developer/architecture.md" for name in known.keys() - libraries.keys()]
     for name in known:
@@ -58,14 +62,20 @@ def main():
 
     def check(name, other):
         allowed = other in closure(name, known)
-        found = compiles(compiler, libraries[other][0][0], libraries[name][1])
+        found = compiles(compiler, libraries[other], folders_of[name])
         if found == allowed:
             return None
-        return f"{name} {'sees' if found else 'does not see'} {libraries[other][0][0]} of {other}"
+        return f"{name} {'sees' if found else 'does not see'} {libraries[other]} of {other}"
+
+    def check_prefix(name, other):
+        header = libraries[other].removeprefix("shapegauge/")
+        return f"{name} sees {header} without its prefix" if compiles(compiler, header, folders_of[name]) else None
 
     pairs = [(name, other) for name in libraries for other in libraries]
+    prefixes = [(name, other) for name in folders_of for other in libraries if name == other or name not in libraries]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         wrong = [error for error in pool.map(lambda pair: check(*pair), pairs) if error]
+        wrong += [error for error in pool.map(lambda pair: check_prefix(*pair), prefixes) if error]
     forbidden = sum(other not in closure(name, known) for name, other in pairs)
     if not forbidden:
         wrong.append("no include is forbidden: nothing was tested")
