@@ -127,9 +127,12 @@ TEST(ExtendingGuide, NamesThePlacesOfEachKind) {
   const std::filesystem::path repository = std::filesystem::path(SHAPEGAUGE_EXTENDING_GUIDE).parent_path() / "../..";
   int from_outside = 0;
   for (const std::vector<std::string>& row : first_table(read_file_bytes(SHAPEGAUGE_EXTENDING_GUIDE))) {
-    ASSERT_EQ(row.size(), 5U);
+    ASSERT_EQ(row.size(), 6U);
     for (const std::string& place : code_words(row[3] + row[4])) {
       EXPECT_TRUE(std::filesystem::exists(repository / place)) << place;
+    }
+    for (const std::string& folder : code_words(row[5])) {
+      EXPECT_TRUE(std::filesystem::exists(repository / folder / "CMakeLists.txt")) << folder;
     }
     if (row[2] == "no") continue;
     ++from_outside;
