@@ -171,8 +171,9 @@ def _shown(value: Any) -> str:
     return repr(value) if isinstance(value, (str, _numbers.Number)) else _kind(value)
 
 
-def array_of(values: Any, what: str) -> _numpy.ndarray:
-    """The values as an array of real numbers. Nothing is converted that is not one: complex numbers, text, masks."""
+def array_of(values: Any, what: str, with_bools: bool = False) -> _numpy.ndarray:
+    """The values as an array of real numbers. Nothing is converted that is not one: complex numbers, text, masks.
+    with_bools: bools are the numbers 0 and 1."""
     if _numpy.ma.is_masked(values):
         raise InputError(f"{what} have masked entries; fill them, or leave their rows out")
     try:
@@ -181,19 +182,22 @@ def array_of(values: Any, what: str) -> _numpy.ndarray:
         first_line = (str(error).splitlines() or [type(error).__name__])[0]
         raise InputError(f"{what} cannot be made an array: {first_line}") from None
     if array.dtype == object and array.ndim > 0:
-        array = _numbers_of_objects(array, what)
+        array = _numbers_of_objects(array, what, with_bools)
+    if with_bools and array.dtype == bool:
+        array = array.astype(_numpy.int64)
     if array.ndim > 0 and array.size > 0 and array.dtype.kind not in "fiu":
         names = {"b": "booleans", "c": "complex numbers", "U": "text", "S": "text"}
         raise InputError(f"{what} must be real numbers, not {names.get(array.dtype.kind, array.dtype)}")
     return array
 
 
-def _numbers_of_objects(array: _numpy.ndarray, what: str) -> _numpy.ndarray:
+def _numbers_of_objects(array: _numpy.ndarray, what: str, with_bools: bool) -> _numpy.ndarray:
+    bools = (bool, _numpy.bool_)
     for place, value in _numpy.ndenumerate(array):
-        if isinstance(value, (bool, _numpy.bool_)) or not isinstance(value, _numbers.Real):
+        if not (with_bools if isinstance(value, bools) else isinstance(value, _numbers.Real)):
             where = f"entry {', '.join(map(str, place))} (counted from 0)"
             raise InputError(f"{what} must be real numbers; {where} is {_shown(value)}")
-    whole = array.size > 0 and all(isinstance(value, _numbers.Integral) for value in array.flat)
+    whole = array.size > 0 and all(isinstance(value, (_numbers.Integral, *bools)) for value in array.flat)
     try:
         return array.astype(_numpy.int64 if whole else _numpy.float64)
     except OverflowError:

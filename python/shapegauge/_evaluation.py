@@ -118,7 +118,7 @@ def _is_missing(label: Any) -> bool:
         return False
 
 
-def _label(label: Any, row: str) -> Any:
+def _label(label: Any, row: str, noun: str = "label") -> Any:
     """Converts a label to a number or text."""
     if isinstance(label, (bool, _numpy.bool_, str)):
         return str(label).strip() if isinstance(label, str) else bool(label)
@@ -128,11 +128,11 @@ def _label(label: Any, row: str) -> Any:
         return int(label)
     if isinstance(label, _numbers.Real):
         if not float(label).is_integer():
-            raise InputError(f"the label of row {row} is {label}; labels are whole numbers or text")
+            raise InputError(f"the {noun} of row {row} is {label}; it must be a whole number or text")
         return int(label)
     if isinstance(label, (_abc.Iterable, _numbers.Complex)):
         kind = with_article(type(label).__name__)
-        raise InputError(f"the label of row {row} is {kind}; labels are whole numbers or text")
+        raise InputError(f"the {noun} of row {row} is {kind}; it must be a whole number or text")
     return str(label)
 
 
@@ -142,11 +142,11 @@ def _rows_text(rows: Sequence[Any]) -> str:
     return f"{'row' if len(rows) == 1 else 'rows'} {listed}"
 
 
-def _check_text(array: _numpy.ndarray) -> None:
+def _check_text(array: _numpy.ndarray, nouns: str) -> None:
     """Rejects missing values that NumPy has made text: np.array(["a", nan])."""
     made = [row for row, label in enumerate(array.tolist()) if label in ("nan", "NaT", b"nan", b"NaT")]
     if made:
-        raise InputError(f'the text of the labels is "nan" in {_rows_text(made)} (counted from 0): NumPy makes it of '
+        raise InputError(f'the text of the {nouns} is "nan" in {_rows_text(made)} (counted from 0): NumPy makes it of '
                          "missing values; give a list, or an array of dtype=object")
 
 
@@ -163,21 +163,26 @@ def _check_kinds(classes: Sequence[Any], place: Callable[[int], str]) -> None:
                                  f"{label!r}, which differ only in type; convert them to one type")
 
 
-def _label_list(labels: Any) -> list[Any]:
+def _label_list(labels: Any, nouns: str = "labels") -> list[Any]:
     """The labels in their order; a column or a row of a table is one dimension."""
     if hasattr(labels, "__array__") and not isinstance(labels, _numpy.generic):
         array = labels if isinstance(labels, _numpy.ndarray) else _numpy.asarray(labels)
         if array.ndim == 0:
-            raise InputError("labels must be a list, not a single value")
+            raise InputError(f"{nouns} must be a list, not a single value")
         if array.ndim > 1 and (array.size == 0 or max(array.shape) != array.size):
-            raise InputError(f"labels must have one dimension, not be {' x '.join(map(str, array.shape))}; of a table "
+            raise InputError(f"{nouns} must have one dimension, not be {' x '.join(map(str, array.shape))}; of a table "
                              "with a column for each class, take the argmax of its rows")
         flat = array.ravel()
         if flat.dtype.kind in "US":
-            _check_text(flat)
+            _check_text(flat, nouns)
         mask = _numpy.ma.getmaskarray(flat) if isinstance(flat, _numpy.ma.MaskedArray) else _numpy.zeros(len(flat), bool)
         return [None if hidden else label for label, hidden in zip(_numpy.asarray(flat).tolist(), mask)]
-    return ordered(labels, "labels")
+    return ordered(labels, nouns)
+
+
+def _listed(labels: Any) -> Any:
+    """Returns the labels such that they can be read several times: a generator gives them once."""
+    return labels if labels is None or hasattr(labels, "__array__") else ordered(labels, "labels")
 
 
 _MISSING_LABELS = ("error", "no_class")
@@ -267,7 +272,9 @@ def _distances_of(distances: Any, distance: Optional[str], rectangular: bool, th
 
 
 def _grades(relevance: Any, shape: tuple[int, ...]) -> _numpy.ndarray:
-    grades = array_of(_numpy.asarray(relevance) * 1, "relevance")  # True is 1
+    grades = array_of(relevance, "grades of relevance", with_bools=True)
+    if grades.ndim == 0:
+        raise InputError(f"relevance must be a matrix, not {with_article(type(relevance).__name__)}")
     if grades.shape != shape:
         raise InputError(f"relevance is {' x '.join(map(str, grades.shape))} for distances of "
                          f"{' x '.join(map(str, shape))}")
@@ -286,11 +293,14 @@ def _subclass_numbers(subclasses: Any, labels: Any) -> list[int]:
     """Numbers of the subclasses, -1 for none; empty if there are none at all."""
     if subclasses is None:
         return []
-    names, of_models = _label_list(subclasses), _label_list(labels)
+    def texts(values: list[Any], noun: str) -> list[str]:
+        return ["" if _is_missing(value) else str(_label(value, str(row), noun)) for row, value in enumerate(values)]
+
+    names, of_models = texts(_label_list(subclasses, "subclasses"), "subclass"), texts(_label_list(labels), "label")
     if len(names) != len(of_models):
         raise InputError(f"there are {len(names)} subclasses for {len(of_models)} models")
     numbers: dict[str, int] = {}
-    return [-1 if _is_missing(name) or str(name) in ("", str(label)) else numbers.setdefault(str(name), len(numbers))
+    return [-1 if name in ("", label) else numbers.setdefault(name, len(numbers))
             for name, label in zip(names, of_models)]
 
 
@@ -305,6 +315,7 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
         raise InputError("labels are None; give them, or relevance in their place")
     if labels is not None and relevance is not None:
         raise InputError("give labels, or relevance in their place, not both")
+    labels = _listed(labels)
     rectangular = targets is not None or relevance is not None
     if subclasses is not None and rectangular:
         raise InputError("subclasses apply to labels of rows and columns alike; with targets give relevance instead")
@@ -324,7 +335,7 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
         names, numbers = _class_numbers(labels, len(matrix), missing_labels)
     else:
         of_rows = _label_list(labels)
-        names, both = _class_numbers(of_rows + _label_list(targets), sum(matrix.shape), missing_labels,
+        names, both = _class_numbers(of_rows + _label_list(targets, "targets"), sum(matrix.shape), missing_labels,
                                      "labels and targets", targets_from=len(of_rows))
         numbers, columns = both[:matrix.shape[0]], both[matrix.shape[0]:]
     native, warnings = _native.evaluate(-matrix if similarity else matrix, numbers, None if square else columns,
@@ -391,8 +402,7 @@ def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union
     methods = _named_methods(methods)
     measures = words(measures, "measures")
     check_order((f"rows of {name}", index_of(values)) for name, values in methods.items())
-    if not hasattr(labels, "__array__"):
-        labels = ordered(labels, "labels")  # a generator gives them once
+    labels = _listed(labels)
     scores = []
     for name, distances in methods.items():
         try:

@@ -43,9 +43,9 @@ class ScalarField(_ValuesAndWeights):
     SDF, n x 3; otherwise None.
     """
 
-    points: Optional[_numpy.ndarray]
-    offset: Optional[float]
-    normals: Optional[_numpy.ndarray]
+    points: Optional[_numpy.ndarray] = None
+    offset: Optional[float] = None
+    normals: Optional[_numpy.ndarray] = None
 
     def __new__(cls, values: _numpy.ndarray, weights: _numpy.ndarray, offset: Optional[float] = None,
                 normals: Optional[_numpy.ndarray] = None, points: Optional[_numpy.ndarray] = None) -> ScalarField:
@@ -54,6 +54,10 @@ class ScalarField(_ValuesAndWeights):
         field.normals = normals
         field.points = points
         return field
+
+    def _replace(self, **changes: Any) -> ScalarField:
+        members: dict[str, Any] = {**self._asdict(), **vars(self), **changes}
+        return ScalarField(**members)
 
 
 def read(path: PathLike) -> Shape:

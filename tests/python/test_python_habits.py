@@ -43,6 +43,18 @@ def test_fields_pickle_and_say_where_their_samples_are():
     np.testing.assert_array_equal(back.values, field.values)
 
 
+def test_replaced_values_keep_the_rest_of_a_field():
+    field = sg.sdf(*bumpy_torus())
+    scaled = field._replace(values=2 * field.values)
+    np.testing.assert_array_equal(scaled.values, 2 * field.values)
+    np.testing.assert_array_equal(scaled.weights, field.weights)
+    assert scaled.offset == field.offset == 0.05
+    assert scaled.points is field.points and scaled.normals is field.normals
+    with pytest.raises(TypeError):
+        field._replace(value=0)
+    assert type(field)._make([field.values, field.weights]).offset is None
+
+
 def test_frame_has_a_row_for_each_query():
     pandas = pytest.importorskip("pandas")
     distances, labels = toy()
@@ -110,8 +122,28 @@ def test_subclasses_grade_models_of_a_class():
     assert plain["nDCG@N"] == 1
     with pytest.raises(sg.InputError, match="3 subclasses for 4 models"):
         sg.evaluate(distances, list("aaaa"), subclasses=list("xyz"))
+    with pytest.raises(sg.InputError, match="subclasses must be a list, not a str"):
+        sg.evaluate(distances, list("aaaa"), subclasses="xyzx")
+    with pytest.raises(sg.InputError, match="the subclass of row 1 is a list"):
+        sg.evaluate(distances, list("aaaa"), subclasses=["x", [1], "y", "x"])
+    with pytest.raises(sg.InputError, match='the text of the subclasses is "nan" in row 1 '):
+        sg.evaluate(distances, list("aaaa"), subclasses=np.array(["x", np.nan, "y", "x"]))
     with pytest.raises(sg.InputError, match="relevance instead"):
         sg.evaluate(distances, list("aaaa"), targets=list("aaaa"), subclasses=list("xyzx"))
+
+
+@pytest.mark.parametrize("labels, subclasses", [
+    ([1, 1, 1, 1], [2.0, 3.0, 1.0, 2.0]),
+    ([1.0, 1.0, 1.0, 1.0], [2, 3, 1, 2]),
+    ([1, 1, 1, 1], np.array([2, 3, np.nan, 2])),
+    (["1", "1", "1", "1"], ["2", "3 ", " 1", b"2"]),
+    ((label for label in [1, 1, 1, 1]), (name for name in ["2", "3", None, "2"])),
+])
+def test_subclasses_and_labels_of_any_type_are_compared(labels, subclasses):
+    distances = np.array([[0, 1, 2, 3], [1, 0, 2, 3], [1, 2, 0, 3], [1, 2, 3, 0]], dtype=float)
+    expected = sg.evaluate(distances, list("aaaa"), "paper", measures=["nDCG@N"], subclasses=["x", "y", "a", "x"])
+    scores = sg.evaluate(distances, labels, "paper", measures=["nDCG@N"], subclasses=subclasses)
+    assert scores.micro == expected.micro
 
 
 def test_relevance_takes_the_place_of_labels():
@@ -127,6 +159,15 @@ def test_relevance_takes_the_place_of_labels():
     for wrong, words in [(same[:3], "3 x 7"), (same * 0.5, "whole numbers"),
                          (beyond, "grade 4294967296 in row 1, column 0 .* to 2147483647"),
                          (beyond * -1.0, "grade -4294967296.0")]:
+        with pytest.raises(sg.InputError, match=words):
+            sg.evaluate(distances, relevance=wrong)
+    objects = same.astype(object)
+    assert sg.evaluate(distances, relevance=objects).micro == sg.evaluate(distances, relevance=same).micro
+    objects[1, 2] = None
+    for wrong, words in [(np.ma.array(same, mask=np.eye(7)), "grades of relevance have masked entries"),
+                         (same.astype(str), "must be real numbers, not text"), (objects, "entry 1, 2 .* is None"),
+                         ({1, 2}, "relevance must be a matrix, not a set"), ({1: 2}, "must be a matrix, not a dict"),
+                         ([[1, 2], [3]], "grades of relevance cannot be made an array")]:
         with pytest.raises(sg.InputError, match=words):
             sg.evaluate(distances, relevance=wrong)
     with pytest.raises(sg.InputError, match="give them, or relevance"):
