@@ -124,5 +124,6 @@ PYBIND11_MODULE(_native, module) {
       .def_readonly("warnings", &FinishedRun::warnings)
       .def_readonly("left_out", &FinishedRun::left_out);
   module.def("run", &run_configuration);
+  module.def("file_safe_name", &file_safe_name);
   module.def("version", &version);
 }

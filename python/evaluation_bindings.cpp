@@ -10,6 +10,7 @@
 #include "python/native.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/datasets/files/table.h"
+#include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
@@ -239,6 +240,8 @@ ComparedMethods compare_evaluations(const std::vector<std::string>& names,
 }  // namespace
 
 void bind_evaluation(py::module_& module) {
+  module.attr("missing_value_words") =
+      py::cast(std::vector<std::string>(missing_value_words.begin(), missing_value_words.end()));
   py::class_<Evaluation, std::shared_ptr<Evaluation>>(module, "Evaluation")
       .def_readonly("measures", &Evaluation::measures)
       .def_readonly("queries", &Evaluation::queries)

@@ -167,6 +167,14 @@ ModelLabels string_labels(const std::vector<std::string>& names, const std::stri
     throw InputError(fmt::format("{}: entry {} (counted from 0) is empty; every model needs a class", source,
                                  empty - names.begin()));
   }
+  const auto is_missing = [](const std::string& name) {
+    return std::ranges::find(missing_value_words, name) != missing_value_words.end();
+  };
+  if (const auto missing = std::ranges::find_if(names, is_missing); missing != names.end()) {
+    throw InputError(fmt::format(
+        "{}: entry {} (counted from 0) is {}, the text that NumPy makes of missing values; every model needs a class",
+        source, missing - names.begin(), quoted_word(*missing)));
+  }
   return labels_in_order(names, source);
 }
 
@@ -299,6 +307,19 @@ ModelClass& class_named(const std::string& name, std::vector<ModelClass>& classe
 }
 
 }  // namespace
+
+std::vector<std::string> missing_class_warnings(const ModelLabels& labels) {
+  std::vector<std::string> warnings;
+  for (const ModelClass& known : labels.classification.classes) {
+    if (known.models.empty() || std::ranges::find(missing_value_words, known.name) == missing_value_words.end())
+      continue;
+    warnings.push_back(fmt::format(
+        "{}: {} the class {}, which many programs write for missing values; if that is meant, leave these models out, "
+        "or give each a class of its own: it is then not a query",
+        labels.source, count_text(std::ssize(known.models), "model has", "models have"), quoted_word(known.name)));
+  }
+  return warnings;
+}
 
 ModelLabels read_labels(const fs::path& path, std::size_t level) {
   if (is_folder(path)) return all_are_both(at_level(read_folders(path), level, path.string()), path);

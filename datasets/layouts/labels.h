@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -25,6 +27,12 @@ struct ModelLabels {
   ModelKeys keys{};          ///< for comparing ids with those of the models
 };
 
+/// Words that programs write for missing values. A class of such a name usually consists of models without a class.
+inline constexpr std::array<std::string_view, 6> missing_value_words{"nan", "NaN", "None", "<NA>", "NaT", "NULL"};
+
+/// Returns a warning for each class named in missing_value_words.
+std::vector<std::string> missing_class_warnings(const ModelLabels& labels);
+
 /// Reads labels from one of these:
 /// - a `.cla` file;
 /// - a folder with one folder of models a class; ids are paths below it without extensions;
@@ -32,7 +40,8 @@ struct ModelLabels {
 ///   case: id (name, model, file), class (label, category) and optionally subclass (subcategory) and split: query
 ///   (test, probe), target (train, gallery), both, or empty. Without such a row the two columns are id and class;
 /// - lines of an id and a class separated by blanks, if every id has a digit, ids are unique and classes repeat;
-/// - a list: one class a line, or a `.npy` array of integers or strings. Models then have no ids.
+/// - a list: one class a line, or a `.npy` array of integers or strings, none of them in missing_value_words. Models
+///   then have no ids.
 ///
 /// Tables, lists and arrays may be compressed, with an additional `.gz`. Level 0 uses the classes of a `.cla` file;
 /// level n replaces each class by its ancestor in the n-th generation from the root (1: the root), if there is one.

@@ -161,9 +161,11 @@ EvaluationData open_labelled(const EvaluationFiles& files) {
                                              : read_query_and_target_labels(files.labels, files.targets, files.level);
   if (is_ranked_answers_file(files.matrix)) {
     const RankedAnswers answers = read_ranked_answers(files.matrix);
-    return data_of(answers, task_of_answers(answers, labels, files.unanswered));
+    EvaluationData data = data_of(answers, task_of_answers(answers, labels, files.unanswered));
+    std::ranges::move(missing_class_warnings(labels), std::back_inserter(data.task.warnings));
+    return data;
   }
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = missing_class_warnings(labels);
   EvaluationData data{
       .distances = open_distances(files, labels.separate_sets ? TableShape::any : TableShape::square, warnings),
       .symmetric = !files.distance.empty(),

@@ -144,10 +144,12 @@ def _rows_text(rows: Sequence[Any]) -> str:
 
 def _check_text(array: _numpy.ndarray, nouns: str) -> None:
     """Rejects missing values that NumPy has made text: np.array(["a", nan])."""
-    made = [row for row, label in enumerate(array.tolist()) if label in ("nan", "NaT", b"nan", b"NaT")]
-    if made:
-        raise InputError(f'the text of the {nouns} is "nan" in {_rows_text(made)} (counted from 0): NumPy makes it of '
-                         "missing values; give a list, or an array of dtype=object")
+    texts = [label.decode("utf-8", "replace") if isinstance(label, bytes) else label for label in array.tolist()]
+    for text in _native.missing_value_words:
+        made = [row for row, label in enumerate(texts) if label == text]
+        if made:
+            raise InputError(f'the text of the {nouns} is "{text}" in {_rows_text(made)} (counted from 0): NumPy makes it '
+                             "of missing values; give a list, or an array of dtype=object")
 
 
 def _check_kinds(classes: Sequence[Any], place: Callable[[int], str]) -> None:
@@ -213,6 +215,11 @@ def _class_numbers(labels: Any, models: int, missing_labels: str, noun: str = "l
     if len({type(label) is str for row, label in enumerate(classes) if row not in hidden}) == 2:
         classes = [label if label is None else str(label) for label in classes]  # numbers and text are text
     names = sorted({label for row, label in enumerate(classes) if row not in hidden})
+    for text in _native.missing_value_words:
+        rows = [place(row) for row, label in enumerate(classes) if label == text]
+        if rows:
+            warn([f'the label of {_rows_text(rows)} (counted from 0) is the text "{text}", which many programs write for '
+                  'missing values; if that is meant, give None and missing_labels="no_class"'])
     number_of = {name: number for number, name in enumerate(names)}
     return names, [-1 if row in hidden else number_of[label] for row, label in enumerate(classes)]
 

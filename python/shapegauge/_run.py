@@ -39,7 +39,7 @@ def run(configuration: Union[PathLike, Mapping[str, Any]], output: Optional[Path
     if isinstance(configuration, Mapping):
         document = plain(configuration, "configuration")
         text, source, folder = _json.dumps(document), "configuration", ""
-        name = str(document.get("name", "experiment")).replace("/", "_")
+        name = _native.file_safe_name(str(document.get("name", "experiment")))
     else:
         text, source = "", path_of(configuration, "configuration")
         folder = _os.path.dirname(source)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import shapegauge as sg
-from support import toy
+from support import program, toy
 
 DISTANCES, LABELS = toy()
 
@@ -44,6 +44,22 @@ def test_missing_numbers_of_arrays_are_an_error():
     many = np.full(30, np.nan)
     with pytest.raises(sg.InputError, match="30 labels.*20 more"):
         sg.evaluate(np.zeros((30, 30)), many)
+
+
+@pytest.mark.parametrize("text", ["nan", "NaN", "None", "<NA>", "NaT", "NULL"])
+def test_labels_with_the_text_of_missing_values_warn(text, tmp_path):
+    labels = [text, "a", text, "b", "b", "a", "b"]
+    for given in (labels, np.array(labels, object)):
+        with pytest.warns(UserWarning, match=f'the label of rows 0, 2 .* is the text "{text}"'):
+            sg.evaluate(DISTANCES, given)
+    with pytest.warns(UserWarning, match=f'the label of row 1 of targets .* is the text "{text}"'):
+        sg.evaluate(DISTANCES[:, :3], LABELS, targets=["a", text, "b"])
+    with pytest.raises(sg.InputError, match=f'"{text}" in rows 0, 2 .*dtype=object'):
+        sg.evaluate(DISTANCES, np.array(labels))
+    np.save(tmp_path / "D.npy", DISTANCES)
+    (tmp_path / "labels.txt").write_text("\n".join(labels))
+    told = program("evaluate", tmp_path / "D.npy", "--labels", tmp_path / "labels.txt")
+    assert any(f'2 models have the class "{text}"' in line for line in told)
 
 
 def test_missing_targets_are_named_by_their_own_rows():

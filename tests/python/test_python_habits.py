@@ -2,6 +2,7 @@
 
 import copy
 import json
+import os
 import pickle
 import subprocess
 import types
@@ -201,6 +202,19 @@ def test_run_takes_a_dict_and_tells_how_far_it_is(tmp_path, monkeypatch):
         sg.run(configuration, "stopped", cache="", on_progress=stop)
     with pytest.raises(sg.InputError, match="configuration: .*nonsense"):
         sg.run({**configuration, "nonsense": 1})
+
+
+@pytest.mark.parametrize("name, folder", [("..", "unnamed"), (".", "unnamed"), ("a/b c", "a_b_c")])
+def test_a_run_without_output_writes_into_a_folder_of_results(tmp_path, monkeypatch, name, folder):
+    monkeypatch.chdir(tmp_path)
+    with open(f"{CONFIGS}/quickstart.json", encoding="utf-8") as file:
+        configuration = json.load(file)
+    configuration.pop("$schema", None)
+    configuration["name"] = name
+    configuration["dataset"] = {"generate": {"classes": 2, "models_per_class": 2, "faces": 500}}
+    run = sg.run(configuration, cache="")
+    assert run.folder == os.path.join("results", folder) and os.path.exists(tmp_path / run.folder / "manifest.json")
+    assert os.listdir(tmp_path) == ["results"] and os.listdir("results") == [folder]
 
 
 def test_results_overwrite_no_input(tmp_path):

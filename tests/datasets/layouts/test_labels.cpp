@@ -161,6 +161,14 @@ TEST_F(ModelLabelsTest, QueriesAndTargetsWithoutIdsAreDifferentModels) {
   EXPECT_EQ(labels.classification.classes[1].models.size(), 3U);
 }
 
+TEST_F(ModelLabelsTest, OfNamesThatStandForMissingValuesWarn) {
+  EXPECT_THAT(missing_class_warnings(read_labels(file("labels.csv", "id,class\n1,nan\n2,<NA>\n3,nan\n4,Nan\n"))),
+              ElementsAre(HasSubstr("labels.csv: 2 models have the class \"nan\""),
+                          HasSubstr("1 model has the class \"<NA>\"")));
+  EXPECT_THAT(missing_class_warnings(read_labels(file("list.txt", "None\nNaT\nNULL\nNaN\n"))), testing::SizeIs(4));
+  EXPECT_THAT(missing_class_warnings(read_labels(file("list.txt", "nano\nnone\n"))), testing::IsEmpty());
+}
+
 std::string npy_of(const std::string& type, const std::string& shape, const std::string& data) {
   const std::string dictionary = "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + "}";
   std::string bytes = "\x93NUMPY";
@@ -202,6 +210,7 @@ TEST_F(ModelLabelsTest, OfAnArrayOfStringsThatIsOfNoUseIsAnError) {
   };
   EXPECT_THAT(error(npy_of("|O", "(2,)", "pickled")), HasSubstr("dtype=str"));
   EXPECT_THAT(error(npy_of("|S3", "(2,)", "ox\0\0\0\0"s)), HasSubstr("entry 1"));
+  EXPECT_THAT(error(npy_of("|S3", "(2,)", "ox\0nan"s)), HasSubstr("entry 1 (counted from 0) is \"nan\""));
   EXPECT_THAT(error(npy_of("|S3", "(2,)", "ox")), HasSubstr("truncated"));
   EXPECT_THAT(error(npy_of("|S1", "(2, 2)", "oxox")), HasSubstr("one-dimensional"));
   EXPECT_THAT(error(npy_of("<U1", "(2,)", utf32(U"a", false) + "\0\0\x11\0"s)), HasSubstr("entry 1"));
