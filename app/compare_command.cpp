@@ -86,7 +86,7 @@ void add_methods(const fs::path& path, const CompareArguments& arguments, Compar
     std::ranges::move(methods, std::back_inserter(compared.methods));
   };
   if (is_folder(path)) {
-    add(methods_of_table(path / "per_query.csv", arguments));
+    add(methods_of_table(path / per_query_name, arguments));
     return add_curves_of_run(path, arguments, compared.methods.back().protocol, compared);
   }
   const bool matrix = !arguments.evaluation.files.labels.empty() || !arguments.evaluation.files.qrels.empty();
@@ -118,6 +118,16 @@ void add_methods(const fs::path& path, const CompareArguments& arguments, Compar
   compared.evaluated.push_back(std::move(evaluated));
 }
 
+// Returns the files that are read; of the folder of a run, its tables.
+std::vector<fs::path> files_read(const CompareArguments& arguments) {
+  std::vector<fs::path> files = label_files(arguments.evaluation);
+  for (const fs::path& input : arguments.inputs) {
+    files.push_back(input);
+    if (is_folder(input)) files.insert(files.end(), {input / per_query_name, input / curves_name});
+  }
+  return files;
+}
+
 void check_compare_outputs(const CompareArguments& arguments) {
   for (const fs::path& plot : {arguments.plot, arguments.score_plot}) {
     if (!plot.empty()) check_drawing_file(plot);
@@ -128,7 +138,7 @@ void check_compare_outputs(const CompareArguments& arguments) {
                                         {.path = arguments.score_plot, .what = "--plot-scores"},
                                         {.path = arguments.curves, .what = "--pr", .extensions = {".csv"}},
                                         {.path = arguments.report, .what = "--report", .extensions = page_extensions}};
-  check_output_files(arguments.inputs, outputs, arguments.replace);
+  check_output_files(files_read(arguments), outputs, arguments.replace);
 }
 
 // Makes a table of the curves, as written by `evaluate --pr`.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "shapegauge/core/version.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_plots.h"
@@ -155,8 +157,11 @@ EvaluatedFiles evaluate_standard_input(const EvaluateCommandArguments& arguments
 
 /// Throws InputError for unusable output files, before any work.
 void check_outputs(const EvaluateCommandArguments& arguments) {
-  const EvaluationFiles& files = arguments.evaluation.files;
-  const std::vector<fs::path> inputs{arguments.distances, files.labels, files.targets, files.qrels, files.ids};
+  std::vector<fs::path> inputs = label_files(arguments.evaluation);
+  inputs.push_back(arguments.distances);
+  if (is_folder(arguments.distances)) {
+    std::ranges::move(ranked_list_files(arguments.distances), std::back_inserter(inputs));
+  }
   const std::vector<std::string> csv{".csv"};
   const std::vector<OutputFile> outputs{
       {.path = arguments.curve, .what = "--pr", .extensions = {".csv", ".plot"}},

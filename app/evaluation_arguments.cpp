@@ -45,15 +45,17 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
 
 }  // namespace
 
-void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
+void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
+                            const std::vector<std::string>& missing_queries) {
+  arguments.missing_queries = missing_queries.front();
   add_input_options(command, arguments);
   begin_option_group(command, "Evaluation");
   command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, or trec with --qrels)")
       ->check(CLI::IsMember(protocol_names()));
   CLI::Option* missing = command
                              .add_option("--missing-queries", arguments.missing_queries,
-                                         "Queries without a ranked list: skip them, or count them with scores of zero")
-                             ->check(CLI::IsMember(list_of_words<Unanswered>()))
+                                         "Treatment of queries without a ranked list; zero: they have scores of 0")
+                             ->check(CLI::IsMember(missing_queries))
                              ->capture_default_str();
   command
       .add_flag_callback(
@@ -127,6 +129,11 @@ EvaluationFiles files_as_given(const EvaluationArguments& arguments) {
   if (arguments.order == "file" || arguments.order == "classification") files.order = RowOrder::file;
   files.unanswered = value_of_word<Unanswered>(arguments.missing_queries).value();
   return files;
+}
+
+std::vector<std::filesystem::path> label_files(const EvaluationArguments& arguments) {
+  const EvaluationFiles& files = arguments.files;
+  return {files.labels, files.targets, files.qrels, files.ids};
 }
 
 EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments) {

@@ -23,7 +23,7 @@ struct EvaluationArguments {
   EvaluationFiles files;
   std::string order;
   std::string protocol;
-  std::string missing_queries{word_of(EvaluationFiles{}.unanswered)};
+  std::string missing_queries;
   int threads = 0;
   std::string ties = name_of(EvaluationOptions{}.ties);
   std::string curve;
@@ -51,8 +51,10 @@ void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const s
 /// Returns the style of scores in tables. Default: 2 decimal places, or 4 for csv; 2 more for fractions.
 ScoreStyle style_of(const ScoreFormat& arguments);
 
-/// Adds the options for labels and evaluation, and --threads.
-void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments);
+/// Adds the options for labels and evaluation, and --threads. `missing_queries` are the values of --missing-queries,
+/// the default first.
+void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
+                            const std::vector<std::string>& missing_queries = list_of_words<Unanswered>());
 
 /// Adds --confidence, --blocks, --resamples and --seed.
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments);
@@ -65,6 +67,9 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments);
 
 /// Returns the files of the evaluation and their interpretation, without the matrix.
 EvaluationFiles files_as_given(const EvaluationArguments& arguments);
+
+/// Returns the files of classes, judgements and ids, for check_output_files(); files that are not given are empty.
+std::vector<std::filesystem::path> label_files(const EvaluationArguments& arguments);
 
 /// Evaluates the matrix, or the ranked lists, at the path, with a progress line on the terminal.
 EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments);

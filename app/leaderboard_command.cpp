@@ -44,8 +44,7 @@ struct LeaderboardArguments {
 // Throws InputError for unusable output files, before any work.
 void check_leaderboard_output(const LeaderboardArguments& arguments) {
   if (arguments.output.empty()) return;
-  const EvaluationFiles& files = arguments.evaluation.files;
-  std::vector<fs::path> inputs{files.labels, files.targets, files.qrels, files.ids};
+  std::vector<fs::path> inputs = label_files(arguments.evaluation);
   inputs.insert(inputs.end(), arguments.submissions.begin(), arguments.submissions.end());
   if (is_page(arguments.output)) {
     const std::vector<OutputFile> outputs{{.path = arguments.output, .what = "--output", .extensions = {}}};
@@ -127,9 +126,7 @@ int report_submissions(const Leaderboard& board, const FoundSubmissions& found) 
 int run_leaderboard(const LeaderboardArguments& arguments) {
   check_leaderboard_output(arguments);
   const JudgingOptions options = judging_options(arguments);
-  const EvaluationFiles& files = options.files;
-  const std::vector<fs::path> others{files.labels, files.targets, files.qrels, files.ids};
-  const FoundSubmissions found = find_submissions(arguments.submissions, others);
+  const FoundSubmissions found = find_submissions(arguments.submissions, label_files(arguments.evaluation));
   Cache cache(chosen_cache(arguments.cache));
   Leaderboard board;
   {
@@ -168,7 +165,7 @@ void add_leaderboard_command(CLI::App& app, int& status) {
       "refused with the reason (exit status 1).");
   const auto arguments = std::make_shared<LeaderboardArguments>();
   command->add_option("submissions", arguments->submissions, "Files, or folders of files")->required();
-  add_evaluation_options(*command, arguments->evaluation);
+  add_evaluation_options(*command, arguments->evaluation, {std::string(word_of(Unanswered::count))});
   add_resampling_options(*command, arguments->resampling);
   add_leaderboard_options(*command, *arguments);
   command->callback([arguments, &status] {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include <map>
 #include <span>
 #include <string>
@@ -27,10 +29,15 @@ std::string meaning_of(const Parameter& parameter, bool with_default = true);
 /// Returns a description of a registry entry in the form of --help, without its full stop.
 std::string without_full_stop(std::string_view sentence);
 
-/// Returns a check of an option's number by closed bounds.
+/// Returns a check of an option's number by closed bounds. Unlike CLI::Range, it refuses NaN.
 template <typename Number>
-CLI::Range within(const Bounds& bounds) {
-  return {static_cast<Number>(bounds.low), static_cast<Number>(bounds.high)};
+CLI::Validator within(const Bounds& bounds) {
+  const CLI::Range range(static_cast<Number>(bounds.low), static_cast<Number>(bounds.high));
+  return {[range](std::string& text) {
+            const bool is_nan = std::isnan(std::strtod(text.c_str(), nullptr));
+            return is_nan ? "Value " + text + " is not a number" : range(text);
+          },
+          range.get_description()};
 }
 
 /// Adds an option, or a flag for a boolean, that fills `given`. `names` as in CLI11; if empty, `--` and the parameter's

@@ -29,7 +29,21 @@ void write_message(std::string_view text) {
 
 }  // namespace
 
+std::string printable_lines(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\n\t"), text.size());
+    shown += printable(text.substr(0, end));
+    if (end < text.size()) shown += text[end];
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return shown;
+}
+
 void write_output(std::string_view text) {
+  static const bool on_terminal = isatty(STDOUT_FILENO) == 1;
+  const std::string shown = on_terminal ? printable_lines(text) : "";
+  if (on_terminal) text = shown;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written && first_output_error == 0) first_output_error = errno;
 }

@@ -21,7 +21,10 @@ enum class Verbosity {
   verbose  ///< also steps and their run times
 };
 
-/// Writes the text to standard output; output_error() reports failures.
+/// Sanitises text of several lines for a terminal: printable(), but keeps ends of lines and tabs.
+std::string printable_lines(std::string_view text);
+
+/// Writes the text to standard output, on a terminal sanitised by printable_lines(); output_error() reports failures.
 void write_output(std::string_view text);
 
 /// Flushes standard output. Returns the error (errno) of the first failed write, or 0.

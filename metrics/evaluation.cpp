@@ -64,6 +64,10 @@ void choose_queries(const RetrievalTask& task, int minimum_class_size, Evaluatio
     evaluation.query_classes.push_back(task.query_classes[row]);
     classes.insert(task.query_classes[row]);
   }
+  if (classes.empty() && !task.judged.empty()) {
+    throw ArgumentError(minimum == 2 ? "no query has a relevant model"
+                                     : "no query has " + std::to_string(minimum - 1) + " relevant models or more");
+  }
   if (classes.empty()) {
     throw ArgumentError("no class has " + std::to_string(minimum) + " models or more, so there are no queries");
   }

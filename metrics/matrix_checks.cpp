@@ -26,10 +26,13 @@ void mix(std::pair<std::uint64_t, std::uint64_t>& hash, double number) {
 
 struct Asymmetry {
   Eigen::Index pairs = 0;
+  Eigen::Index infinite = 0;
   double largest = 0;
 
   Asymmetry operator+(const Asymmetry& other) const {
-    return {.pairs = pairs + other.pairs, .largest = std::max(largest, other.largest)};
+    return {.pairs = pairs + other.pairs,
+            .infinite = infinite + other.infinite,
+            .largest = std::max(largest, other.largest)};
   }
 };
 
@@ -47,7 +50,11 @@ Asymmetry asymmetry_of_columns(const DistanceTable& rows, Eigen::Index first, co
       if (entry == mirror) continue;
       ++found.pairs;
       const double difference = std::abs(entry - mirror);
-      if (std::isfinite(difference)) found.largest = std::max(found.largest, difference);
+      if (std::isfinite(difference)) {
+        found.largest = std::max(found.largest, difference);
+      } else {
+        ++found.infinite;
+      }
     }
   }
   return found;
@@ -63,13 +70,18 @@ MatrixChecks::RowFindings MatrixChecks::check_row(const DistanceTable& rows, Eig
     const double distance = rows(row, column) + 0.0;  // -0 becomes 0
     mix(found.hash, distance);
     if (column == diagonal) continue;
-    if (std::isinf(distance)) ++found.infinite;
+    if (std::isinf(distance)) {
+      ++found.infinite;
+    } else {
+      found.largest = std::max(found.largest, std::abs(distance));
+    }
     if (distance < 0) ++found.negative;
     least = std::min(least, distance);
     most = std::max(most, distance);
   }
   const bool has_diagonal = diagonal >= 0;
-  found.constant = rows.cols() > (has_diagonal ? 2 : 1) && least == most;
+  found.unreachable = most > -least && least == std::numeric_limits<double>::infinity();
+  found.constant = !found.unreachable && rows.cols() > (has_diagonal ? 2 : 1) && least == most;
   if (!has_diagonal) return found;
   const double own = rows(row, diagonal);
   found.nonzero_diagonal = own != 0;
@@ -94,7 +106,17 @@ void MatrixChecks::compare(const DistanceTable& rows, Eigen::Index first, const 
       },
       std::plus<>());
   asymmetric_pairs_ += found.pairs;
+  infinite_asymmetries_ += found.infinite;
   largest_asymmetry_ = std::max(largest_asymmetry_, found.largest);
+}
+
+void MatrixChecks::add_asymmetry(MatrixFindings& findings) const {
+  constexpr double rounding = 1e-12;
+  double largest = 0;
+  for (const RowFindings& row : rows_) largest = std::max(largest, row.largest);
+  if (infinite_asymmetries_ == 0 && largest_asymmetry_ <= rounding * largest) return;
+  findings.asymmetric_pairs = asymmetric_pairs_;
+  findings.largest_asymmetry = largest_asymmetry_;
 }
 
 void MatrixChecks::add_equal_rows(MatrixFindings& findings) const {
@@ -108,15 +130,15 @@ void MatrixChecks::add_equal_rows(MatrixFindings& findings) const {
 
 MatrixFindings MatrixChecks::findings() const {
   MatrixFindings findings;
-  findings.asymmetric_pairs = asymmetric_pairs_;
-  findings.largest_asymmetry = largest_asymmetry_;
   for (std::size_t row = 0; row < rows_.size(); ++row) {
-    findings.infinite += rows_[row].infinite;
+    if (!rows_[row].unreachable) findings.infinite += rows_[row].infinite;
     findings.negative += rows_[row].negative;
     if (rows_[row].constant) findings.constant_rows.push_back(static_cast<Eigen::Index>(row));
+    if (rows_[row].unreachable) findings.infinite_rows.push_back(static_cast<Eigen::Index>(row));
     if (rows_[row].nonzero_diagonal) ++findings.nonzero_diagonal;
     if (rows_[row].nearest_to_others) ++findings.rows_nearest_to_others;
   }
+  add_asymmetry(findings);
   add_equal_rows(findings);
   return findings;
 }

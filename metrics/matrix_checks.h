@@ -12,16 +12,20 @@ namespace shapegauge {
 /// Anomalies of a distance matrix. None prevents scores from being computed; each may indicate that the matrix is not
 /// what it is assumed to be.
 struct MatrixFindings {
-  Eigen::Index infinite = 0;          ///< entries off the diagonal
-  Eigen::Index negative = 0;          ///< entries off the diagonal
-  Eigen::Index asymmetric_pairs = 0;  ///< pairs i < j with different entries (i, j) and (j, i)
-  double largest_asymmetry = 0;       ///< maximum finite |(i, j) - (j, i)|
+  Eigen::Index infinite = 0;  ///< entries off the diagonal, without those of infinite_rows
+  Eigen::Index negative = 0;  ///< entries off the diagonal
+  /// Pairs i < j with different entries (i, j) and (j, i); 0 if all of them differ by rounding only, that is, by at
+  /// most 1e-12 of the largest finite |distance| off the diagonal.
+  Eigen::Index asymmetric_pairs = 0;
+  double largest_asymmetry = 0;  ///< maximum finite |(i, j) - (j, i)|; 0 if asymmetric_pairs is
   Eigen::Index nonzero_diagonal = 0;
   /// Rows whose diagonal entry is the largest and not also the smallest; none in a matrix of distances.
   Eigen::Index rows_nearest_to_others = 0;
   std::vector<std::pair<Eigen::Index, Eigen::Index>>
-      equal_rows;                           ///< rows that repeat an earlier one, each with that one
-  std::vector<Eigen::Index> constant_rows;  ///< rows whose entries off the diagonal are all equal
+      equal_rows;  ///< rows that repeat an earlier one, each with that one
+  std::vector<Eigen::Index>
+      constant_rows;  ///< rows whose entries off the diagonal are all equal, but not infinite_rows
+  std::vector<Eigen::Index> infinite_rows;  ///< rows whose entries off the diagonal are all infinite and positive
 };
 
 /// Detects anomalies of a matrix streamed in blocks of rows. Parallel; the findings depend neither on the number of
@@ -45,16 +49,20 @@ class MatrixChecks {
   struct RowFindings {
     Eigen::Index infinite = 0;
     Eigen::Index negative = 0;
+    double largest = 0;  // finite
     bool constant = false;
+    bool unreachable = false;
     bool nonzero_diagonal = false;
     bool nearest_to_others = false;
     std::pair<std::uint64_t, std::uint64_t> hash;
   };
   static RowFindings check_row(const DistanceTable& rows, Eigen::Index row, Eigen::Index diagonal);
+  void add_asymmetry(MatrixFindings& findings) const;
   void add_equal_rows(MatrixFindings& findings) const;
 
   bool square_;
   Eigen::Index asymmetric_pairs_ = 0;
+  Eigen::Index infinite_asymmetries_ = 0;  // pairs whose difference is infinite
   double largest_asymmetry_ = 0;
   std::vector<RowFindings> rows_;
 };

@@ -23,15 +23,14 @@ namespace {
 void check(std::span<const DistanceMatrix> matrices, std::span<const double> weights) {
   check_sum_weights(matrices.size(), weights);
   const Eigen::Index size = matrices.front().rows();
-  for (const DistanceMatrix& matrix : matrices) {
+  for (std::size_t k = 0; k < matrices.size(); ++k) {
+    const DistanceMatrix& matrix = matrices[k];
     if (matrix.rows() != size || matrix.cols() != size) {
       throw ArgumentError("fused distance matrices must be square and of one size; there are " + std::to_string(size) +
                           " models and a matrix of " + std::to_string(matrix.rows()) + " x " +
                           std::to_string(matrix.cols()));
     }
-    if (size > 0 && !(matrix.minCoeff<Eigen::PropagateNaN>() >= 0)) {
-      throw ArgumentError("fused distances must be non-negative numbers");
-    }
+    check_distances(matrix, 0, " of fused matrix " + std::to_string(k));
   }
 }
 

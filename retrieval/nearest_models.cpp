@@ -22,15 +22,26 @@ RowSource rows_of(const DistanceMatrix& distances) {
   };
 }
 
+void check_distances(const DistanceMatrix& rows, Eigen::Index first, const std::string& of) {
+  if (rows.size() == 0 || rows.minCoeff<Eigen::PropagateNaN>() >= 0) return;
+  for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+    for (Eigen::Index column = 0; column < rows.cols(); ++column) {
+      const double distance = rows(row, column);
+      if (distance >= 0) continue;
+      throw ArgumentError("distances between models must be non-negative numbers; that in row " +
+                          std::to_string(first + row) + ", column " + std::to_string(column) + of +
+                          " (counted from 0) is " + (std::isnan(distance) ? "not a number" : "negative"));
+    }
+  }
+}
+
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) {
   if (k < 1) throw ArgumentError("the number of nearest neighbours must be at least 1, not " + std::to_string(k));
   const Eigen::Index count = std::clamp<Eigen::Index>(models - 1, 0, k);
   NearestModels nearest{{models, count}, {models, count}};
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(models);
   for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
-    if (!(block.minCoeff<Eigen::PropagateNaN>() >= 0)) {
-      throw ArgumentError("distances between models must be non-negative numbers");
-    }
+    check_distances(block, first);
     parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
       std::vector<std::int32_t> order(static_cast<std::size_t>(models));
       std::iota(order.begin(), order.end(), 0);

@@ -43,6 +43,10 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
   }
 }
 
+/// Throws ArgumentError, with the row and the column, for a distance that is negative or NaN. `first` is the number of
+/// the first row; `of` follows the column in the message.
+void check_distances(const DistanceMatrix& rows, Eigen::Index first, const std::string& of = {});
+
 /// Finds the nearest others among n models from the rows of their distances; k is at most n - 1. Throws ArgumentError
 /// for a k below 1, and for rows of another length or with a distance that is negative or NaN.
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows);

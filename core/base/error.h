@@ -7,8 +7,9 @@
 
 namespace shapegauge {
 
-/// Sanitises text from a file, or a file name, for a one-line message on a terminal. Replaces control characters and
-/// invalid UTF-8 by `?`. Truncates text longer than `longest` bytes and appends `...`.
+/// Sanitises text from a file, or a file name, for a one-line message on a terminal. Replaces control characters,
+/// those that change the direction of text, and invalid UTF-8 by `?`. Truncates text longer than `longest` bytes and
+/// appends `...`.
 std::string printable(std::string_view text, std::size_t longest = std::string_view::npos);
 
 /// Error caused by input: a file, a configuration or an argument. Base of all errors that a user can correct. The

@@ -76,8 +76,17 @@ class Queries {
   std::vector<std::unordered_set<std::string>> models_;
 };
 
-// Returns the files of a folder with a list each, in natural order of names. Hidden entries are skipped.
-std::vector<std::filesystem::path> list_files(const std::filesystem::path& folder) {
+RankedAnswers read_folder_of_lists(const std::filesystem::path& folder) {
+  RankedAnswers result;
+  for (const std::filesystem::path& file : ranked_list_files(folder)) {
+    result.answers.push_back(parse_ranked_list(read_plain_bytes(file), file.filename().string(), file.string()));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> ranked_list_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
@@ -93,16 +102,6 @@ std::vector<std::filesystem::path> list_files(const std::filesystem::path& folde
   std::ranges::sort(files, natural_less, [](const std::filesystem::path& file) { return file.filename().string(); });
   return files;
 }
-
-RankedAnswers read_folder_of_lists(const std::filesystem::path& folder) {
-  RankedAnswers result;
-  for (const std::filesystem::path& file : list_files(folder)) {
-    result.answers.push_back(parse_ranked_list(read_plain_bytes(file), file.filename().string(), file.string()));
-  }
-  return result;
-}
-
-}  // namespace
 
 RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
   RankedAnswers result;

@@ -57,8 +57,12 @@ inline constexpr std::array<std::string_view, 3> ranked_answers_extensions{".run
 /// compressed with `.gz`, and for a folder, which has a list for each query.
 bool is_ranked_answers_file(const std::filesystem::path& path);
 
+/// Returns the files of a folder with a ranked list for each query, in natural order of names, without hidden ones.
+/// Throws InputError for a folder without files, or with folders.
+std::vector<std::filesystem::path> ranked_list_files(const std::filesystem::path& folder);
+
 /// Reads a TREC run or ranked lists, by the name's extension, or a folder with a file for each query, named by its id,
-/// as parse_ranked_list() parses. Throws InputError also for a folder without files, or with folders.
+/// as parse_ranked_list() parses. Throws InputError also as ranked_list_files() does.
 RankedAnswers read_ranked_answers(const std::filesystem::path& path);
 
 /// Reads TREC judgements, compressed or not.

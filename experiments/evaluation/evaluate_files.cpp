@@ -260,9 +260,11 @@ void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated
 }
 
 void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids, std::vector<std::string>& warnings) {
-  auto repeated = found.equal_rows;  // constant rows have a warning of their own
-  std::erase_if(repeated,
-                [&](const auto& rows) { return std::ranges::binary_search(found.constant_rows, rows.first); });
+  auto repeated = found.equal_rows;  // constant and infinite rows have warnings of their own
+  std::erase_if(repeated, [&](const auto& rows) {
+    return std::ranges::binary_search(found.constant_rows, rows.first) ||
+           std::ranges::binary_search(found.infinite_rows, rows.first);
+  });
   if (!repeated.empty()) {
     const auto& [row, earlier] = repeated.front();
     warnings.push_back(fmt::format(
@@ -275,6 +277,13 @@ void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids,
     warnings.push_back(fmt::format("{} all distances equal (first: {}): only the handling of ties orders their answers",
                                    count_text(std::ssize(found.constant_rows), "row has", "rows have"),
                                    name_of_row(ids, found.constant_rows.front())));
+  }
+  if (!found.infinite_rows.empty()) {
+    warnings.push_back(
+        fmt::format("{} at infinite distance from all models (first: {}): no model is found, and the "
+                    "scores are 0",
+                    count_text(std::ssize(found.infinite_rows), "query is", "queries are"),
+                    name_of_row(ids, found.infinite_rows.front())));
   }
 }
 

@@ -136,7 +136,13 @@ void warn_of_missing(std::size_t count, std::string_view what, EvaluationTask& t
   if (count > 0) task.warnings.push_back(fmt::format("{} {}; omitted from all scores", count, what));
 }
 
-// Warns if some queries have no list, or lists are too short for the best score.
+// Describes the lengths of lists: "3", or "3 to 9".
+std::string lengths_text(const ListCoverage& coverage) {
+  return coverage.shortest == coverage.longest ? fmt::format("{}", coverage.longest)
+                                               : fmt::format("{} to {}", coverage.shortest, coverage.longest);
+}
+
+// Warns if some queries have no list, or lists lack models or are too short for the best score.
 void warn_of_coverage(std::string_view queries, Unanswered unanswered, EvaluationTask& task) {
   const ListCoverage& coverage = task.coverage.value();
   if (const std::size_t missing = coverage.queries - coverage.answered; missing > 0) {
@@ -149,13 +155,17 @@ void warn_of_coverage(std::string_view queries, Unanswered unanswered, Evaluatio
                                       coverage.answered)));
   }
   if (coverage.incomplete > 0) {
-    const std::string lengths = coverage.shortest == coverage.longest
-                                    ? fmt::format("lists of {} models", coverage.longest)
-                                    : fmt::format("lists of {} to {} models", coverage.shortest, coverage.longest);
+    task.warnings.push_back(fmt::format(
+        "{} of {} lists have fewer models than are relevant (lists of {} models); missing relevant models count as not "
+        "found, and even the best order of such a list scores below 1",
+        coverage.incomplete, coverage.answered, lengths_text(coverage)));
+  }
+  // Lists may lack one model, the query itself.
+  if (const auto models = std::ssize(task.retrieval.target_classes); coverage.shortest + 1 < models) {
     task.warnings.push_back(
-        fmt::format("{} of {} lists have fewer models than are relevant ({}); missing relevant models count as not "
-                    "found, and even the best order of such a list scores below 1",
-                    coverage.incomplete, coverage.answered, lengths));
+        fmt::format("the lists have {} of {} models; the others count as not found, which can lower measures of deep "
+                    "ranks, such as ST, DCG and mAP",
+                    lengths_text(coverage), models));
   }
 }
 

@@ -78,19 +78,24 @@ QueryPlaces places_of(const MethodScores& method) {
   return places;
 }
 
+// Names a method with its file.
+std::string name_with_file(const MethodScores& method) {
+  return fmt::format("{} ({})", quoted_word(method.method), method.source);
+}
+
 void check_protocols(std::span<const MethodScores> methods) {
   for (const MethodScores& method : methods) {
     if (method.protocol == methods[0].protocol) continue;
     throw InputError(
         fmt::format("{} has the protocol {} but {} has {}; scores of different protocols cannot be compared",
-                    quoted_word(methods[0].method), methods[0].protocol, quoted_word(method.method), method.protocol));
+                    name_with_file(methods[0]), methods[0].protocol, name_with_file(method), method.protocol));
   }
 }
 
 // Returns the identity of a file; for a run's per_query.csv, its folder.
 std::filesystem::path place_of(const MethodScores& method) {
   const std::filesystem::path file = std::filesystem::path(method.source).lexically_normal();
-  return file.filename() == "per_query.csv" && file.has_parent_path() ? file.parent_path() : file;
+  return file.filename() == per_query_name && file.has_parent_path() ? file.parent_path() : file;
 }
 
 std::vector<std::string> unique_names(std::span<const MethodScores> methods) {
@@ -155,15 +160,14 @@ std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& 
   for (std::size_t i = 0; i < first.queries.size(); ++i) {
     const auto found = places.find(first.queries[i]);
     if (!found) {
-      throw InputError(fmt::format("{}: {} lacks the query {} of {}; only scores of the same queries can be compared",
-                                   method.source, quoted_word(method.method), quoted_word(first.queries[i]),
-                                   quoted_word(first.method)));
+      throw InputError(
+          fmt::format("{}: {} lacks the query {}, which {} has; only scores of the same queries can be compared",
+                      method.source, quoted_word(method.method), quoted_word(first.queries[i]), name_with_file(first)));
     }
     if (method.classes[*found] != first.classes[i]) {
       throw InputError(fmt::format("{}: the query {} is of class {} for {} and of {} for {}", method.source,
                                    quoted_word(first.queries[i]), quoted_word(method.classes[*found]),
-                                   quoted_word(method.method), quoted_word(first.classes[i]),
-                                   quoted_word(first.method)));
+                                   quoted_word(method.method), quoted_word(first.classes[i]), name_with_file(first)));
     }
     rows.push_back(*found);
   }
@@ -172,7 +176,7 @@ std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& 
   const auto more = std::ranges::find_if(method.queries, [&](const std::string& query) { return !known.find(query); });
   throw InputError(
       fmt::format("{}: {} has the query {}, which {} lacks; only scores of the same queries can be compared",
-                  method.source, quoted_word(method.method), quoted_word(*more), quoted_word(first.method)));
+                  method.source, quoted_word(method.method), quoted_word(*more), name_with_file(first)));
 }
 
 std::vector<int> numbered(const std::vector<std::string>& classes) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
@@ -21,6 +22,9 @@ struct MethodScores {
   std::vector<std::string> classes;  ///< classes of the queries
   Eigen::MatrixXd values;            ///< queries x measures, fractions
 };
+
+/// File of a run's results that has the scores of all methods for every query.
+inline constexpr std::string_view per_query_name = "per_query.csv";
 
 /// Reads the scores of all methods in a table of `run` or `evaluate --per-query`: method,protocol,id,class and then
 /// measures in percent. Throws InputError for another header, a row of another length, a cell that is not a number from

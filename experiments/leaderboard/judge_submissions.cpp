@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Cache version of evaluations; see docs/manual/cache.md.
-constexpr int judged_version = 1;
+constexpr int judged_version = 2;
 
 // Evaluation of one submission, independent of its JSON file.
 struct JudgedFile {
@@ -119,17 +119,6 @@ std::string wrong_kind_of(const EvaluatedFiles& evaluated, bool similarity) {
                      similarity ? "similarities" : "distances");
 }
 
-// Returns a remark on ranked lists that lack models.
-std::optional<std::string> depth_remark(const EvaluationTask& task) {
-  if (!task.coverage) return std::nullopt;
-  const auto targets = std::ssize(task.retrieval.target_classes);
-  if (task.coverage->shortest + 1 >= targets) return std::nullopt;
-  const auto [shortest, longest] = std::pair(task.coverage->shortest, task.coverage->longest);
-  return fmt::format("the lists have {} of {} models; missing models count as not found",
-                     shortest == longest ? fmt::format("{}", longest) : fmt::format("{} to {}", shortest, longest),
-                     targets);
-}
-
 JudgedFile judge_file(const EvaluationFiles& files, const EvaluationOptions& options) {
   EvaluatedFiles evaluated = evaluate_files(files, options);
   const EvaluationTask& task = evaluated.data.task;
@@ -142,7 +131,6 @@ JudgedFile judge_file(const EvaluationFiles& files, const EvaluationOptions& opt
                     .wrong_kind = wrong_kind_of(evaluated, files.similarity),
                     .warnings = evaluated.warnings};
   if (const auto tied = ties_warning(judged.evaluation, evaluated.findings)) judged.warnings.push_back(*tied);
-  if (const auto depth = depth_remark(task)) judged.warnings.push_back(*depth);
   return judged;
 }
 

@@ -136,6 +136,24 @@ TEST_F(CompareCommand, CurvesOfAFolderAreThoseOfItsRun) {
   EXPECT_EQ(text_of(at("pr.csv")), "method,protocol,recall,precision\nm,psb,0.5,0.750000\nn,psb,0.5,0.250000\n");
 }
 
+TEST_F(CompareCommand, InputsAreNeverReplaced) {
+  write_text(at("results/per_query.csv"),
+             "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\n");
+  write_text(at("results/pr_curves.csv"), "method,protocol,recall,precision,macro_precision\nm,psb,0.5,0.75,0.7\n");
+  write_text(at("other.csv"), "1\n");
+  const auto refused = [&](const Outcome& outcome, const std::string& name) {
+    expect_error_line(outcome, "would overwrite the input " + at(name));
+  };
+  const auto replacing = [&](const std::string& name) { return "--replace --pr '" + at(name) + "' "; };
+  refused(compare_matrices("good.npy bad.npy", replacing("labels.csv")), "labels.csv");
+  for (const std::string option : {"--qrels", "--ids", "--targets"}) {
+    refused(compare("good.npy bad.npy", replacing("other.csv") + option + " '" + at("other.csv") + "'"), "other.csv");
+  }
+  for (const std::string name : {"results/per_query.csv", "results/pr_curves.csv"}) {
+    refused(compare("results", replacing(name)), name);
+  }
+}
+
 TEST_F(CompareCommand, SeedsAndTestsMatterAndThreadsDoNot) {
   const auto p = [&](const std::string& more) {
     return nlohmann::json::parse(compare_matrices("bad.npy poor.npy", "--measures FT --format json " + more)

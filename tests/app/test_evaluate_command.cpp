@@ -225,6 +225,19 @@ TEST_F(EvaluateCommand, WhatIsOddIsTold) {
               testing::AllOf(HasSubstr("warning: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
 }
 
+TEST_F(EvaluateCommand, NoConfidenceIsNotANumber) {
+  expect_error_line(evaluate_toy("--confidence nan"), "--confidence: Value nan is not a number");
+  expect_error_line(evaluate_toy("--confidence 0.3"), "--confidence: Value 0.3 not in range");
+}
+
+TEST_F(EvaluateCommand, ListsOfAFolderAreNotReplaced) {
+  write_text(at("lists/0"), "1\n");
+  write_text(at("lists/1.csv"), "0\n");
+  expect_error_line(evaluate_toy("--replace --per-query '" + at("lists/1.csv") + "'", "lists"),
+                    "would overwrite the input");
+  EXPECT_EQ(text_of(at("lists/1.csv")), "0\n");
+}
+
 TEST_F(EvaluateCommand, OneModelHasNoQueries) {
   write_text(at("one.txt"), "0\n");
   write_text(at("one.csv"), "id,class\n1,a\n");
@@ -299,6 +312,7 @@ TEST_F(EvaluateCommand, ScoresOfListsSayWhatTheyRestOn) {
   EXPECT_THAT(skipped.errors, HasSubstr("warning: 3 of 7 queries have no answer"));
   EXPECT_THAT(skipped.errors,
               HasSubstr("warning: 1 of 4 lists have fewer models than are relevant (lists of 2 models)"));
+  EXPECT_THAT(skipped.errors, HasSubstr("warning: the lists have 2 of 7 models; the others count as not found"));
   const auto of_skipped = nlohmann::json::parse(skipped.output);
   EXPECT_EQ(of_skipped["lists"], nlohmann::json({{"queries", 7},
                                                  {"answered", 4},

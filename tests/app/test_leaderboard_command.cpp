@@ -49,6 +49,15 @@ TEST(LeaderboardCommand, SaysAWarningOfManySubmissionsOnce) {
   EXPECT_EQ(outcome.errors.find("--order"), outcome.errors.rfind("--order"));
 }
 
+TEST(LeaderboardCommand, CountsMissingQueriesAsZeroWithAndWithoutSayingSo) {
+  const test_board::SmallBoard small;
+  small.add("short.lists", "m0 m3 m6\nm1 m4 m7\n");
+  const std::string table = run_executable(leaderboard(small, "--format csv")).output;
+  EXPECT_THAT(table, HasSubstr("short"));
+  EXPECT_EQ(run_executable(leaderboard(small, "--format csv --missing-queries zero")).output, table);
+  EXPECT_EQ(run_executable(leaderboard(small, "--format csv -c")).output, table);
+}
+
 TEST(LeaderboardCommand, UpdatesASite) {
   const test_board::SmallBoard small;
   const std::string arguments = leaderboard(small, "-o " + shell_word(small.folder.path() / "site"));
@@ -75,6 +84,7 @@ TEST(LeaderboardCommand, RefusesWhatItCannotUse) {
   expect_error_lines({
       {"leaderboard " + folder, "--labels"},
       {"leaderboard " + folder + labels + " --rank-by BEP", "BEP"},
+      {"leaderboard " + folder + labels + " --missing-queries skip", "--missing-queries: skip"},
       {"leaderboard " + folder + labels + " -o " + folder, "submissions"},
       {"leaderboard " + folder + labels + " -o " + shell_word(small.folder.path()), "not a leaderboard site"},
       {"leaderboard '" + small.folder.path().string() + "/absent'" + labels, "absent"},

@@ -274,6 +274,24 @@ TEST(Evaluation, RefusesWhatDoesNotFit) {
               HasSubstr("minimum_class_size is 1"));
 }
 
+TEST(Evaluation, JudgementsWithoutARelevantModelAreRefusedAsSuch) {
+  RetrievalTask task;
+  task.query_classes = {0, 1};
+  task.target_classes = {0, 0};
+  task.own_column = {-1, -1};
+  task.judged = {{}, {}};
+  const auto error = [&](int minimum) -> std::string {
+    try {
+      evaluate(DistanceMatrix::Ones(2, 2), task, under(Protocol::trec, minimum));
+    } catch (const ArgumentError& refused) {
+      return refused.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(error(2), "no query has a relevant model");
+  EXPECT_EQ(error(4), "no query has 3 relevant models or more");
+}
+
 TEST(Evaluation, GradedGainUnderThePaperProtocolHasTheQueryInFront) {
   // Four targets at distances 1 to 4; the first has grade 1, the third grade 3. The query, as relevant as anything,
   // gains 3 at rank 1; the others follow at ranks 2 and 4.

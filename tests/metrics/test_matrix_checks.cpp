@@ -77,6 +77,30 @@ TEST(MatrixChecks, FindRowsWithoutOrder) {
   EXPECT_THAT(check_matrix(Matrix::Zero(2, 2), true).constant_rows, IsEmpty());
 }
 
+TEST(MatrixChecks, FindRowsAtInfiniteDistance) {
+  Matrix distances = sound(50);
+  distances.row(20).setConstant(std::numeric_limits<double>::infinity());
+  distances(20, 20) = 0;
+  distances(7, 9) = std::numeric_limits<double>::infinity();
+  const MatrixFindings found = check_matrix(distances, true);
+  EXPECT_THAT(found.infinite_rows, ElementsAre(20));
+  EXPECT_THAT(found.constant_rows, IsEmpty());
+  EXPECT_EQ(found.infinite, 1);
+  EXPECT_THAT(check_matrix(Matrix::Zero(1, 1), true).infinite_rows, IsEmpty());
+}
+
+TEST(MatrixChecks, IgnoreAsymmetryByRounding) {
+  Matrix distances = sound(50);
+  distances(3, 40) *= 1 + 1e-15;
+  EXPECT_EQ(check_matrix(distances, true).asymmetric_pairs, 0);
+  EXPECT_EQ(check_matrix(distances, true).largest_asymmetry, 0);
+  distances(8, 30) *= 1 + 1e-9;
+  EXPECT_EQ(check_matrix(distances, true).asymmetric_pairs, 2);
+  distances = sound(50);
+  distances(8, 30) = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(check_matrix(distances, true).asymmetric_pairs, 1);
+}
+
 TEST(MatrixChecks, FindSimilarities) {
   const Matrix similarities = 10000.0 - sound(50).array();
   EXPECT_EQ(check_matrix(similarities, true).rows_nearest_to_others, 50);

@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <tbb/task_arena.h>
 #include <vector>
 
@@ -404,6 +405,11 @@ TEST(Fusion, RefusesWhatCannotBeAdded) {
     EXPECT_THROW(sum_of_distances(matrices, equal), ArgumentError);
     EXPECT_THROW(fusion_of_ranks(matrices, equal), ArgumentError);
     EXPECT_THROW(sum_weights(matrices, equal, SumWeights::agreement), ArgumentError);
+  }
+  try {
+    sum_of_distances(std::vector{a, broken}, equal);
+  } catch (const ArgumentError& error) {
+    EXPECT_NE(std::string(error.what()).find("row 1, column 2 of fused matrix 1 "), std::string::npos) << error.what();
   }
   const std::vector both = {a, a};
   for (const std::vector<double>& weights : {std::vector<double>{0, 0}, {1, -1}, {1}}) {

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "shapegauge/retrieval/nearest_models.h"
@@ -45,6 +46,24 @@ TEST(NearestModels, RefuseWrongNumbers) {
   EXPECT_THROW(nearest_models(4, 1, rows_of(matrix)), ArgumentError);
   const DistanceMatrix wide = DistanceMatrix::Zero(2, 3);
   EXPECT_THROW(rows_of(wide), ArgumentError);
+}
+
+TEST(NearestModels, NameTheWrongDistance) {
+  const auto error = [](double distance) -> std::string {
+    DistanceMatrix matrix = DistanceMatrix::Ones(300, 300);  // of two blocks
+    matrix(270, 3) = distance;
+    try {
+      nearest_models(300, 1, rows_of(matrix));
+    } catch (const ArgumentError& refused) {
+      return refused.what();
+    }
+    return "no error";
+  };
+  const std::string where =
+      "distances between models must be non-negative numbers; that in row 270, column 3 (counted from 0) is ";
+  EXPECT_EQ(error(-1), where + "negative");
+  EXPECT_EQ(error(std::nan("")), where + "not a number");
+  EXPECT_EQ(error(0), "no error");
 }
 
 TEST(ForEachBlock, VisitsEachRowOnceInOrder) {

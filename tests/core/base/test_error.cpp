@@ -27,6 +27,11 @@ TEST(Printable, NothingThatATerminalObeysIsLeft) {
   EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");
 }
 
+TEST(Printable, NothingThatTurnsTheTextIsLeft) {
+  EXPECT_EQ(printable("a\u202Eb\u2066c\u200Fd\u061C"), "a?b?c?d?");
+  EXPECT_EQ(printable("\u200D\u2010\u2029\u202F\u2065\u206A"), "\u200D\u2010\u2029\u202F\u2065\u206A");
+}
+
 TEST(Printable, WhatIsNotUtf8IsReplacedAndNoCharacterIsCut) {
   EXPECT_EQ(printable("caf\xE9"), "caf?");
   EXPECT_EQ(printable("\xE0\x80\x80"), "???");

@@ -152,6 +152,18 @@ TEST_F(MatrixWarnings, NothingOddIsNoWarning) {
   EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n"), IsEmpty());
 }
 
+TEST_F(MatrixWarnings, RowsOfInfiniteDistancesFindNothing) {
+  EXPECT_THAT(warnings_of("0 inf inf inf\ninf 0 4 5\ninf 4 0 6\ninf 5 6 0\n"),
+              ElementsAre(HasSubstr("3 distances are infinite"),
+                          HasSubstr("1 query is at infinite distance from all models (first: a): no model is found")));
+}
+
+TEST_F(MatrixWarnings, RoundingIsNoAsymmetry) {
+  EXPECT_THAT(warnings_of("0 1.0000000000000002 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n"), IsEmpty());
+  EXPECT_THAT(warnings_of("0 1.00000000001 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n"),
+              ElementsAre(HasSubstr("not symmetric: 1 pair")));
+}
+
 TEST_F(MatrixWarnings, SayWhatWasFoundAndWhatItDoes) {
   EXPECT_THAT(warnings_of("0 -1 2 inf\n1 0 4 5\n2 4.25 0.5 6\n3 5 6 0\n"),
               ElementsAre(HasSubstr("1 distance is negative"), HasSubstr("1 distance is infinite"),

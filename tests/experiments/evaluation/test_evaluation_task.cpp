@@ -111,6 +111,7 @@ TEST_F(EvaluationTaskTest, ATrecRunUnderJudgements) {
   EXPECT_DOUBLE_EQ(measure(input, "bpref"), ((1 + 0 + 0) / 3.0 + 1) / 2);
   EXPECT_THAT(input.task.warnings,
               ElementsAre(HasSubstr("1 queries have no judgements"), HasSubstr("1 of 3 judged queries have no answer"),
+                          HasSubstr("fewer models than are relevant"), HasSubstr("the lists have"),
                           HasSubstr("grades above 1")));
 }
 
@@ -119,7 +120,8 @@ TEST_F(EvaluationTaskTest, RankedListsUnderClasses) {
       open_evaluation_files({.matrix = file("r.lists", "1 1 2 10\n10 2 11\n11 1\n"), .labels = two_classes()});
   // The query itself is skipped in its list; 11 finds no relevant model.
   EXPECT_DOUBLE_EQ(measure(input, "MRR"), (1 + 0.5 + 0) / 3);
-  EXPECT_THAT(input.task.warnings, ElementsAre(HasSubstr("1 of 4 queries have no answer")));
+  EXPECT_THAT(input.task.warnings,
+              ElementsAre(HasSubstr("1 of 4 queries have no answer"), HasSubstr("the lists have 1 to 2 of 4 models")));
   const ListCoverage& coverage = input.task.coverage.value();
   EXPECT_EQ(coverage.queries, 4U);
   EXPECT_EQ(coverage.answered, 3U);
