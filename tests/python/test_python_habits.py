@@ -211,7 +211,7 @@ def test_a_run_without_output_writes_into_a_folder_of_results(tmp_path, monkeypa
         configuration = json.load(file)
     configuration.pop("$schema", None)
     configuration["name"] = name
-    configuration["dataset"] = {"generate": {"classes": 2, "models_per_class": 2, "faces": 500}}
+    configuration["dataset"] = {"generate": {"classes": 2, "models_per_class": 2, "faces": 1000}}
     run = sg.run(configuration, cache="")
     assert run.folder == os.path.join("results", folder) and os.path.exists(tmp_path / run.folder / "manifest.json")
     assert os.listdir(tmp_path) == ["results"] and os.listdir("results") == [folder]
