@@ -15,6 +15,7 @@
 #include "app/shape_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/datasets/files/model_ids.h"
@@ -143,7 +144,7 @@ void write_features(const DescribeArguments& arguments, const std::vector<std::s
     auto& row = table.rows.emplace_back(std::vector{ids[i]});
     for (const float feature : features) row.push_back(fmt::format("{}", feature));
   }
-  if (arguments.output.extension() == ".npy") return write_npy(arguments.output, rows);
+  if (lower_case(arguments.output.extension().string()) == ".npy") return write_npy(arguments.output, rows);
   for (Eigen::Index k = 0; k < rows.cols(); ++k) table.header.push_back(fmt::format("{}", k));
   write_file_atomically(arguments.output, to_csv(table));
 }
@@ -154,7 +155,8 @@ int run(DescribeArguments& arguments) {
     return exit_success;
   }
   if (arguments.files.inputs.empty()) throw InputError("no shapes given; see --help, or --list for the descriptors");
-  if (arguments.output.extension() != ".npy" && arguments.output.extension() != ".csv") {
+  const std::string format = lower_case(arguments.output.extension().string());
+  if (format != ".npy" && format != ".csv") {
     throw InputError(fmt::format("features are written as .npy or .csv, not to \"{}\"", arguments.output.string()));
   }
   const DescriptorChoice choice = choice_of(arguments);

@@ -126,6 +126,9 @@ void write_files(const NamedEvaluation& named, const EvaluationTask& task, const
 std::string_view sniffed_format(std::string_view bytes) {
   if (bytes.starts_with("\x93NUMPY")) return "npy";
   if (bytes.starts_with("PK\x03\x04")) return "npz";
+  if (bytes.starts_with("\x1F\x8B")) {
+    throw InputError("standard input is compressed; decompress it first, as by gunzip -c");
+  }
   return bytes.starts_with("MATLAB 5.0") ? "mat" : "csv";
 }
 

@@ -19,6 +19,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/little_endian.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
 #include "shapegauge/datasets/files/matrix_files.h"
@@ -78,7 +79,7 @@ void diffuse_file(const OpenMatrix& matrix, const DiffusionOptions& options, con
 }
 
 int run(const RerankArguments& arguments) {
-  const std::string format = arguments.output.extension().string();
+  const std::string format = lower_case(arguments.output.extension().string());
   if (format != ".npy" && format != ".csv") {
     throw InputError(fmt::format("distances are written as .npy or .csv, not to \"{}\"", arguments.output.string()));
   }

@@ -13,6 +13,7 @@
 #include "app/parameter_options.h"
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
@@ -58,7 +59,7 @@ void write_picture(const fs::path& path, const Shape& shape, const Labels& label
 LabelWriter label_writer(const fs::path& name) {
   static const std::map<std::string, LabelWriter> writers = {
       {".seg", write_labels}, {".ply", write_coloured}, {".png", write_picture}};
-  const auto found = writers.find(name.extension().string());
+  const auto found = writers.find(lower_case(name.extension().string()));
   if (found != writers.end()) return found->second;
   throw InputError(fmt::format("cannot write {}: parts are written as .seg, .ply or .png", name.string()));
 }

@@ -24,9 +24,10 @@ std::string_view trim(std::string_view text) {
 
 std::vector<std::string_view> split_lines(std::string_view text) {
   text = without_byte_order_mark(text);
+  const char line_end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   std::vector<std::string_view> lines;
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::size_t end = std::min(text.find(line_end), text.size());
     std::string_view line = text.substr(0, end);
     if (line.ends_with('\r')) line.remove_suffix(1);
     lines.push_back(line);

@@ -8,8 +8,8 @@
 
 namespace shapegauge {
 
-/// Splits a text into lines without their ends (LF or CR LF) and without a byte order mark. Line i of the file is entry
-/// i - 1. A trailing line end starts no further line. The views point into the text.
+/// Splits a text into lines without their ends (LF, CR LF, or CR in a text without LF) and byte order mark. Line i of
+/// the file is entry i - 1. A trailing line end starts no further line. The views point into the text.
 std::vector<std::string_view> split_lines(std::string_view text);
 
 /// Returns true for an ASCII digit, in any locale.

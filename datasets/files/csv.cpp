@@ -2,103 +2,95 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 
 namespace shapegauge {
 
-namespace {
+CsvReader::CsvReader(std::string_view text, std::string source, char separator)
+    : rest_(without_byte_order_mark(text)),
+      source_(std::move(source)),
+      separator_(separator),
+      line_end_(rest_.find('\n') == std::string_view::npos ? '\r' : '\n'),
+      cell_ends_({separator, line_end_}) {}
 
-class CsvParser {
- public:
-  CsvParser(std::string_view text, const std::string& source, char separator)
-      : rest_(without_byte_order_mark(text)), source_(source), separator_(separator), cell_ends_({separator, '\n'}) {}
-
-  std::vector<CsvRow> rows() {
-    std::vector<CsvRow> rows;
-    while (!rest_.empty()) {
-      CsvRow row = take_row();
-      const bool blank = row.cells.size() == 1 && row.cells.front().empty() && !quoted_;
-      if (!blank) rows.push_back(std::move(row));
-    }
-    return rows;
+std::optional<CsvRow> CsvReader::next() {
+  while (!rest_.empty()) {
+    CsvRow row = take_row();
+    const bool blank = row.cells.size() == 1 && row.cells.front().empty() && !quoted_;
+    if (!blank) return row;
   }
+  return std::nullopt;
+}
 
- private:
-  CsvRow take_row() {
-    CsvRow row{.cells = {}, .line = line_};
-    quoted_ = false;
-    while (true) {
-      skip_blanks();
-      row.cells.push_back(rest_.starts_with('"') ? take_quoted_cell() : take_plain_cell());
-      const bool more = rest_.starts_with(separator_);
-      if (!more) ++line_;
-      rest_.remove_prefix(rest_.empty() ? 0 : 1);
-      if (!more) return row;
-    }
-  }
-
-  void skip_blanks() {
-    while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
-  }
-
-  // Blanks that are the separator are not blanks.
-  [[nodiscard]] bool is_blank(char c) const { return (c == ' ' || c == '\t') && c != separator_; }
-
-  // Returns the cell up to the separator or the line end, which stays.
-  std::string_view take_to_cell_end() {
-    std::string_view cell = rest_.substr(0, rest_.find_first_of(cell_ends_));
-    rest_.remove_prefix(cell.size());
-    const bool line_ends = rest_.empty() || rest_.front() == '\n';
-    if (line_ends && cell.ends_with('\r')) cell.remove_suffix(1);
-    while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
-    return cell;
-  }
-
-  std::string take_plain_cell() { return std::string(take_to_cell_end()); }
-
-  std::string take_quoted_cell() {
-    quoted_ = true;
-    const std::size_t first_line = line_;
-    std::string cell;
-    while (true) {
-      const std::size_t quote = rest_.find('"', 1);
-      if (quote == std::string_view::npos) {
-        fail(first_line,
-             "the quotation mark in front of " + quoted_word(cell.empty() ? rest_.substr(1) : cell) + " is not closed");
-      }
-      const std::string_view part = rest_.substr(1, quote - 1);
-      cell += part;
-      line_ += static_cast<std::size_t>(std::ranges::count(part, '\n'));
-      rest_.remove_prefix(quote + 1);
-      if (!rest_.starts_with('"')) break;
-      cell += '"';
-    }
+CsvRow CsvReader::take_row() {
+  CsvRow row{.cells = {}, .line = line_};
+  quoted_ = false;
+  while (true) {
+    if (row.cells.size() == most_csv_cells) fail(line_, fmt::format("the row has more than {} cells", most_csv_cells));
     skip_blanks();
-    const std::string_view behind = take_to_cell_end();
-    if (!behind.empty()) {
-      fail(line_, quoted_word(behind) + " follows a closing quotation mark; put a separator between them");
+    row.cells.push_back(rest_.starts_with('"') ? take_quoted_cell() : std::string(take_to_cell_end()));
+    const bool more = rest_.starts_with(separator_);
+    if (!more) ++line_;
+    rest_.remove_prefix(rest_.empty() ? 0 : 1);
+    if (!more) return row;
+  }
+}
+
+void CsvReader::skip_blanks() {
+  while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
+}
+
+// Blanks that are the separator are not blanks.
+bool CsvReader::is_blank(char c) const { return (c == ' ' || c == '\t') && c != separator_; }
+
+// Returns the cell up to the separator or the line end, which stays.
+std::string_view CsvReader::take_to_cell_end() {
+  std::string_view cell = rest_.substr(0, rest_.find_first_of(cell_ends_));
+  rest_.remove_prefix(cell.size());
+  const bool line_ends = rest_.empty() || rest_.front() == line_end_;
+  if (line_ends && cell.ends_with('\r')) cell.remove_suffix(1);
+  while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
+  return cell;
+}
+
+std::string CsvReader::take_quoted_cell() {
+  quoted_ = true;
+  const std::size_t first_line = line_;
+  std::string cell;
+  while (true) {
+    const std::size_t quote = rest_.find('"', 1);
+    if (quote == std::string_view::npos) {
+      fail(first_line,
+           "the quotation mark in front of " + quoted_word(cell.empty() ? rest_.substr(1) : cell) + " is not closed");
     }
-    return cell;
+    const std::string_view part = rest_.substr(1, quote - 1);
+    cell += part;
+    line_ += static_cast<std::size_t>(std::ranges::count(part, line_end_));
+    rest_.remove_prefix(quote + 1);
+    if (!rest_.starts_with('"')) break;
+    cell += '"';
   }
-
-  [[noreturn]] void fail(std::size_t line, const std::string& message) const {
-    throw InputError(source_ + ':' + std::to_string(line) + ": " + message);
+  skip_blanks();
+  const std::string_view behind = take_to_cell_end();
+  if (!behind.empty()) {
+    fail(line_, quoted_word(behind) + " follows a closing quotation mark; put a separator between them");
   }
+  return cell;
+}
 
-  std::string_view rest_;
-  const std::string& source_;
-  char separator_;
-  std::string cell_ends_;
-  std::size_t line_ = 1;
-  bool quoted_ = false;  // the row that is being read has a quoted cell
-};
-
-}  // namespace
+void CsvReader::fail(std::size_t line, const std::string& message) const {
+  throw InputError(source_ + ':' + std::to_string(line) + ": " + message);
+}
 
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, char separator) {
-  return CsvParser(text, source, separator).rows();
+  CsvReader reader(text, source, separator);
+  std::vector<CsvRow> rows;
+  while (auto row = reader.next()) rows.push_back(std::move(*row));
+  return rows;
 }
 
 namespace {
@@ -107,7 +99,7 @@ std::string_view first_line(std::string_view text) {
   text = without_byte_order_mark(text);
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   // A line that begins with a tab has an empty first cell.
-  const std::size_t line_begin = text.substr(0, begin).rfind('\n') + 1;
+  const std::size_t line_begin = text.substr(0, begin).find_last_of("\r\n") + 1;
   return text.substr(line_begin, text.find_first_of("\r\n", begin) - line_begin);
 }
 
@@ -134,10 +126,15 @@ std::optional<char> first_separator(std::string_view text) {
 }
 
 std::vector<CsvRow> parse_word_table(std::string_view text, const std::string& source) {
-  std::vector<CsvRow> rows = parse_csv(text, source, first_separator(text).value_or(','));
-  for (const CsvRow& row : rows) {
-    if (row.cells.size() == rows.front().cells.size()) continue;
-    throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
+  constexpr std::size_t most_rows = 10'000'000;
+  CsvReader reader(text, source, first_separator(text).value_or(','));
+  std::vector<CsvRow> rows;
+  while (auto row = reader.next()) {
+    if (rows.size() == most_rows) throw InputError(fmt::format("{}: more than {} rows", source, most_rows));
+    rows.push_back(std::move(*row));
+    if (rows.back().cells.size() == rows.front().cells.size()) continue;
+    throw InputError(fmt::format("{}:{}: {} where the first row has {}", source, rows.back().line,
+                                 count_text(std::ssize(rows.back().cells), "cell", "cells"),
                                  rows.front().cells.size()));
   }
   return rows;

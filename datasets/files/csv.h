@@ -16,9 +16,38 @@ struct CsvRow {
   std::size_t line = 0;  ///< line of the file on which the row begins, counted from 1
 };
 
-/// Parses separated values (RFC 4180). A quoted cell may contain separators, line ends and, doubled, quotation marks.
-/// Blanks around a cell are removed, and blank rows skipped. Throws InputError "<source>:<line>: ..." for an unclosed
-/// quotation mark and for text after a closing one.
+/// Maximum number of cells of a row.
+inline constexpr std::size_t most_csv_cells = 1'000'000;
+
+/// Reader of separated values (RFC 4180) row by row. Lines end with LF or CR LF, or with CR in a text without LF. A
+/// quoted cell may contain separators, line ends and, doubled, quotation marks. Blanks around a cell are removed.
+class CsvReader {
+ public:
+  /// The text must outlive the reader.
+  CsvReader(std::string_view text, std::string source, char separator);
+
+  /// Returns the next row that is not blank; nothing at the end. Throws InputError "<source>:<line>: ..." for an
+  /// unclosed quotation mark, for text after a closing one, and for a row of more than most_csv_cells.
+  std::optional<CsvRow> next();
+
+ private:
+  CsvRow take_row();
+  void skip_blanks();
+  [[nodiscard]] bool is_blank(char c) const;
+  std::string_view take_to_cell_end();
+  std::string take_quoted_cell();
+  [[noreturn]] void fail(std::size_t line, const std::string& message) const;
+
+  std::string_view rest_;
+  std::string source_;
+  char separator_;
+  char line_end_;
+  std::string cell_ends_;
+  std::size_t line_ = 1;
+  bool quoted_ = false;  ///< the current row has a quoted cell
+};
+
+/// Reads all rows. Throws InputError as CsvReader does.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, char separator = ',');
 
 /// Returns the separator of a table: the first of tab, semicolon and comma that occurs in the first non-blank line;
@@ -26,7 +55,7 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, 
 std::optional<char> first_separator(std::string_view text);
 
 /// Parses a table of words, separated by first_separator() or, without one, by commas. Throws InputError as parse_csv()
-/// does, and for rows of different lengths.
+/// does, for rows of different lengths, and for more than 10 million rows.
 std::vector<CsvRow> parse_word_table(std::string_view text, const std::string& source);
 
 /// Names of the column with the class of each model, in lower case.

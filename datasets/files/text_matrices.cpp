@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <fmt/format.h>
+#include <iterator>
 #include <optional>
 #include <unordered_set>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -19,11 +22,12 @@ class NumberRows {
  public:
   NumberRows(const std::string& source, TableShape shape) : source_(&source), shape_(shape) {}
 
-  // Adds the next number to the current row.
-  void add_number(std::string_view word, std::size_t line) {
+  // Adds the next number, from a line with that separator, to the current row.
+  void add_number(std::string_view word, std::size_t line, char separator) {
     const auto number = parse_number(word);
     if (!number) {
-      const bool decimal_comma = word.find(',') != std::string_view::npos;
+      // Of "0,5 1,2", the commas seem to be the separators.
+      const bool decimal_comma = word.find(separator == ',' ? ' ' : ',') != std::string_view::npos;
       throw InputError(fmt::format("{}:{}: {} is not a number (number {} of the row){}", *source_, line,
                                    quoted_word(word), numbers_.size() - row_begin_ + 1,
                                    decimal_comma ? "; write decimal points, not commas" : ""));
@@ -53,9 +57,9 @@ class NumberRows {
   [[nodiscard]] DistanceMatrix matrix() const {
     if (rows_ == 0) throw InputError(fmt::format("{}: the file has no numbers", *source_));
     if (shape_ == TableShape::square && rows_ != columns_) {
-      throw InputError(
-          fmt::format("{}: expected a square distance matrix, found {} rows of {} numbers; the file may be truncated",
-                      *source_, rows_, columns_));
+      throw InputError(fmt::format("{}: expected a square distance matrix, found {} of {}; the file may be truncated",
+                                   *source_, count_text(static_cast<std::int64_t>(rows_), "row", "rows"),
+                                   count_text(static_cast<std::int64_t>(columns_), "number", "numbers")));
     }
     return Eigen::Map<const DistanceMatrix>(numbers_.data(), static_cast<Eigen::Index>(rows_),
                                             static_cast<Eigen::Index>(columns_));
@@ -96,13 +100,12 @@ std::vector<std::string> read_ids(const CsvRow& header, const std::string& sourc
 }
 
 // Throws InputError if the first row, which does not begin with a number, has no ids of columns.
-void check_header(const std::vector<CsvRow>& table, const std::string& source) {
-  const CsvRow& header = table.front();
-  const bool other_length = table.size() > 1 && table[1].cells.size() != header.cells.size();
+void check_header(const CsvRow& header, const std::optional<CsvRow>& second, const std::string& source) {
+  const bool other_length = second && second->cells.size() != header.cells.size();
   if (header.cells.front().starts_with('#') && other_length) {
     throw InputError(fmt::format("{}:{}: a CSV matrix has no comments; remove the line", source, header.line));
   }
-  if (header.cells.size() > 1 || table.size() == 1) return;
+  if (header.cells.size() > 1 || !second) return;
   fail_without_separator(header, source);
 }
 
@@ -128,9 +131,8 @@ void check_separator(const CsvRow& row, const std::string& source) {
   fail_without_separator(row, source);
 }
 
-bool has_header(const std::vector<CsvRow>& table) {
-  if (table.empty()) return false;
-  const std::vector<std::string>& cells = table.front().cells;
+bool is_header(const CsvRow& first) {
+  const std::vector<std::string>& cells = first.cells;
   if (is_number(cells.front())) return false;
   if (cells.size() == 1) return true;  // a name alone is not an id with numbers
   return names_ids(cells.front()) || !std::all_of(cells.begin() + 1, cells.end(), is_number);
@@ -148,7 +150,7 @@ void add_numbers(NumberRows& rows, std::string_view line, char separator, std::s
   const std::string_view ends = separator == ' ' ? std::string_view(" \t") : std::string_view(&separator, 1);
   while (true) {
     const std::size_t end = line.find_first_of(ends);
-    rows.add_number(trim(line.substr(0, end)), number);
+    rows.add_number(trim(line.substr(0, end)), number, separator);
     if (end == std::string_view::npos) return;
     line = separator == ' ' ? trim(line.substr(end)) : line.substr(end + 1);
   }
@@ -157,50 +159,60 @@ void add_numbers(NumberRows& rows, std::string_view line, char separator, std::s
 }  // namespace
 
 LabelledTable parse_csv_matrix(std::string_view text, const std::string& source) {
-  const std::vector<CsvRow> table = parse_csv(text, source, number_separator(text));
-  const bool has_ids = !table.empty() && !is_number(table.front().cells.front());
-  if (has_ids) check_header(table, source);
-  const std::vector<std::string> ids = has_ids ? read_ids(table.front(), source) : std::vector<std::string>();
-  const std::size_t first_row = has_ids ? 1 : 0;
+  const char separator = number_separator(text);
+  CsvReader reader(text, source, separator);
+  std::optional<CsvRow> row = reader.next();
+  const bool has_ids = row && !is_number(row->cells.front());
+  std::vector<std::string> ids;
+  if (has_ids) {
+    const CsvRow header = std::move(*row);
+    row = reader.next();
+    check_header(header, row, source);
+    ids = read_ids(header, source);
+  }
   NumberRows rows(source, TableShape::square);
-  for (std::size_t i = first_row; i < table.size(); ++i) {
-    const CsvRow& row = table[i];
-    if (has_ids) check_row_id(row, i - first_row, ids, source);
-    for (std::size_t j = first_row; j < row.cells.size(); ++j) rows.add_number(row.cells[j], row.line);
-    rows.end_row(row.line);
+  for (std::size_t i = 0; row; ++i, row = reader.next()) {
+    if (has_ids) check_row_id(*row, i, ids, source);
+    for (std::size_t j = has_ids ? 1 : 0; j < row->cells.size(); ++j) {
+      rows.add_number(row->cells[j], row->line, separator);
+    }
+    rows.end_row(row->line);
   }
   LabelledTable result{.numbers = rows.matrix(), .row_ids = ids, .column_ids = ids};
   if (has_ids && ids.size() != static_cast<std::size_t>(result.numbers.cols())) {
-    throw InputError(fmt::format("{}: the header row has {} ids, but there are {} rows of {} numbers", source,
-                                 ids.size(), result.numbers.rows(), result.numbers.cols()));
+    throw InputError(
+        fmt::format("{}: the header row has {}, but there {} of {}", source, count_text(std::ssize(ids), "id", "ids"),
+                    result.numbers.rows() == 1 ? "is 1 row" : fmt::format("are {} rows", result.numbers.rows()),
+                    count_text(result.numbers.cols(), "number", "numbers")));
   }
   return result;
 }
 
 LabelledTable parse_csv_table(std::string_view text, const std::string& source) {
-  const std::vector<CsvRow> table = parse_csv(text, source, number_separator(text));
-  const bool header = has_header(table);
-  const std::size_t first_row = header ? 1 : 0;
-  if (!table.empty()) check_separator(table[std::min(first_row, table.size() - 1)], source);
-  const bool row_ids = (header && names_ids(table.front().cells.front())) ||
-                       (table.size() > first_row && !is_number(table[first_row].cells.front()));
+  const char separator = number_separator(text);
+  CsvReader reader(text, source, separator);
+  std::optional<CsvRow> row = reader.next();
+  std::optional<CsvRow> header;
+  if (row && is_header(*row)) header = std::exchange(row, reader.next());
+  if (row || header) check_separator(row ? *row : *header, source);
+  const bool row_ids = (header && names_ids(header->cells.front())) || (row && !is_number(row->cells.front()));
   const std::ptrdiff_t first_column = row_ids ? 1 : 0;
   LabelledTable result;
   NumberRows rows(source, TableShape::any);
-  for (std::size_t i = first_row; i < table.size(); ++i) {
-    const CsvRow& row = table[i];
-    if (row_ids) result.row_ids.push_back(row.cells.front());
-    for (auto cell = row.cells.begin() + first_column; cell != row.cells.end(); ++cell)
-      rows.add_number(*cell, row.line);
-    rows.end_row(row.line);
+  for (; row; row = reader.next()) {
+    if (row_ids) result.row_ids.push_back(row->cells.front());
+    for (auto cell = row->cells.begin() + first_column; cell != row->cells.end(); ++cell) {
+      rows.add_number(*cell, row->line, separator);
+    }
+    rows.end_row(row->line);
   }
   result.numbers = rows.matrix();
   check_ids(result.row_ids, source);
   if (!header) return result;
-  result.column_ids.assign(table.front().cells.begin() + first_column, table.front().cells.end());
+  result.column_ids.assign(header->cells.begin() + first_column, header->cells.end());
   if (result.column_ids.size() != static_cast<std::size_t>(result.numbers.cols())) {
     throw InputError(fmt::format("{}:{}: the header row has {} names, but the rows have {} numbers", source,
-                                 table.front().line, result.column_ids.size(), result.numbers.cols()));
+                                 header->line, result.column_ids.size(), result.numbers.cols()));
   }
   return result;
 }

@@ -13,6 +13,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/files/compressed_files.h"
 #include "shapegauge/datasets/files/csv.h"
@@ -221,9 +222,24 @@ std::vector<CsvRow> rows_of_words(std::string_view text) {
   return rows;
 }
 
+// Throws InputError for files of other formats, which would be read as a list of classes.
+void check_is_text(const fs::path& path, std::string_view text) {
+  static constexpr std::array<std::string_view, 9> others{".npz", ".mat",  ".matrix", ".html", ".pdf",
+                                                          ".png", ".jpeg", ".jpg",    ".svg"};
+  const std::string extension = format_extension(path);
+  const std::vector<std::string_view> shapes = unambiguous_shape_extensions();
+  const bool is_other = std::ranges::find(others, extension) != others.end() ||
+                        std::ranges::find(shapes, extension) != shapes.end() || unread_format_advice(path);
+  if (!is_other && text.find('\0') == std::string_view::npos) return;
+  throw InputError(fmt::format("{}: {}; labels are a folder, a .cla file, a .npy array, or text (.csv, .tsv, .txt)",
+                               path.string(),
+                               is_other ? fmt::format("{} files have no labels", extension) : "not text in UTF-8"));
+}
+
 ModelLabels read_list(const fs::path& path) {
   if (format_extension(path) == ".npy") return read_label_array(path);
   const std::string text = read_plain_bytes(path);
+  check_is_text(path, text);
   if (first_separator(text)) return parse_label_table(parse_word_table(text, path.string()), path.string());
   if (const std::vector<CsvRow> rows = rows_of_words(text); !rows.empty())
     return parse_label_table(rows, path.string());

@@ -17,6 +17,8 @@ using testing::ElementsAre;
 TEST(Lines, EndInLfOrCrLf) {
   EXPECT_THAT(split_lines("a\nb\r\n\nc"), ElementsAre("a", "b", "", "c"));
   EXPECT_THAT(split_lines("a\n"), ElementsAre("a"));
+  EXPECT_THAT(split_lines("a\r\rb\r"), ElementsAre("a", "", "b"));
+  EXPECT_THAT(split_lines("a\rb\n"), ElementsAre("a\rb"));
   EXPECT_THAT(split_lines("\n"), ElementsAre(""));
   EXPECT_THAT(split_lines(""), ElementsAre());
 }

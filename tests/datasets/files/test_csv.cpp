@@ -65,6 +65,23 @@ TEST(Csv, RowsKnowTheirLinesAndEmptyLinesDoNotCount) {
   EXPECT_THAT(test::input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
 }
 
+TEST(Csv, LinesMayEndWithCarriageReturns) {
+  const auto rows = parse_word_table("\rid,x\r\ra, 1 \r\"b\rc\",2\rd,3", "f");
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_THAT(rows[0].cells, ElementsAre("id", "x"));
+  EXPECT_THAT(rows[1].cells, ElementsAre("a", "1"));
+  EXPECT_THAT(rows[2].cells, ElementsAre("b\rc", "2"));
+  EXPECT_THAT(rows[3].cells, ElementsAre("d", "3"));
+  EXPECT_EQ(rows[3].line, 7U);
+}
+
+TEST(Csv, LongRowsAreAnErrorBeforeTheyAreRead) {
+  std::string text = "a,b\n";
+  for (std::size_t i = 0; i < most_csv_cells; ++i) text += "0,";
+  EXPECT_THAT(test::input_error_of([&] { parse_csv(text, "f"); }),
+              HasSubstr("f:2: the row has more than 1000000 cells"));
+}
+
 TEST(Csv, TablesOfWordsHaveTheSeparatorOfTheirFirstLine) {
   for (const char* text : {"id,x\na,1\n", "id;x\na;1\n", "id\tx\na\t1\n"}) {
     const auto rows = parse_word_table(text, "f");
@@ -73,7 +90,7 @@ TEST(Csv, TablesOfWordsHaveTheSeparatorOfTheirFirstLine) {
   }
   EXPECT_THAT(parse_word_table("id\na\n", "f")[1].cells, ElementsAre("a"));
   EXPECT_THAT(test::input_error_of([] { parse_word_table("id;x\na,1;2\nb\n", "f"); }),
-              HasSubstr("f:3: 1 cells where the first row has 2"));
+              HasSubstr("f:3: 1 cell where the first row has 2"));
 }
 
 TEST(Csv, ColumnsAreFoundInAnyCase) {

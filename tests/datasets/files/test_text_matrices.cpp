@@ -75,6 +75,12 @@ TEST(CsvMatrix, WithoutHeaderThereAreNoIds) {
   EXPECT_THAT(result.row_ids, IsEmpty());
 }
 
+TEST(CsvMatrix, LinesMayEndWithCarriageReturns) {
+  const LabelledTable matrix = read_csv("id,a,b\ra,0,1\rb,2,0\r");
+  EXPECT_THAT(matrix.row_ids, ElementsAre("a", "b"));
+  EXPECT_EQ(matrix.numbers, (Eigen::Matrix2d{{0, 1}, {2, 0}}));
+}
+
 TEST(CsvMatrix, AFaultIsOneErrorWithItsLine) {
   EXPECT_THAT(csv_error("id,a,b\na,0,x\nb,1,0\n"), HasSubstr("m.csv:2: \"x\" is not a number (number 2 of the row)"));
   EXPECT_THAT(csv_error("id,a,b\na,0,\nb,1,0\n"), HasSubstr("m.csv:2: \"\" is not a number"));
@@ -91,8 +97,9 @@ TEST(CsvMatrix, AFaultIsOneErrorWithItsLine) {
   for (const char* text : {"# distances\n0,1\n1,0\n", "# a, b, c\n0,1\n1,0\n"}) {
     EXPECT_THAT(csv_error(text), HasSubstr("m.csv:1: a CSV matrix has no comments; remove the line")) << text;
   }
-  EXPECT_THAT(csv_error("id,a,b\na,0,1\n"), HasSubstr("m.csv: expected a square distance matrix, found 1 rows of 2"));
-  EXPECT_THAT(csv_error("id,a,b\na,0\n"), HasSubstr("m.csv: the header row has 2 ids, but there are 1 rows of 1"));
+  EXPECT_THAT(csv_error("id,a,b\na,0,1\n"),
+              HasSubstr("m.csv: expected a square distance matrix, found 1 row of 2 numbers"));
+  EXPECT_THAT(csv_error("id,a,b\na,0\n"), HasSubstr("m.csv: the header row has 2 ids, but there is 1 row of 1 number"));
   EXPECT_THAT(csv_error("id,a\na\n"), HasSubstr("m.csv:2: the row has no numbers"));
   EXPECT_THAT(csv_error("id\n"), HasSubstr("m.csv: the file has no numbers"));
   EXPECT_THAT(csv_error("\n"), HasSubstr("m.csv: the file has no numbers"));
@@ -140,6 +147,7 @@ TEST(TextMatrix, MayHaveSemicolonsOrCommasBetweenTheNumbers) {
   };
   EXPECT_THAT(error("0,,1\n1,0,1\n1,1,0\n"), HasSubstr("m.txt:1: \"\" is not a number")) << "none is passed over";
   EXPECT_THAT(error("0;1,5\n1,5;0\n"), AllOf(HasSubstr("m.txt:1: \"1,5\""), HasSubstr("decimal points")));
+  EXPECT_THAT(error("0,0 1,5\n1,5 0,0\n"), AllOf(HasSubstr("m.txt:1: \"0 1\""), HasSubstr("decimal points")));
 }
 
 TEST(TextMatrix, OneRowALineBetweenAnyBlanks) {

@@ -96,7 +96,7 @@ TEST_F(ModelLabelsTest, DistinguishFilesOfOneNameByTheirExtensions) {
 TEST_F(ModelLabelsTest, FaultsAreOneErrorWithTheLine) {
   EXPECT_THAT(error_of("id,kind\n1,a\n"), HasSubstr("must name the columns id and class"));
   EXPECT_THAT(error_of("id,class\n1,a\nT1.off,b\n"), HasSubstr("labels.csv:3: repeated model \"T1.off\""));
-  EXPECT_THAT(error_of("id,class\n1\n"), HasSubstr("labels.csv:2: 1 cells"));
+  EXPECT_THAT(error_of("id,class\n1\n"), HasSubstr("labels.csv:2: 1 cell where"));
   EXPECT_THAT(error_of("id,class,Label\n1,a,b\n"), HasSubstr("labels.csv:1: the columns \"class\" and \"Label\" both"));
   EXPECT_THAT(error_of("id,class\n,a\n"), HasSubstr("labels.csv:2: the id is empty"));
   EXPECT_THAT(error_of("id,class\n1,\n"), HasSubstr("labels.csv:2: the class is empty"));
@@ -159,6 +159,15 @@ TEST_F(ModelLabelsTest, QueriesAndTargetsWithoutIdsAreDifferentModels) {
   EXPECT_EQ(labels.targets.size(), 2U);
   EXPECT_EQ(labels.models.size(), 4U);
   EXPECT_EQ(labels.classification.classes[1].models.size(), 3U);
+}
+
+TEST_F(ModelLabelsTest, OfFilesOfOtherFormatsAreAnError) {
+  for (const char* const name : {"l.npz", "l.html", "l.PNG", "l.off", "l.step"}) {
+    EXPECT_THAT(test::input_error_of([&] { read_labels(file(name, "a\nb\n")); }), HasSubstr("files have no labels"))
+        << name;
+  }
+  using namespace std::string_literals;
+  EXPECT_THAT(test::input_error_of([&] { read_labels(file("l.txt", "a\0b\n"s)); }), HasSubstr("not text in UTF-8"));
 }
 
 TEST_F(ModelLabelsTest, OfNamesThatStandForMissingValuesWarn) {
