@@ -98,7 +98,7 @@ void segment(const SegmentArguments& arguments, SegmentationOptions options, Lab
       remarks.notes.push_back(
           *polygons + "; .seg files have one line per face of the file, with the part that covers most of its area");
     }
-    remarks.notes.push_back(fmt::format("{} parts", *std::ranges::max_element(labels) + 1));
+    remarks.notes.push_back(count_text(*std::ranges::max_element(labels) + 1, "part", "parts"));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", job.input, error.what()));
   }

@@ -132,8 +132,10 @@ DistanceMatrix nothing_found(std::size_t rows, std::size_t columns) {
                                   std::numeric_limits<double>::quiet_NaN());
 }
 
-void warn_of_missing(std::size_t count, std::string_view what, EvaluationTask& task) {
-  if (count > 0) task.warnings.push_back(fmt::format("{} {}; omitted from all scores", count, what));
+void warn_of_unjudged(std::size_t count, EvaluationTask& task) {
+  if (count == 0) return;
+  task.warnings.push_back(count_text(static_cast<std::int64_t>(count), "query has", "queries have") +
+                          " no judgements; omitted from all scores");
 }
 
 // Describes the lengths of lists: "3", or "3 to 9".
@@ -419,7 +421,7 @@ RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judge
       if (unanswered_queries.contains(judged.query)) add_judged_query(judged, columns, task);
     }
   }
-  warn_of_missing(unjudged, "queries have no judgements", task);
+  warn_of_unjudged(unjudged, task);
   return finished(std::move(ranked), answered_rows, unanswered_queries.size(), "judged queries", unanswered);
 }
 

@@ -110,7 +110,7 @@ TEST_F(EvaluationTaskTest, ATrecRunUnderJudgements) {
   // q1: b, the one model that is judged and not relevant, is before c, and x is never found; q2 has none such.
   EXPECT_DOUBLE_EQ(measure(input, "bpref"), ((1 + 0 + 0) / 3.0 + 1) / 2);
   EXPECT_THAT(input.task.warnings,
-              ElementsAre(HasSubstr("1 queries have no judgements"), HasSubstr("1 of 3 judged queries have no answer"),
+              ElementsAre(HasSubstr("1 query has no judgements"), HasSubstr("1 of 3 judged queries have no answer"),
                           HasSubstr("the lists have 2 to 3 of 4 models"), HasSubstr("grades above 1")));
 }
 
