@@ -8,10 +8,10 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/fields/centricity.h"
-#include "shapegauge/core/fields/field_surface.h"
 #include "shapegauge/core/fields/field_types.h"
 #include "shapegauge/core/fields/heat_kernel.h"
 #include "shapegauge/core/fields/laplacian.h"
+#include "shapegauge/core/fields/proxy_source.h"
 
 namespace shapegauge {
 

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <map>
 #include <memory>
+#include <string_view>
 
+#include "shapegauge/core/base/words.h"
 #include "shapegauge/core/fields/laplacian.h"
 #include "shapegauge/core/proxy/proxy_geodesics.h"
 #include "shapegauge/core/proxy/surface_proxy.h"
@@ -11,6 +14,12 @@
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
+
+/// Surface on which a field or descriptor is computed: the shape's own mesh, or its surface proxy (ProxySource).
+enum class FieldSurface { mesh, proxy };
+
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<FieldSurface>{"mesh", "proxy"};
 
 /// Surface proxy of a shape and data computed on it, each once on first use. Keeps a reference to the shape. Not
 /// thread-safe. Accessors throw as the underlying computations do.

@@ -82,6 +82,14 @@ std::vector<std::string> histogram_keys(const ShapeComparison& comparison, std::
 
 }  // namespace
 
+ReferenceShape make_reference(std::string key, Shape shape) {
+  ReferenceShape reference{
+      .key = std::move(key), .shape = {}, .diagonal = bounding_box_diagonal(shape), .normals = {}, .values = {}};
+  if (!is_cloud(shape)) reference.normals.emplace(shape);
+  reference.shape = std::move(shape);
+  return reference;
+}
+
 MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size_t index,
                                     std::span<const PlannedField> plan, const ReferenceShape* reference,
                                     const RunControl& control, Cache& cache) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "shapegauge/experiments/shape_comparison/measured_shape.h"
+#include "shapegauge/experiments/shape_comparison/measure_shape.h"
 
 /// Records of measured shapes, for the cache and for other processes. Reading restores everything bit by bit.
 

@@ -8,7 +8,7 @@
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/engine/experiment.h"
-#include "shapegauge/experiments/shape_comparison/measured_shape.h"
+#include "shapegauge/experiments/shape_comparison/measure_shape.h"
 #include "shapegauge/experiments/signatures/compute_signatures.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 

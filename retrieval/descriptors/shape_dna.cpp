@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "shapegauge/core/base/option_parameters.h"
-#include "shapegauge/core/fields/field_surface.h"
 #include "shapegauge/core/fields/laplacian.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {
