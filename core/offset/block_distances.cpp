@@ -52,25 +52,62 @@ std::size_t indices_up_to(const float* numbers, std::size_t n, float limit, std:
       n, [&](std::size_t i) HWY_ATTR { return hn::Le(hn::LoadU(d, numbers + i), most); }, indices);
 }
 
-/// Selects the points of a run that may be the nearest to the centre of one of a block's cells, given their squared
-/// distances from the block's centre c. A cell's centre c + e is no farther from p than from a, the point nearest to c,
-/// if |c - p|^2 - |c - a|^2 <= 2 e (p - a), and no coordinate of e exceeds 3 / 2.
-std::size_t candidates_in(const GridPoints& points, GridPoints::Run run, const float* squared, const Eigen::Vector3f& a,
-                          float smallest, std::uint32_t* indices) {
+/// Computes the squared distances of the points of the runs from a block's centre, and the nearest point.
+void measure_from_centre(const GridPoints& points, const Eigen::Vector3f& centre, NearbyPoints& nearby) {
+  nearby.nearest_squared = std::numeric_limits<float>::infinity();
+  float* squared = nearby.squared.data();
+  const GridPoints::Run* nearest_run = nullptr;
+  const float* squared_of_nearest_run = nullptr;
+  for (const GridPoints::Run& run : nearby.runs) {
+    const std::size_t count = run.end - run.begin;
+    const float smallest =
+        squared_distances_to(&points.x[run.begin], &points.y[run.begin], &points.z[run.begin], count, centre, squared);
+    if (smallest < nearby.nearest_squared) {
+      nearby.nearest_squared = smallest;
+      nearest_run = &run;
+      squared_of_nearest_run = squared;
+    }
+    squared += count;
+  }
+  if (nearest_run == nullptr) return;
+  const float* end = squared_of_nearest_run + (nearest_run->end - nearest_run->begin);
+  const float* found = std::find(squared_of_nearest_run, end, nearby.nearest_squared);
+  nearby.nearest = nearest_run->begin + static_cast<std::size_t>(found - squared_of_nearest_run);
+}
+
+/// Copies the points of the runs that may be the nearest to the centre of one of a block's cells. With c the block's
+/// centre and a the point nearest to it, a cell's centre c + e is no farther from p than from a if |c - p|^2 - |c -
+/// a|^2
+/// <= 2 e (p - a), and no coordinate of e exceeds 3 / 2.
+void keep_candidates(const GridPoints& points, NearbyPoints& nearby) {
   const PointLanes d;
+  const hn::RebindToSigned<PointLanes> di;
   constexpr float rounding = 1e-3F;  // of squared distances up to a hundred or two
-  const auto x = hn::Set(d, a.x());
-  const auto y = hn::Set(d, a.y());
-  const auto z = hn::Set(d, a.z());
-  const auto least = hn::Set(d, smallest + rounding);
-  const auto edge = hn::Set(d, static_cast<float>(block_edge - 1));
-  const auto is_candidate = [&](std::size_t i) HWY_ATTR {
-    const auto apart = hn::Add(hn::Abs(hn::Sub(hn::LoadU(d, &points.x[run.begin + i]), x)),
-                               hn::Add(hn::Abs(hn::Sub(hn::LoadU(d, &points.y[run.begin + i]), y)),
-                                       hn::Abs(hn::Sub(hn::LoadU(d, &points.z[run.begin + i]), z))));
-    return hn::Le(hn::LoadU(d, squared + i), hn::MulAdd(edge, apart, least));
-  };
-  return indices_where(run.end - run.begin, is_candidate, indices);
+  const QueryPoint a({points.x[nearby.nearest], points.y[nearby.nearest], points.z[nearby.nearest]});
+  const Numbers least = hn::Set(d, nearby.nearest_squared + rounding);
+  const Numbers edge = hn::Set(d, static_cast<float>(block_edge - 1));
+  const float* squared = nearby.squared.data();
+  std::size_t count = 0;
+  for (const auto& [begin, end] : nearby.runs) {
+    for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
+      const Numbers x = hn::LoadU(d, &points.x[i]);
+      const Numbers y = hn::LoadU(d, &points.y[i]);
+      const Numbers z = hn::LoadU(d, &points.z[i]);
+      const Numbers apart =
+          hn::Add(hn::Abs(hn::Sub(x, a.x)), hn::Add(hn::Abs(hn::Sub(y, a.y)), hn::Abs(hn::Sub(z, a.z))));
+      const auto is_near = hn::Le(hn::LoadU(d, squared + (i - begin)), hn::MulAdd(edge, apart, least));
+      const auto is_candidate = hn::And(hn::FirstN(d, end - i), is_near);
+      // Compression in registers: compressing stores are slow on some processors.
+      hn::StoreU(hn::Compress(x, is_candidate), d, &nearby.x[count]);
+      hn::StoreU(hn::Compress(y, is_candidate), d, &nearby.y[count]);
+      hn::StoreU(hn::Compress(z, is_candidate), d, &nearby.z[count]);
+      const auto triangles = hn::LoadU(di, &points.triangle[i]);
+      hn::StoreU(hn::Compress(triangles, hn::RebindMask(di, is_candidate)), di, &nearby.triangle[count]);
+      count += hn::CountTrue(d, is_candidate);
+    }
+    squared += end - begin;
+  }
+  nearby.count = count;
 }
 
 /// Computes the triangle of the nearest point for each of a block's 64 cells, given the centre of the first, and
@@ -85,7 +122,7 @@ std::uint64_t nearest_of_cells(const NearbyPoints& points, const Eigen::Vector3f
     cell_x[i] = first.x() + static_cast<float>(i % 4);
     cell_y[i] = first.y() + static_cast<float>(i / 4);
   }
-  const std::size_t n = points.triangle.size();
+  const std::size_t n = points.count;
   std::uint64_t free = 0;
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
     const auto cx = hn::Load(d, cell_x.data() + lane);
@@ -140,7 +177,8 @@ namespace shapegauge {
 HWY_EXPORT(squared_distances_to);
 HWY_EXPORT(nearest_of_cells);
 HWY_EXPORT(indices_up_to);
-HWY_EXPORT(candidates_in);
+HWY_EXPORT(measure_from_centre);
+HWY_EXPORT(keep_candidates);
 
 namespace {
 
@@ -148,18 +186,10 @@ namespace {
 const double block_radius = std::sqrt(3.0) * (block_edge - 1) / 2;
 const double cell_diagonal = std::sqrt(3.0);
 
-/// Point nearest to a block's centre.
-struct Nearest {
-  float squared = std::numeric_limits<float>::infinity();
-  std::size_t run = 0;    ///< its run
-  std::size_t place = 0;  ///< index of the run's first point among those of all runs
-};
-
-/// Collects the runs of the neighbourhood and the squared distances of their points from the block's centre.
-Nearest collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block,
-                const BlockNeighbourhood& around, NearbyPoints& nearby) {
-  auto& runs = nearby.runs;
-  runs.clear();
+/// Collects the runs of the neighbourhood, and makes room for their points.
+void collect_runs(const BlockGrid& grid, const GridPoints& points, const Eigen::Vector3i& block,
+                  const BlockNeighbourhood& around, NearbyPoints& nearby) {
+  nearby.runs.clear();
   std::size_t count = 0;
   for (const auto& [j, k, along] : around.rows) {
     const int y = block.y() + j;
@@ -168,52 +198,16 @@ Nearest collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::
     const int low = std::max(block.x() - along, 0);
     const int high = std::min(block.x() + along, grid.blocks.x() - 1);
     const std::size_t row = grid.block_index({0, y, z});
-    const std::uint32_t begin = surface.points.first[row + static_cast<std::size_t>(low)];
-    const std::uint32_t end = surface.points.first[row + static_cast<std::size_t>(high) + 1];
+    const std::uint32_t begin = points.first[row + static_cast<std::size_t>(low)];
+    const std::uint32_t end = points.first[row + static_cast<std::size_t>(high) + 1];
     if (begin == end) continue;
-    runs.push_back({begin, end});
+    nearby.runs.push_back({begin, end});
     count += end - begin;
   }
-  if (nearby.squared.size() < count + grid_padding) nearby.squared.resize(count + grid_padding);
-  const Eigen::Vector3f centre = ((block.cast<float>().array() + 0.5F) * block_edge).matrix();
-  Nearest nearest;
-  std::size_t place = 0;
-  for (std::size_t run = 0; run < runs.size(); ++run) {
-    const auto& [begin, end] = runs[run];
-    const float squared = squared_distances(&surface.points.x[begin], &surface.points.y[begin],
-                                            &surface.points.z[begin], end - begin, centre, &nearby.squared[place]);
-    if (squared < nearest.squared) nearest = {squared, run, place};
-    place += end - begin;
-  }
-  return nearest;
-}
-
-/// Keeps the points that may be the nearest to a cell's centre, given the point nearest to the block's centre.
-void keep_candidates(const GridSurface& surface, const Nearest& nearest, NearbyPoints& nearby) {
-  const GridPoints& points = surface.points;
-  const float* squared_of_run = nearby.squared.data();
-  const float* found =
-      std::find(squared_of_run + nearest.place, squared_of_run + nearby.squared.size(), nearest.squared);
-  const auto a = nearby.runs[nearest.run].begin + static_cast<std::size_t>(found - (squared_of_run + nearest.place));
-  const Eigen::Vector3f place_of_a(points.x[a], points.y[a], points.z[a]);
-  std::size_t place = 0;
-  for (const GridPoints::Run& run : nearby.runs) {
-    const auto& [begin, end] = run;
-    const std::size_t count = end - begin;
-    if (nearby.index.size() < count) nearby.index.resize(count);
-    const std::size_t kept = HWY_DYNAMIC_DISPATCH(candidates_in)(points, run, squared_of_run, place_of_a,
-                                                                 nearest.squared, nearby.index.data());
-    for (std::vector<float>* values : {&nearby.x, &nearby.y, &nearby.z}) values->resize(place + kept);
-    nearby.triangle.resize(place + kept);
-    for (std::size_t i = 0; i < kept; ++i, ++place) {
-      const std::size_t point = begin + nearby.index[i];
-      nearby.x[place] = points.x[point];
-      nearby.y[place] = points.y[point];
-      nearby.z[place] = points.z[point];
-      nearby.triangle[place] = points.triangle[point];
-    }
-    squared_of_run += count;
-  }
+  if (nearby.squared.size() >= count + grid_padding) return;
+  for (std::vector<float>* values : {&nearby.squared, &nearby.x, &nearby.y, &nearby.z})
+    values->resize(count + grid_padding);
+  nearby.triangle.resize(count + grid_padding);
 }
 
 }  // namespace
@@ -246,11 +240,13 @@ BlockNeighbourhood::BlockNeighbourhood(double within) : distance(within) {
 BlockKind classify_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
                          const BlockNeighbourhood& around, NearbyPoints& nearby, BoundaryBlock& found) {
   const Eigen::Vector3i place = grid.block_at(block);
-  const Nearest nearest = collect(grid, surface, place, around, nearby);
-  const double distance = std::sqrt(static_cast<double>(nearest.squared));
+  collect_runs(grid, surface.points, place, around, nearby);
+  const Eigen::Vector3f centre = ((place.cast<float>().array() + 0.5F) * block_edge).matrix();
+  HWY_DYNAMIC_DISPATCH(measure_from_centre)(surface.points, centre, nearby);
+  const double distance = std::sqrt(static_cast<double>(nearby.nearest_squared));
   if (distance > around.distance + block_radius) return BlockKind::free;
   if (distance + block_radius + cell_diagonal < grid.r) return BlockKind::covered;
-  keep_candidates(surface, nearest, nearby);
+  HWY_DYNAMIC_DISPATCH(keep_candidates)(surface.points, nearby);
   const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();
   found.index = block;
   found.free =

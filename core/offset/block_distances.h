@@ -10,12 +10,16 @@
 
 namespace shapegauge {
 
-/// Points near a block, with scratch buffers.
+/// Points near a block, in buffers that are reused. The arrays are at least as long as needed.
 struct NearbyPoints {
-  std::vector<float> x, y, z, squared;
+  std::vector<GridPoints::Run> runs;  ///< the points of the neighbourhood
+  std::vector<float> squared;         ///< distances of those points from the block's centre
+  std::size_t nearest = 0;            ///< index of the point nearest to the centre, if there is any
+  float nearest_squared = 0;          ///< its distance; infinite without points
+  /// Points that may be the nearest to one of the block's cells, with their triangles.
+  std::vector<float> x, y, z;
   std::vector<std::int32_t> triangle;
-  std::vector<std::uint32_t> index;
-  std::vector<GridPoints::Run> runs;
+  std::size_t count = 0;
 };
 
 /// Rows of blocks around a central one that contain all points within a distance of its cells.

@@ -9,6 +9,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/offset/grid_layout.h"
 
 namespace shapegauge {
 
@@ -19,9 +20,27 @@ constexpr double cube_edge = 1.0 / 16;
 
 /// Returns the number of parts of at most max_length in a length. Faster than std::ceil.
 int part_count(double length, double max_length) {
+  if (length <= max_length) return 1;
   const double exact = length / max_length;
   const int whole = static_cast<int>(exact);
-  return std::max(1, whole < exact ? whole + 1 : whole);
+  return whole < exact ? whole + 1 : whole;
+}
+
+constexpr int most_parts = 8;
+/// By number of parts of 1, the middle of each.
+constexpr auto middles = [] {
+  std::array<std::array<double, most_parts>, most_parts + 1> table{};
+  for (std::size_t parts = 1; parts < table.size(); ++parts) {
+    for (std::size_t i = 0; i < parts; ++i) {
+      table[parts][i] = (static_cast<double>(i) + 0.5) / static_cast<double>(parts);
+    }
+  }
+  return table;
+}();
+
+/// Returns the middle of part i of n equal parts of 1. The table saves most divisions.
+double middle_of_part(int i, int n) {
+  return n <= most_parts ? middles[static_cast<std::size_t>(n)][static_cast<std::size_t>(i)] : (i + 0.5) / n;
 }
 
 /// Columns of points on a triangle, perpendicular to its longest edge. Each point represents a part no larger than the
@@ -57,10 +76,11 @@ struct Columns {
   template <typename Visit>
   void for_each_point(const Visit& visit) const {
     for (int column = 0; column < count; ++column) {
-      const double at = (column + 0.5) / count;
+      const double at = middle_of_part(column, count);
       const double part = at < foot ? at / foot : (1 - at) / (1 - foot);  // of the height
       const int points = part_count(part * height, spacing);
-      for (int i = 0; i < points; ++i) visit(from + at * along + (i + 0.5) / points * part * up);
+      const Eigen::Vector3d bottom = from + at * along;
+      for (int i = 0; i < points; ++i) visit(bottom + middle_of_part(i, points) * part * up);
     }
   }
 };
@@ -73,21 +93,48 @@ struct Point {
   bool is_small;       ///< its triangle is small enough to be represented by another
 };
 
-/// Number of parts of a block along each axis that are sorted along a Morton curve.
-constexpr int parts_of_block = 8;
+/// Place of a point among the blocks and in its block.
+struct PlaceInBlocks {
+  std::uint32_t block;
+  std::uint16_t code;  ///< along a Morton curve through the parts of the block
+};
 
-/// Returns the Morton code of a part of a block.
-std::uint16_t morton_code(const Eigen::Vector3i& part) {
-  constexpr std::array<std::uint16_t, parts_of_block> spread{0, 1, 8, 9, 64, 65, 72, 73};
-  const auto of = [&](int k) { return spread[static_cast<std::size_t>(part[k] % parts_of_block)]; };
-  return static_cast<std::uint16_t>(of(0) | of(1) << 1U | of(2) << 2U);
-}
+/// Finds blocks, whose eight parts along each axis are sorted along a Morton curve.
+class BlockFinder {
+ public:
+  explicit BlockFinder(const BlockGrid& grid)
+      : stride_y_(static_cast<std::uint32_t>(grid.blocks.x())),
+        stride_z_(static_cast<std::uint32_t>(grid.blocks.x()) * static_cast<std::uint32_t>(grid.blocks.y())) {
+    static_assert(max_grid_blocks < std::numeric_limits<std::uint32_t>::max());
+  }
+
+  /// Finds a place of the grid, in cells.
+  [[nodiscard]] PlaceInBlocks find(const Eigen::Vector3d& at) const {
+    const std::uint32_t x = part(at.x());
+    const std::uint32_t y = part(at.y());
+    const std::uint32_t z = part(at.z());
+    return {x / parts + stride_y_ * (y / parts) + stride_z_ * (z / parts),
+            static_cast<std::uint16_t>(spread[x % parts] | spread[y % parts] << 1U | spread[z % parts] << 2U)};
+  }
+
+ private:
+  static constexpr std::uint32_t parts = 8;
+  static constexpr std::array<std::uint16_t, parts> spread{0, 1, 8, 9, 64, 65, 72, 73};
+  static std::uint32_t part(double coordinate) {
+    constexpr double per_cell = static_cast<double>(parts) / block_edge;
+    // Signed, since rounding may make a coordinate of 0 negative.
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(coordinate * per_cell));
+  }
+
+  std::uint32_t stride_y_, stride_z_;
+};
 
 /// Samples the triangles from begin to end, and sets their records.
 std::vector<Point> sampled_points(const BlockGrid& grid, const Shape& shape, double spacing, std::size_t begin,
                                   std::size_t end, TriangleTable& triangles) {
   std::vector<Point> points;
   points.reserve(2 * (end - begin));
+  const BlockFinder blocks(grid);
   for (std::size_t f = begin; f < end; ++f) {
     const auto row = static_cast<Eigen::Index>(f);
     Triangle t;
@@ -101,10 +148,9 @@ std::vector<Point> sampled_points(const BlockGrid& grid, const Shape& shape, dou
     const bool is_small = columns.longest <= cube_edge * grid.r;
     const std::size_t own = points.size();
     columns.for_each_point([&](const Eigen::Vector3d& at) {
-      const Eigen::Vector3i part = (at * (parts_of_block / block_edge)).cast<int>();
-      const auto block = static_cast<std::uint32_t>(grid.block_index(part / parts_of_block));
+      const PlaceInBlocks place = blocks.find(at);
       points.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()), 0,
-                        static_cast<std::int32_t>(f), block, morton_code(part), is_small});
+                        static_cast<std::int32_t>(f), place.block, place.code, is_small});
     });
     const double area = (t.b - t.a).cross(t.c - t.a).norm() / 2;
     const auto share = static_cast<float>(area / static_cast<double>(points.size() - own));
@@ -181,14 +227,11 @@ PointBoxes boxes_of_groups(const GridPoints& points, std::size_t count, bool par
     boxes.low[k].resize(groups + grid_padding);
     boxes.high[k].resize(groups + grid_padding);
     for (std::size_t i = 0; i < groups; ++i) {
-      float low = places[k][size * i];
-      float high = low;
-      for (std::size_t j = size * i + 1; j < std::min(size * (i + 1), count); ++j) {
-        low = std::min(low, places[k][j]);
-        high = std::max(high, places[k][j]);
-      }
-      boxes.low[k][i] = low;
-      boxes.high[k][i] = high;
+      const auto first = static_cast<std::ptrdiff_t>(size * i);
+      const auto in_group = static_cast<Eigen::Index>(std::min(size, count - size * i));
+      const Eigen::Map<const Eigen::ArrayXf> group(places[k] + first, in_group);
+      boxes.low[k][i] = group.minCoeff();
+      boxes.high[k][i] = group.maxCoeff();
     }
   });
   return boxes;

@@ -8,7 +8,6 @@
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/stopwatch.h"
-#include "shapegauge/core/offset/block_distances.h"
 #include "shapegauge/core/offset/grid_layout.h"
 #include "shapegauge/core/offset/mean_normals.h"
 #include "shapegauge/core/offset/nearest_offset_point.h"
@@ -128,7 +127,7 @@ class Solver {
     std::vector<NearbySites::Site> starts;
     std::vector<OffsetExitTask> rays;
     std::vector<Eigen::Index> ray_samples;
-    NearbyPoints surface;
+    std::vector<std::uint32_t> nearby;  ///< points
   };
 
   void sort();
@@ -406,7 +405,7 @@ void Solver::collect_samples(const Batch& batch, Scratch& scratch) const {
       const Eigen::Index index = order_[k];
       const Eigen::Vector3d p = grid_.to_cells(points_.row(index).transpose());
       const std::int32_t triangle = likely_[static_cast<std::size_t>(index)];
-      if (!is_on_surface(exterior_, shape_, p, triangle, scratch.surface)) continue;
+      if (!is_on_surface(exterior_, shape_, p, triangle, scratch.nearby)) continue;
       scratch.samples.push_back(
           {.index = index, .p = p, .normal = normals_.row(index).transpose(), .triangle = triangle, .group = g});
     }

@@ -24,17 +24,16 @@ bool is_on_own_triangle(const BlockGrid& grid, const Shape& shape, std::int32_t 
 
 /// Tests the triangles of the points near p.
 bool is_on_any_triangle(const ExteriorGrid& exterior, const GridPoints& points, const Eigen::Vector3d& p,
-                        double near_enough, NearbyPoints& nearby) {
+                        double near_enough, std::vector<std::uint32_t>& nearby) {
   if (points.size() == 0) return false;
   // Maximum distance of a point of a triangle from its samples: the apex of an equilateral one.
   const double reach = 1.5 * exterior.surface().spacing + near_enough;
-  std::vector<std::uint32_t>& found = nearby.index;
-  find_points_within(exterior.grid(), points, p, reach, found);
+  find_points_within(exterior.grid(), points, p, reach, nearby);
   std::array<std::int32_t, TriangleTable::batch_size> triangles{};
   TriangleTable::Vectors vectors;
-  for (std::size_t i = 0; i < found.size(); i += triangles.size()) {
+  for (std::size_t i = 0; i < nearby.size(); i += triangles.size()) {
     for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
-      triangles[lane] = points.triangle[found[std::min(i + lane, found.size() - 1)]];
+      triangles[lane] = points.triangle[nearby[std::min(i + lane, nearby.size() - 1)]];
     }
     exterior.surface().triangles.vectors_to(p, triangles.data(), vectors);
     const float least = *std::min_element(vectors.squared.begin(), vectors.squared.end());
@@ -59,7 +58,7 @@ std::vector<std::int32_t> likely_triangles(const Shape& shape, Eigen::Index samp
 }
 
 bool is_on_surface(const ExteriorGrid& exterior, const Shape& shape, const Eigen::Vector3d& p, std::int32_t triangle,
-                   NearbyPoints& nearby) {
+                   std::vector<std::uint32_t>& nearby) {
   const GridSurface& surface = exterior.surface();
   const BlockGrid& grid = exterior.grid();
   const double near_enough = std::max(1e-3 * grid.r, 1e-6 / grid.cell);  // displacement of a sample by rounding

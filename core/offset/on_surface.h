@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "shapegauge/core/offset/block_distances.h"
 #include "shapegauge/core/offset/exterior_grid.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -17,8 +16,8 @@ namespace shapegauge {
 std::vector<std::int32_t> likely_triangles(const Shape& shape, Eigen::Index samples);
 
 /// Returns true if p (in cells) lies on the surface. Tests the triangle that probably contains p, then those of the
-/// surface's points near it. `nearby` has buffers, reused by later calls.
+/// surface's points near it. `nearby` is a buffer for their indices.
 bool is_on_surface(const ExteriorGrid& exterior, const Shape& shape, const Eigen::Vector3d& p, std::int32_t triangle,
-                   NearbyPoints& nearby);
+                   std::vector<std::uint32_t>& nearby);
 
 }  // namespace shapegauge

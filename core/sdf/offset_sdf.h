@@ -15,7 +15,7 @@
 namespace shapegauge {
 
 /// Cache version of offset_sdf(); see docs/manual/cache.md.
-inline constexpr int offset_sdf_version = 11;
+inline constexpr int offset_sdf_version = 12;
 
 /// Resolution of the grid (docs/methods/offset_sdf.md#guarantees): cells of edge r/2.5, r/3 or r/5.
 enum class OffsetAccuracy { fast, standard, fine };

@@ -16,7 +16,7 @@ TEST(OnSurface, SamplesAreAndPlacesBesideThemAreNot) {
   const GridSurface surface(grid, torus, 1, false);
   const ExteriorGrid exterior(grid, surface, 0.9, false);
   const Samples samples = sample_shape(torus, SampleSite::faces);
-  NearbyPoints nearby;
+  std::vector<std::uint32_t> nearby;
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
     const Eigen::Vector3d p = grid.to_cells(samples.points.row(i).transpose());
     const Eigen::Vector3d beside = p + 0.05 * grid.r * samples.normals.row(i).transpose();
@@ -37,7 +37,7 @@ TEST(OnSurface, ASampleOnASliverIsOnItsOwnTriangle) {
   const BlockGrid grid(bounding_box(shape), 0.05, 0.02);
   const GridSurface surface(grid, shape, 1, false);
   const ExteriorGrid exterior(grid, surface, 0.9, false);
-  NearbyPoints nearby;
+  std::vector<std::uint32_t> nearby;
   const Eigen::Vector3d centroid = shape.vertices.bottomRows(3).colwise().mean().transpose();
   EXPECT_TRUE(is_on_surface(exterior, shape, grid.to_cells(centroid), 12, nearby));
 }
