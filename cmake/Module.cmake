@@ -10,7 +10,7 @@ endfunction()
 # shapegauge_add_library(NAME FOLDER [SEPARATELY] [INTERNAL] [SOURCES sources...] [USES targets...]
 # [USES_PRIVATELY targets...] [PRIVATE_HEADERS headers...]): the library shapegauge_NAME, alias shapegauge::NAME, of
 # sources in a folder of the project and those below it, and its installation. SEPARATELY: its sources are never compiled
-# in batches, since they compute long or share little. INTERNAL: it is not installed. PRIVATE_HEADERS: headers that only
+# in batches, since their tables have the same names. INTERNAL: it is not installed. PRIVATE_HEADERS: headers that only
 # its own sources and tests include; they are not installed.
 #
 # A library has the headers of its sources' folders. It sees those of the libraries that it uses and no others: each

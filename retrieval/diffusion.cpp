@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/connectivity.h"
@@ -20,8 +21,6 @@ namespace shapegauge {
 namespace {
 
 constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array diffusion_table = {
     option_of<&DiffusionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},

@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/nearest_models.h"
@@ -19,8 +19,6 @@
 namespace shapegauge {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // by column
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/nearest_models.h"
@@ -14,8 +15,6 @@
 namespace shapegauge {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array expansion_table = {
     option_of<&ExpansionOptions::neighbours>(

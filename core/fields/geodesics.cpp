@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/fields/geodesics_cgal.h"
 #include "shapegauge/core/shape/connectivity.h"
@@ -26,7 +27,6 @@ namespace shapegauge {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Distinct positions of a shape's used vertices: the nodes of a graph.
 struct Nodes {

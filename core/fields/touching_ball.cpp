@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+
+#include "shapegauge/core/base/infinity.h"
 
 namespace shapegauge {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns the touching radius of a segment: of the point where the ball touches its line, or of its first end; the
 /// other end belongs to the next segment.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
@@ -20,7 +21,6 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Shape triangles_of(const std::vector<Eigen::RowVector3d>& corners) {
