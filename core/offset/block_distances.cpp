@@ -81,7 +81,6 @@ void measure_from_centre(const GridPoints& points, const Eigen::Vector3f& centre
 /// <= 2 e (p - a), and no coordinate of e exceeds 3 / 2.
 void keep_candidates(const GridPoints& points, NearbyPoints& nearby) {
   const PointLanes d;
-  const hn::RebindToSigned<PointLanes> di;
   constexpr float rounding = 1e-3F;  // of squared distances up to a hundred or two
   const QueryPoint a({points.x[nearby.nearest], points.y[nearby.nearest], points.z[nearby.nearest]});
   const Numbers least = hn::Set(d, nearby.nearest_squared + rounding);
@@ -97,13 +96,7 @@ void keep_candidates(const GridPoints& points, NearbyPoints& nearby) {
           hn::Add(hn::Abs(hn::Sub(x, a.x)), hn::Add(hn::Abs(hn::Sub(y, a.y)), hn::Abs(hn::Sub(z, a.z))));
       const auto is_near = hn::Le(hn::LoadU(d, squared + (i - begin)), hn::MulAdd(edge, apart, least));
       const auto is_candidate = hn::And(hn::FirstN(d, end - i), is_near);
-      // Compression in registers: compressing stores are slow on some processors.
-      hn::StoreU(hn::Compress(x, is_candidate), d, &nearby.x[count]);
-      hn::StoreU(hn::Compress(y, is_candidate), d, &nearby.y[count]);
-      hn::StoreU(hn::Compress(z, is_candidate), d, &nearby.z[count]);
-      const auto triangles = hn::LoadU(di, &points.triangle[i]);
-      hn::StoreU(hn::Compress(triangles, hn::RebindMask(di, is_candidate)), di, &nearby.triangle[count]);
-      count += hn::CountTrue(d, is_candidate);
+      count = copy_selected_points(points, i, is_candidate, nearby, count);
     }
     squared += end - begin;
   }

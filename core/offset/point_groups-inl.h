@@ -38,6 +38,43 @@ HWY_INLINE void for_each_lane_of(hn::Mask<PointLanes> mask, const Visit& visit) 
   }
 }
 
+/// Without AVX-512, compressing a vector takes longer than copying the selected lanes one by one.
+constexpr bool compresses_fast = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3;
+
+/// Copies the selected ones of a vector of numbers, in order; may write a whole vector.
+template <typename Number>
+HWY_INLINE void copy_selected(const Number* numbers, hn::Mask<PointLanes> mask, Number* copies) {
+  if constexpr (compresses_fast) {
+    // Compression in registers: compressing stores are slow on some processors.
+    const hn::Rebind<Number, PointLanes> d;
+    hn::StoreU(hn::Compress(hn::LoadU(d, numbers), hn::RebindMask(d, mask)), d, copies);
+  } else {
+    for_each_lane_of(mask, [&](std::size_t lane) { *copies++ = numbers[lane]; });
+  }
+}
+
+/// Copies the selected ones of a vector of points from i on to the places from `count` on, as copy_selected() does.
+/// `points` and `copies` have arrays x, y, z and triangle. Returns the number of copies up to then.
+template <typename Points, typename Copies>
+HWY_INLINE std::size_t copy_selected_points(const Points& points, std::size_t i, hn::Mask<PointLanes> mask,
+                                            Copies& copies, std::size_t count) {
+  if constexpr (compresses_fast) {
+    copy_selected(&points.x[i], mask, &copies.x[count]);
+    copy_selected(&points.y[i], mask, &copies.y[count]);
+    copy_selected(&points.z[i], mask, &copies.z[count]);
+    copy_selected(&points.triangle[i], mask, &copies.triangle[count]);
+    return count + hn::CountTrue(PointLanes(), mask);
+  } else {
+    for_each_lane_of(mask, [&](std::size_t lane) {
+      copies.x[count] = points.x[i + lane];
+      copies.y[count] = points.y[i + lane];
+      copies.z[count] = points.z[i + lane];
+      copies.triangle[count++] = points.triangle[i + lane];
+    });
+    return count;
+  }
+}
+
 /// Position from which distances are computed, in all lanes.
 struct QueryPoint {
   HWY_INLINE explicit QueryPoint(const Eigen::Vector3f& at)

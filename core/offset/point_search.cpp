@@ -36,7 +36,6 @@ void points_within(const GridPoints& points, const std::vector<GridPoints::Run>&
 std::size_t points_in_cube(const GridPoints& points, const std::vector<GridPoints::Run>& runs,
                            const Eigen::Vector3f& centre, float half_edge, CollectedPoints& found) {
   const PointLanes d;
-  const hn::RebindToSigned<PointLanes> di;
   const QueryPoint from(centre);
   const Numbers limit = hn::Set(d, half_edge);
   std::size_t count = 0;
@@ -49,13 +48,7 @@ std::size_t points_in_cube(const GridPoints& points, const std::vector<GridPoint
         const Numbers y = hn::LoadU(d, &points.y[i]);
         const Numbers z = hn::LoadU(d, &points.z[i]);
         const auto is_inside = hn::Le(from.largest_difference(x, y, z), limit);
-        // Compression in registers: compressing stores are slow on some processors.
-        hn::StoreU(hn::Compress(x, is_inside), d, &found.x[count]);
-        hn::StoreU(hn::Compress(y, is_inside), d, &found.y[count]);
-        hn::StoreU(hn::Compress(z, is_inside), d, &found.z[count]);
-        const auto triangles = hn::LoadU(di, &points.triangle[i]);
-        hn::StoreU(hn::Compress(triangles, hn::RebindMask(di, is_inside)), di, &found.triangle[count]);
-        count += hn::CountTrue(d, is_inside);
+        count = copy_selected_points(points, i, is_inside, found, count);
       }
     });
   });
@@ -115,17 +108,15 @@ std::int32_t triangle_of_nearest(const std::vector<PointBlock>& blocks, const Ei
 std::size_t find_candidates(const std::vector<PointBlock>& blocks, const Eigen::Vector3f& x, float margin,
                             std::vector<std::int32_t>& triangles) {
   const PointLanes d;
-  const hn::RebindToSigned<PointLanes> di;
   if (triangles.size() < (blocks.size() + 1) * grid_padding) triangles.resize((blocks.size() + 1) * grid_padding);
   Numbers smallest = hn::Set(d, std::numeric_limits<float>::infinity());
   for_each_vector_of(blocks, x, [&](Numbers squared, std::size_t) HWY_ATTR { smallest = hn::Min(smallest, squared); });
   const Numbers limit = hn::Add(hn::MinOfLanes(d, smallest), hn::Set(d, margin));
   std::size_t count = 0;
   for_each_vector_of(blocks, x, [&](Numbers squared, std::size_t first) HWY_ATTR {
-    const auto is_candidate = hn::RebindMask(di, hn::Le(squared, limit));
-    const auto all = hn::Load(di, &blocks[first / grid_padding].triangle[first % grid_padding]);
-    hn::StoreU(hn::Compress(all, is_candidate), di, &triangles[count]);
-    count += hn::CountTrue(di, is_candidate);
+    const auto is_candidate = hn::Le(squared, limit);
+    copy_selected(&blocks[first / grid_padding].triangle[first % grid_padding], is_candidate, &triangles[count]);
+    count += hn::CountTrue(d, is_candidate);
   });
   std::fill_n(&triangles[count], grid_padding, triangles[0]);
   return count;

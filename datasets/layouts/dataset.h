@@ -22,6 +22,7 @@ struct Model {
   std::filesystem::path file;  ///< may be absent, which check_models() reports
   int label = 0;               ///< index into Dataset::classes
   std::string subclass = {};   ///< name of the subclass, for graded measures; empty for none
+  std::string fault = {};      ///< why there is no shape, if the layout knows; reported by check_models()
 };
 
 /// Entries of folders that are skipped in the search for shapes, without hidden ones.

@@ -119,9 +119,9 @@ std::string repeated_text(const std::vector<fs::path>& links) {
 }
 
 /// Finds a data set of the layout "folders": a folder for each class, with the models, or with folders train and test
-/// that contain them. The id of a model is its path below the root without the extension. An unreadable folder counts
-/// as a model of its class, which check_models() then reports. Links to folders visited before are skipped. Throws
-/// InputError for missing class folders, a class without models, two files of one id, and a split that no class has.
+/// that contain them. The id of a model is its path below the root without the extension. An unreadable folder and the
+/// folder of a class without models count as a model of the class, which check_models() then reports. Links to folders
+/// visited before are skipped. Throws InputError if no class has models, and for two files of one id.
 Dataset find_folders_dataset(const DatasetLocation& location) {
   Dataset dataset;
   std::set<std::string> ids;
@@ -129,16 +129,20 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
   std::vector<fs::path> links = subfolders(location.root);
   const std::vector<fs::path> folders = unvisited(links, visited);
   std::erase_if(links, [&](const fs::path& path) { return std::ranges::find(folders, path) != folders.end(); });
+  bool has_files = false;
   for (const fs::path& folder : folders) {
     const auto [files, repeated] = class_files(folder, location.split, visited);
-    if (files.empty()) {
-      throw InputError(fmt::format("{}: no models ({}) in this class{}{}", folder.string(),
-                                   fmt::join(unambiguous_shape_extensions(), ", "),
-                                   location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split),
-                                   repeated_text(repeated)));
-    }
     const int label = static_cast<int>(dataset.classes.size());
     dataset.classes.push_back(folder.filename().string());
+    has_files = has_files || !files.empty();
+    if (files.empty()) {
+      const std::string fault =
+          fmt::format("{}: no models ({}) in this class{}{}", folder.string(),
+                      fmt::join(unambiguous_shape_extensions(), ", "),
+                      location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split),
+                      repeated_text(repeated));
+      add_model({.id = dataset.classes.back(), .file = folder, .label = label, .fault = fault}, ids, dataset);
+    }
     for (const fs::path& file : files) {
       // An unreadable folder may have a dot in its name.
       const fs::path named = is_model_file(file) ? fs::path(file).replace_extension() : file;
@@ -150,6 +154,7 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
     throw InputError(fmt::format("{}: the layout \"folders\" needs a folder for each class; found none{}",
                                  location.root.string(), repeated_text(links)));
   }
+  if (!has_files) throw InputError(dataset.models.front().fault);
   std::ranges::sort(dataset.models, natural_less, &Model::id);
   return dataset;
 }
@@ -290,8 +295,10 @@ DatasetLocation recognise_dataset(const fs::path& root, const fs::path& classifi
 std::vector<ModelFailure> check_models(const Dataset& dataset) {
   std::vector<ModelFailure> failures;
   for (std::size_t i = 0; i < dataset.models.size(); ++i) {
+    const Model& model = dataset.models[i];
     try {
-      check_shape_header(dataset.models[i].file);
+      if (!model.fault.empty()) throw InputError(model.fault);
+      check_shape_header(model.file);
     } catch (const InputError& error) {
       failures.push_back({.model = i, .message = error.what()});
     }

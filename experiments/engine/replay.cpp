@@ -52,11 +52,19 @@ fs::path moved_to_root(const fs::path& path, const fs::path& old_root, const fs:
   return lies_in(path, old_root) ? (root / path.lexically_relative(old_root)).lexically_normal() : path;
 }
 
+/// Returns the path at a place of the recorded configuration. Throws InputError for anything but text.
+fs::path path_at(const Json& configuration, const Place& place) {
+  const Json& path = configuration.at(place);
+  if (path.is_string()) return path.get<std::string>();
+  throw InputError(
+      fmt::format("configuration.{} of the manifest: expected a path; the manifest is damaged", dotted(place)));
+}
+
 /// Returns the deepest folder that contains all files at the places; empty if there are none.
 fs::path common_folder(const Json& configuration, const std::vector<Place>& files) {
   std::optional<fs::path> common;
   for (const Place& file : files) {
-    const fs::path folder = fs::path(configuration.at(file).get<std::string>()).parent_path();
+    const fs::path folder = path_at(configuration, file).parent_path();
     if (!common) common = folder;
     while (!lies_in(folder, *common)) common = common->parent_path();
   }
@@ -66,15 +74,16 @@ fs::path common_folder(const Json& configuration, const std::vector<Place>& file
 void move_files(Json& configuration, const std::vector<Place>& files, const fs::path& root) {
   const fs::path old_root = common_folder(configuration, files);
   for (const Place& file : files) {
-    configuration[file] = moved_to_root(configuration.at(file).get<std::string>(), old_root, root).string();
+    configuration[file] = moved_to_root(path_at(configuration, file), old_root, root).string();
   }
 }
 
-void move_dataset(Json& dataset, const fs::path& root) {
-  const fs::path old_root = dataset.at("root").get<std::string>();
-  dataset["root"] = root.string();
-  if (!dataset.contains("classification")) return;
-  dataset["classification"] = moved_to_root(dataset.at("classification").get<std::string>(), old_root, root).string();
+void move_dataset(Json& configuration, const Place& dataset, const fs::path& root) {
+  const fs::path old_root = path_at(configuration, dataset / "root");
+  configuration[dataset / "root"] = root.string();
+  const Place classification = dataset / "classification";
+  if (!configuration.contains(classification)) return;
+  configuration[classification] = moved_to_root(path_at(configuration, classification), old_root, root).string();
 }
 
 /// Returns true for an object of hashes by name.
@@ -128,7 +137,7 @@ Json recorded_configuration(const Json& manifest, const fs::path& root, const Pa
   if (datasets.empty() && files.empty()) {
     throw InputError("--dataset-root: all shapes of this run were generated; leave it out");
   }
-  for (const Place& dataset : datasets) move_dataset(configuration[dataset], absolute_root);
+  for (const Place& dataset : datasets) move_dataset(configuration, dataset, absolute_root);
   move_files(configuration, files, absolute_root);
   return configuration;
 }

@@ -257,6 +257,20 @@ TEST_F(Layouts, FoldersHaveAFailedModelForWhatIsNoFile) {
   }
 }
 
+TEST_F(Layouts, FoldersHaveAFailedModelForAClassWithoutModels) {
+  write("ant/1.off");
+  write("bee/readme.txt");
+  write("cow/test/1.off");
+  const Dataset dataset = find("folders");
+  EXPECT_THAT(ids(dataset), ElementsAre("ant/1:ant", "bee:bee", "cow/test/1:cow"));
+  const auto failures = failures_of(dataset);
+  EXPECT_EQ(failures.size(), 1U);
+  EXPECT_THAT(failures.at("bee"), HasSubstr("bee: no models"));
+  const Dataset tests = find("folders", "test");
+  EXPECT_THAT(ids(tests), ElementsAre("ant:ant", "bee:bee", "cow/test/1:cow"));
+  EXPECT_THAT(failures_of(tests).at("ant"), HasSubstr("for the split \"test\""));
+}
+
 TEST_F(Layouts, FoldersHaveAFailedModelForAFolderThatCannotBeRead) {
   write("ant/1.off");
   write("bee/1.off");

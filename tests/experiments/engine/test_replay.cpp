@@ -75,6 +75,16 @@ TEST(Replay, TheShapesOfAComparisonAreLookedForInAnotherFolder) {
   EXPECT_FALSE(shapes[2].contains("file"));
 }
 
+TEST(Replay, DamagedPathsAreErrorsWithTheirPlace) {
+  const auto error_of = [](const Json& configuration) {
+    return test::input_error_of([&] { recorded_configuration({{"configuration", configuration}}, "/new", paths); });
+  };
+  EXPECT_THAT(error_of({{"dataset", {{"root", 5}}}}), HasSubstr("configuration.dataset.root"));
+  EXPECT_THAT(error_of({{"dataset", {{"root", "/old"}, {"classification", Json::array()}}}}),
+              HasSubstr("configuration.dataset.classification"));
+  EXPECT_THAT(error_of({{"shapes", {{{"name", "a"}, {"file", false}}}}}), HasSubstr("configuration.shapes.0.file"));
+}
+
 TEST(Replay, WhatIsGeneratedHasNoFolder) {
   const Json dataset{{"configuration", {{"dataset", {{"generate", Json::object()}}}}}};
   EXPECT_THAT(test::input_error_of([&] { recorded_configuration(dataset, "/new", paths); }),
