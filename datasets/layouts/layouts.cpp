@@ -136,11 +136,9 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
     dataset.classes.push_back(folder.filename().string());
     has_files = has_files || !files.empty();
     if (files.empty()) {
-      const std::string fault =
-          fmt::format("{}: no models ({}) in this class{}{}", folder.string(),
-                      fmt::join(unambiguous_shape_extensions(), ", "),
-                      location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split),
-                      repeated_text(repeated));
+      const std::string fault = fmt::format(
+          "{}: no models ({}) in this class{}{}", folder.string(), fmt::join(unambiguous_shape_extensions(), ", "),
+          location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split), repeated_text(repeated));
       add_model({.id = dataset.classes.back(), .file = folder, .label = label, .fault = fault}, ids, dataset);
     }
     for (const fs::path& file : files) {
