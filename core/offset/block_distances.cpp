@@ -31,25 +31,16 @@ float squared_distances_to(const float* x, const float* y, const float* z, std::
   return hn::GetLane(hn::MinOfLanes(d, smallest));
 }
 
-/// Writes the selected indices below n, ascending, and returns their number. is_selected(i) is the mask of the vector
-/// that begins at i.
-template <typename IsChosen>
-HWY_INLINE std::size_t indices_where(std::size_t n, const IsChosen& is_selected, std::uint32_t* indices) {
-  const PointLanes d;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-    const auto chosen = hn::And(hn::FirstN(d, n - i), is_selected(i));
-    if (hn::AllFalse(d, chosen)) continue;
-    for_each_lane_of(chosen, [&](std::size_t lane) { indices[count++] = static_cast<std::uint32_t>(i + lane); });
-  }
-  return count;
-}
-
 std::size_t indices_up_to(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
   const PointLanes d;
-  const auto most = hn::Set(d, limit);
-  return indices_where(
-      n, [&](std::size_t i) HWY_ATTR { return hn::Le(hn::LoadU(d, numbers + i), most); }, indices);
+  const Numbers most = hn::Set(d, limit);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+    const auto is_within = hn::And(hn::FirstN(d, n - i), hn::Le(hn::LoadU(d, numbers + i), most));
+    if (hn::AllFalse(d, is_within)) continue;
+    for_each_lane_of(is_within, [&](std::size_t lane) { indices[count++] = static_cast<std::uint32_t>(i + lane); });
+  }
+  return count;
 }
 
 /// Computes the squared distances of the points of the runs from a block's centre, and the nearest point.
@@ -76,9 +67,8 @@ void measure_from_centre(const GridPoints& points, const Eigen::Vector3f& centre
 }
 
 /// Copies the points of the runs that may be the nearest to the centre of one of a block's cells. With c the block's
-/// centre and a the point nearest to it, a cell's centre c + e is no farther from p than from a if |c - p|^2 - |c -
-/// a|^2
-/// <= 2 e (p - a), and no coordinate of e exceeds 3 / 2.
+/// centre and a the point nearest to it, a cell's centre c + e is no farther from p than from a if
+/// |c - p|^2 - |c - a|^2 <= 2 e (p - a), and no coordinate of e exceeds 3 / 2.
 void keep_candidates(const GridPoints& points, NearbyPoints& nearby) {
   const PointLanes d;
   constexpr float rounding = 1e-3F;  // of squared distances up to a hundred or two

@@ -127,7 +127,7 @@ class Solver {
     std::vector<NearbySites::Site> starts;
     std::vector<OffsetExitTask> rays;
     std::vector<Eigen::Index> ray_samples;
-    std::vector<std::uint32_t> nearby;  ///< points
+    std::vector<std::uint32_t> nearby;  ///< indices of points
   };
 
   void sort();
