@@ -311,6 +311,7 @@ int run(SdfArguments& arguments) {
     if (computed.chosen) remark_on(*computed.chosen, remarks);
     remark_on_cavities(shape, is_offset_sdf(arguments), remarks);
     remark_on(computed.field.outcomes, remarks);
+    if (auto warning = weights_warning(computed.samples)) remarks.warnings.push_back(*std::move(warning));
     if (!arguments.summary && arguments.plot.empty()) return;
     measured[job.index] = {
         .name = job.input,

@@ -76,6 +76,8 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     return result;
   });
   py::dict result;
+  std::vector<std::string> without_value = outcome_warnings(computed.values.outcomes);
+  if (auto warning = weights_warning(computed.samples)) without_value.push_back(*std::move(warning));
   result["values"] = array_of(std::move(computed.values.values));
   result["weights"] = array_of(std::move(computed.samples.weights));
   result["points"] = array_of(std::move(computed.samples.points));
@@ -87,7 +89,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   result["leaks"] = listed(computed.leak);
   result["two_sided"] = listed(computed.two_sided);
   result["hollow"] = listed(computed.hollow);
-  result["without_value"] = outcome_warnings(computed.values.outcomes);
+  result["without_value"] = std::move(without_value);
   return result;
 }
 

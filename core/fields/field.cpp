@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <stdexcept>
 #include <utility>
@@ -103,6 +104,15 @@ std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes) {
     warnings.push_back(fmt::format("{} of {} samples {}", count->second, outcomes.at("total"), words));
   }
   return warnings;
+}
+
+std::optional<std::string> weights_warning(const Samples& samples) {
+  const double sum = samples.weights.sum();
+  if (samples.weights.size() == 0 || (std::isfinite(sum) && sum > 0)) return std::nullopt;
+  return fmt::format(
+      "the weights of the samples have the sum {}: the shape has no area, or is too large or too small for "
+      "it to be computed; scale the shape",
+      sum);
 }
 
 double unit_of(FieldDimension dimension, double length) {

@@ -76,6 +76,9 @@ using FieldOutcomes = std::map<std::string, std::size_t>;
 /// Returns a warning such as "3 of 200 samples missing" for each outcome that users should know about.
 std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes);
 
+/// Returns a warning if the weights of samples have no positive, finite sum: means and shares by area have no value.
+std::optional<std::string> weights_warning(const Samples& samples);
+
 /// Values of a field on one shape.
 struct FieldValues {
   Eigen::VectorXd values;       ///< one a sample; NaN if missing

@@ -84,6 +84,20 @@ TEST(MakeField, TakesTheGeodesicsOfCentricity) {
   }
 }
 
+TEST(WeightsWarning, IsOfAreasThatCannotBeComputed) {
+  const Shape box = test::box({1, 2, 3}, 1);
+  for (const double scale : {1.0, 1e30, 1e-30}) {
+    const Shape scaled = test::transformed(box, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
+    EXPECT_EQ(weights_warning(sample_shape(scaled, SampleSite::faces)), std::nullopt) << scale;
+  }
+  const auto warning_at = [&](double scale) {
+    const Shape scaled = test::transformed(box, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
+    return weights_warning(sample_shape(scaled, SampleSite::faces)).value_or("");
+  };
+  EXPECT_THAT(warning_at(1e160), HasSubstr("too large"));
+  EXPECT_THAT(warning_at(1e-170), HasSubstr("the sum 0"));
+}
+
 TEST(OutcomeWarnings, AreOfSamplesThatUsersShouldKnowOf) {
   EXPECT_TRUE(outcome_warnings({{"total", 9}, {"direct", 9}, {"missing", 0}}).empty());
   const std::vector<std::string> warnings =
