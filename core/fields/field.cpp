@@ -108,7 +108,7 @@ std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes) {
 
 std::optional<std::string> weights_warning(const Samples& samples) {
   const double sum = samples.weights.sum();
-  if (samples.weights.size() == 0 || (std::isfinite(sum) && sum > 0)) return std::nullopt;
+  if (samples.weights.size() == 0 || (std::isnormal(sum) && sum > 0)) return std::nullopt;
   return fmt::format(
       "the weights of the samples have the sum {}: the shape has no area, or is too large or too small for "
       "it to be computed; scale the shape",

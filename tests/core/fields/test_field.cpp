@@ -96,6 +96,7 @@ TEST(WeightsWarning, IsOfAreasThatCannotBeComputed) {
   };
   EXPECT_THAT(warning_at(1e160), HasSubstr("too large"));
   EXPECT_THAT(warning_at(1e-170), HasSubstr("the sum 0"));
+  EXPECT_THAT(warning_at(1e-160), HasSubstr("too small")) << "subnormal";
 }
 
 TEST(OutcomeWarnings, AreOfSamplesThatUsersShouldKnowOf) {
