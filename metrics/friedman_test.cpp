@@ -3,15 +3,17 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <limits>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/metrics/ascending_order.h"
 #include "shapegauge/metrics/studentised_range.h"
 
 namespace shapegauge {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Ranks one data set, the largest value first; adds t^3 - t for each group of t tied methods.
 Eigen::VectorXd ranks_of(const Eigen::VectorXd& values, double& ties) {

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
-
-#include "shapegauge/core/base/infinity.h"
 
 namespace shapegauge {
 
@@ -141,6 +140,7 @@ class Query {
 
 // Returns true if all targets are infinitely far: the query has no answer.
 bool finds_nothing(const DistanceTable& distances, const Query& query, Eigen::Index row) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   for (Eigen::Index column = 0; column < distances.cols(); ++column) {
     if (query.is_target(column) && distances(row, column) < infinity) return false;
   }

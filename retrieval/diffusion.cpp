@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/connectivity.h"
@@ -126,7 +125,8 @@ struct Diffusion {
     settle_infinite(
         distances,
         [&](Eigen::Index i, Eigen::Index j) {
-          return component(first + i) == component(j) ? walked(i, j) + original.largest : infinity;
+          return component(first + i) == component(j) ? walked(i, j) + original.largest
+                                                      : std::numeric_limits<double>::infinity();
         },
         result);
     return result;

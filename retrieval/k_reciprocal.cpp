@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/nearest_models.h"
@@ -172,7 +172,8 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
     result.row(model) = (1 - options.original) * jaccard + share * distances.row(model);
     for (Eigen::Index j = 0; j < models; ++j) {
       if (!std::isinf(distances(model, j))) continue;
-      result(model, j) = jaccard[j] < 1 ? (1 - options.original) * jaccard[j] + options.original : infinity;
+      result(model, j) = jaccard[j] < 1 ? (1 - options.original) * jaccard[j] + options.original
+                                        : std::numeric_limits<double>::infinity();
     }
   });
   return symmetrised(result);

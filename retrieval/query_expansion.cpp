@@ -7,7 +7,6 @@
 #include <limits>
 #include <vector>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/nearest_models.h"
@@ -71,7 +70,7 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
     result.row(i) /= total * factor;
     for (Eigen::Index j = 0; j < result.cols(); ++j) {
       result(i, j) = std::min(result(i, j), std::numeric_limits<double>::max());
-      if (is_far_from_all(distances, nearest, i, j)) result(i, j) = infinity;
+      if (is_far_from_all(distances, nearest, i, j)) result(i, j) = std::numeric_limits<double>::infinity();
     }
   });
   return symmetrised(result);

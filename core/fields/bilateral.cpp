@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <fmt/format.h>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <span>
 #include <tbb/enumerable_thread_specific.h>
@@ -12,7 +13,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/point_cloud.h"
@@ -92,6 +92,7 @@ class Vicinity {
   }
 
  private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   const Points& points_;
   const Adjacency& adjacency_;
   std::vector<double> distance_;

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/fields/geodesics_cgal.h"
 #include "shapegauge/core/shape/connectivity.h"
@@ -27,6 +26,7 @@ namespace shapegauge {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Distinct positions of a shape's used vertices: the nodes of a graph.
 struct Nodes {

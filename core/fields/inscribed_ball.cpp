@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/fields/touching_ball.h"
 #include "shapegauge/core/spatial/morton_order.h"
@@ -84,6 +83,7 @@ class ShrinkingBalls {
                                  double limit) const {
     const auto faces = [&](const Eigen::Vector3d& outward) { return -inward.dot(outward) <= most_cosine_; };
     const Triangle& triangle = tree_.triangle(index);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (is_cloud(shape_)) {
       if (!faces(shape_.normals.row(index).transpose())) return infinity;
       return touching_radius(triangle.a - point, inward, rounding_);

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-#include "shapegauge/core/base/infinity.h"
+#include <limits>
 
 namespace shapegauge {
 
 namespace {
+
+/// Radius of a ball that touches nothing.
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Returns the touching radius of a segment: of the point where the ball touches its line, or of its first end; the
 /// other end belongs to the next segment.
@@ -55,20 +57,20 @@ bool FacingTriangle::contains(const Eigen::Vector3d& q) const {
 double touching_radius(const Eigen::Vector3d& q, const Eigen::Vector3d& normal, double rounding) {
   const double height = q.dot(normal);
   const double square = q.squaredNorm();
-  return height > 0 && square > rounding * rounding ? square / (2 * height) : infinity;
+  return height > 0 && square > rounding * rounding ? square / (2 * height) : unlimited;
 }
 
 double touching_radius(const FacingTriangle& triangle, const Eigen::Vector3d& normal, double limit) {
-  if (triangle.has_corner_at_origin()) return infinity;
+  if (triangle.has_corner_at_origin()) return unlimited;
   if (!triangle.normal.isZero(0)) {
     const Eigen::Vector3d away = triangle.away();
     const double radius = std::abs(triangle.distance) / (1 + away.dot(normal));
     // With a margin for rounding: the minimum must not depend on the order of the triangles.
-    if (!(radius < limit * (1 + 1e-12))) return infinity;
+    if (!(radius < limit * (1 + 1e-12))) return unlimited;
     const Eigen::Vector3d contact = radius * (normal + away);
     if (contact.norm() > triangle.rounding && triangle.contains(contact)) return radius;
   }
-  double least = infinity;
+  double least = unlimited;
   for (std::size_t k = 0; k < 3; ++k) {
     least = std::min(least,
                      radius_to_segment(triangle.corners[k], triangle.corners[(k + 1) % 3], normal, triangle.rounding));

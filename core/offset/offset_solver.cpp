@@ -6,7 +6,6 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <utility>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/offset/grid_layout.h"
@@ -40,6 +39,7 @@ struct Batch {
 /// Minimum number of samples of a batch, if there are as many.
 constexpr std::size_t batch_size = 256;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 const Eigen::Vector3d no_point = Eigen::Vector3d::Constant(infinity);
 
 /// Solver of all samples, with their shared data.

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <limits>
 #include <set>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/datasets/files/matrix_files.h"
@@ -274,6 +274,7 @@ TEST(RerankCommand, InfiniteDistancesStayUsable) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
   DistanceMatrix distances = line();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   distances.row(3).setConstant(infinity);
   distances.col(3).setConstant(infinity);
   distances(3, 3) = 0;

@@ -5,13 +5,12 @@
 #include <cstdint>
 #include <limits>
 
-#include "shapegauge/core/base/infinity.h"
-
 namespace shapegauge::fuzz {
 
 namespace {
 
 constexpr int most = 60;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// At least 0.1: with sanitizers a finer octree takes many seconds.

@@ -1,11 +1,11 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/metrics/ranked_list.h"
 #include "tests/metrics/list_of_hits.h"
 
@@ -15,6 +15,8 @@ namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using testing::ElementsAre;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Matrix every_row(const std::vector<double>& row) {
   const auto count = static_cast<Eigen::Index>(row.size());

@@ -3,14 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include "shapegauge/core/base/infinity.h"
+#include <limits>
 
 namespace shapegauge {
 
 namespace {
 
 constexpr double never = -1;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The stretch of a ray inside a convex body, as it is cut down by one bound after another.
 struct Stretch {

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <string>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/pages/html_page.h"
 #include "shapegauge/pages/packed_numbers.h"
 
@@ -21,6 +21,7 @@ TEST(PackedShorts, AreLittleEndian) {
 }
 
 TEST(PackedValues, AreLevelsOfTheRange) {
+  const double infinity = std::numeric_limits<double>::infinity();
   // Level 65,534 is 0xfffe, its half 0x7fff; 0xffff is a missing value.
   EXPECT_EQ(packed_values(Eigen::VectorXd{{2, 4, 3, 1, std::nan(""), infinity}}, 2, 2),
             bytes_in_order({0, 0, 254, 255, 255, 127, 0, 0, 255, 255, 255, 255}));

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/pages/html_page.h"
 #include "shapegauge/pages/report_json.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -17,6 +17,7 @@ using testing::Contains;
 using testing::Not;
 
 TEST(PackedValues, TwoBytesEachOfTheLargest) {
+  const double infinity = std::numeric_limits<double>::infinity();
   const nlohmann::ordered_json json = packed_numbers(Eigen::VectorXd{{0, 3, 1.5, infinity, std::nan(""), -1}});
   EXPECT_EQ(json["scale"], 3);
   // 0, 65534, 32767, 65535, 65535, 0

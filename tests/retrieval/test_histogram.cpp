@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/retrieval/histogram.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
@@ -14,6 +13,7 @@ namespace shapegauge {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 ScalarField field_of(const std::vector<double>& values, const std::vector<double>& weights) {

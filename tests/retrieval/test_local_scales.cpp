@@ -1,8 +1,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <vector>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/retrieval/local_scales.h"
 
 namespace shapegauge {
@@ -16,6 +16,7 @@ TEST(MeanDistanceToNearest, IsThatOfTheTenNearest) {
 }
 
 TEST(MeanDistanceToNearest, IgnoresDuplicatesAndTheInfinitelyFar) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(mean_distance_to_nearest(std::vector<double>{0, 2, infinity, 4}), 3);
   EXPECT_TRUE(std::isnan(mean_distance_to_nearest(std::vector<double>{0, infinity})));
 }

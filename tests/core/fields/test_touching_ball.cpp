@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/fields/touching_ball.h"
 
 namespace shapegauge {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double radius_of(const Triangle& triangle, const Eigen::Vector3d& normal) {
   return touching_radius({triangle, Eigen::Vector3d::Zero(), oriented_normal(triangle), 1e-9}, normal, infinity);

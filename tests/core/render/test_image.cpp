@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/render/image.h"
 
 namespace shapegauge {
@@ -19,6 +18,7 @@ namespace shapegauge {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(ColourMap, PublishedColoursOfViridis) {
   // Entries 0, 85, 127, 170 and 255 of the published table of 256, rounded to 8 bits; between stored entries

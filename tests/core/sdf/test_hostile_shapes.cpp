@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
@@ -21,6 +20,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Shape triangles_of(const std::vector<Eigen::RowVector3d>& corners) {

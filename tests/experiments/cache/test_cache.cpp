@@ -4,10 +4,10 @@
 #include <csignal>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <limits>
 #include <sys/resource.h>
 #include <thread>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
@@ -87,6 +87,7 @@ TEST_F(CacheTest, AnotherRunFindsWhatOneHasKept) {
 }
 
 TEST_F(CacheTest, NumbersComeBackBitByBit) {
+  const double infinity = std::numeric_limits<double>::infinity();
   for (const double number : {0.1, -0.0, 1e-310, 1.0 / 3, infinity, -infinity, std::nextafter(0.5, 1)}) {
     keep(number);
     const auto found = Cache(folder()).lookup(EntryKind::field, entry_key, same).value().get<double>();

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
+#include <limits>
 #include <map>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
@@ -204,6 +204,7 @@ TEST_F(DescriptorRuns, AMethodThatCannotTakeAModelLeavesItToTheOthers) {
 
   std::vector<int> labels;
   for (const Model& model : results.models) labels.push_back(model.label);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const char* name : {"fixed", "joint", "bag", "both", "sum", "again"}) {
     SCOPED_TRACE(name);
     const MethodResults& method = method_named(results, name);

@@ -4,7 +4,6 @@
 #include <limits>
 #include <set>
 
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/signatures/cache_records.h"
@@ -179,6 +178,7 @@ TEST(CacheRecords, AllThatIsKnownOfAShape) {
 }
 
 TEST(CacheRecords, AFieldWithItsValues) {
+  const double infinity = std::numeric_limits<double>::infinity();
   const CachedField field{.facts = facts(),
                           .values = Eigen::Vector4d(0.1, -0.0, infinity, std::numeric_limits<double>::quiet_NaN())};
   const CachedField found = read_field_record(stored(field_record(field)));

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/infinity.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
 #include "tests/retrieval/descriptors/default_settings.h"
@@ -99,6 +98,7 @@ TEST(JointHistogram, SamplesWithoutAllValuesDoNotCount) {
 }
 
 TEST(JointHistogram, ValuesBeyondTheRangeCountInTheOuterBins) {
+  const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<ScalarField> fields = {{Eigen::Vector2d(-infinity, 7), Eigen::Vector2d(1, 1)},
                                            {Eigen::Vector2d(infinity, -1), Eigen::Vector2d(1, 1)}};
   const std::vector<JointAxis> axes(2, {.bins = 2, .smoothing_bins = 0});
