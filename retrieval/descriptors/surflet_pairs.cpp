@@ -5,6 +5,8 @@
 #include <bitset>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -31,13 +33,14 @@ constexpr std::size_t dimensions = 4;
 /// Histogram over the unit cube of several dimensions, with multilinear weights.
 class MultilinearHistogram {
  public:
-  explicit MultilinearHistogram(const std::array<int, dimensions>& bins) : bins_(bins) {
-    Eigen::Index size = 1;
+  explicit MultilinearHistogram(const std::array<int, dimensions>& bins)
+      : bins_(bins),
+        shares_(Eigen::VectorXd::Zero(std::accumulate(bins.begin(), bins.end(), Eigen::Index{1}, std::multiplies()))) {
+    Eigen::Index stride = 1;
     for (std::size_t d = dimensions; d-- > 0;) {
-      strides_[d] = size;
-      size *= bins[d];
+      strides_[d] = stride;
+      stride *= bins[d];
     }
-    shares_ = Eigen::VectorXd::Zero(size);
   }
 
   void add(const std::array<double, dimensions>& point, double weight) {
