@@ -7,9 +7,9 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <tbb/blocked_range.h>
 
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/parallel_parts.h"
 
 namespace shapegauge {
 namespace {

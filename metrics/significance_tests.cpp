@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tbb/blocked_range.h>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/parallel_parts.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/metrics/ascending_order.h"
 

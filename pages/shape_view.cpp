@@ -1,5 +1,6 @@
 #include "shapegauge/pages/shape_view.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "shapegauge/core/base/interruption.h"
+#include "shapegauge/core/base/cancellation.h"
 
 namespace shapegauge {
 

@@ -1,13 +1,8 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <functional>
-#include <mutex>
 #include <stdexcept>
 #include <string>
-#include <tbb/task_group.h>
-#include <vector>
 
 namespace shapegauge {
 
@@ -20,12 +15,10 @@ class Interrupted : public std::runtime_error {
 
 /// Returns true if the work of the calling thread is cancelled, by a Cancellation or by a failure elsewhere in the same
 /// parallel loop. Takes a few nanoseconds.
-inline bool interruption_requested() { return tbb::is_current_task_group_canceling(); }
+bool interruption_requested();
 
 /// Throws Interrupted if interruption_requested(). For long serial loops; the loops of parallel.h check on their own.
-inline void check_interruption() {
-  if (interruption_requested()) throw Interrupted();
-}
+void check_interruption();
 
 /// Calls check_interruption() in every 4096th call, for loops with very short steps. Not thread-safe.
 class SparseInterruptionCheck {
@@ -36,26 +29,6 @@ class SparseInterruptionCheck {
 
  private:
   mutable std::uint32_t steps_ = 0;
-};
-
-/// Cancels work from another thread, for example on Ctrl-C.
-class Cancellation {
- public:
-  /// Runs the work in the calling thread and TBB arena. Rethrows its exceptions; throws Interrupted after cancel().
-  void run(const std::function<void()>& work);
-
-  /// Requests cancellation and returns at once. The loops (parallel.h) and check_interruption() calls inside run() then
-  /// throw Interrupted. Thread-safe.
-  void cancel();
-
-  [[nodiscard]] bool requested() const { return requested_; }
-
- private:
-  class Registration;
-
-  std::atomic<bool> requested_ = false;
-  std::mutex mutex_;
-  std::vector<tbb::task_group_context*> running_;
 };
 
 }  // namespace shapegauge

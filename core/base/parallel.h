@@ -1,28 +1,29 @@
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
+#include <cstddef>
+#include <functional>
 
 #include "shapegauge/core/base/interruption.h"
 
-/// Interruptible versions of TBB's loops. A cancelled TBB loop returns normally with partial results; these throw
-/// Interrupted.
+/// Interruptible loops over indices. Loops over ranges, and reductions, are in parallel_parts.h.
 
 namespace shapegauge {
 
-/// Calls body(i) for each index in [first, last), in parallel in the calling TBB arena. Rethrows exceptions of the
-/// body; throws Interrupted.
+/// Calls body(begin, end) for ranges that make up [0, count), in parallel in the calling TBB arena. Rethrows exceptions
+/// of the body; throws Interrupted.
+void parallel_for_ranges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// Calls body(i) for each index in [first, last), in parallel. Throws like parallel_for_ranges().
 template <typename Index, typename Body>
 void parallel_for(Index first, Index last, const Body& body) {
   if (!(first < last)) return;
-  tbb::parallel_for(tbb::blocked_range<Index>(first, last), [&](const tbb::blocked_range<Index>& range) {
-    for (Index i = range.begin(); i < range.end() && !interruption_requested(); ++i) body(i);
+  parallel_for_ranges(static_cast<std::size_t>(last - first), [&](std::size_t begin, std::size_t end) {
+    const Index range_last = first + static_cast<Index>(end);
+    for (Index i = first + static_cast<Index>(begin); i < range_last && !interruption_requested(); ++i) body(i);
   });
-  check_interruption();
 }
 
-/// Calls body(i) for each index, in parallel or serially. Throws like parallel_for().
+/// Calls body(i) for each index, in parallel or serially. Throws like parallel_for_ranges().
 template <typename Index, typename Body>
 void for_each_index(bool parallel, Index first, Index last, const Body& body) {
   if (parallel) return parallel_for(first, last, body);
@@ -30,21 +31,6 @@ void for_each_index(bool parallel, Index first, Index last, const Body& body) {
     check_interruption();
     body(i);
   }
-}
-
-/// Calls body(subrange) for subranges chosen by TBB. Throws like parallel_for().
-template <typename Range, typename Body>
-void parallel_for_parts(const Range& range, const Body& body) {
-  tbb::parallel_for(range, body);
-  check_interruption();
-}
-
-/// Combines the results of body(subrange, partial value) over subranges chosen by TBB. Throws like parallel_for().
-template <typename Range, typename Value, typename Body, typename Join>
-Value parallel_reduce_parts(const Range& range, const Value& identity, const Body& body, const Join& join) {
-  const Value result = tbb::parallel_reduce(range, identity, body, join);
-  check_interruption();
-  return result;
 }
 
 }  // namespace shapegauge

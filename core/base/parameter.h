@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -47,7 +46,7 @@ class IntegerList {
   /// Throws ArgumentError for more than 16 values.
   constexpr explicit IntegerList(std::span<const std::int64_t> values) : size_(values.size()) {
     if (size_ > most) throw ArgumentError("a list of more than 16 whole numbers");
-    std::copy(values.begin(), values.end(), values_.begin());
+    for (std::size_t i = 0; i < size_; ++i) values_[i] = values[i];
   }
 
   [[nodiscard]] constexpr std::span<const std::int64_t> values() const { return {values_.data(), size_}; }

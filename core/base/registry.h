@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <deque>
 #include <functional>
-#include <iterator>
 #include <mutex>
 #include <shared_mutex>
 #include <string>
@@ -36,10 +34,9 @@ class Registry {
   /// - `check`: throws InputError for an entry that is invalid otherwise; null if none is.
   Registry(std::string_view kind, std::vector<Entry> own, bool (*is_complete)(const Entry&),
            void (*check)(const Entry&) = nullptr)
-      : kind_(kind),
-        is_complete_(is_complete),
-        check_(check),
-        entries_(std::make_move_iterator(own.begin()), std::make_move_iterator(own.end())) {}
+      : kind_(kind), is_complete_(is_complete), check_(check) {
+    for (Entry& entry : own) entries_.push_back(std::move(entry));
+  }
 
   /// Adds an entry, making it available to configurations, listings and the schema. Data that its views and spans refer
   /// to must live as long as the program. Throws ArgumentError for a name that is empty or taken and for an entry
@@ -51,8 +48,10 @@ class Registry {
     }
     if (check_ != nullptr) check_(entry);
     const std::unique_lock lock(mutex_);
-    if (std::ranges::any_of(entries_, [&](const Entry& known) { return known.name == entry.name; })) {
-      throw ArgumentError("there is a " + kind_ + " \"" + std::string(entry.name) + "\" already");
+    for (const Entry& known : entries_) {
+      if (known.name == entry.name) {
+        throw ArgumentError("there is a " + kind_ + " \"" + std::string(entry.name) + "\" already");
+      }
     }
     entries_.push_back(std::move(entry));
   }
@@ -66,8 +65,10 @@ class Registry {
   template <typename Predicate>
   [[nodiscard]] const Entry* find_if(const Predicate& predicate) const {
     const std::shared_lock lock(mutex_);
-    const auto found = std::ranges::find_if(entries_, predicate);
-    return found == entries_.end() ? nullptr : &*found;
+    for (const Entry& entry : entries_) {
+      if (predicate(entry)) return &entry;
+    }
+    return nullptr;
   }
 
   /// Returns the entry of that name. Throws ArgumentError for an unknown name; the message suggests the nearest or

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -29,9 +28,10 @@ constexpr std::string_view word_of(Enumeration value) {
 /// Returns the value of a word, if any.
 template <typename Enumeration>
 constexpr std::optional<Enumeration> value_of_word(std::string_view word) {
-  const auto found = std::ranges::find(words_of<Enumeration>, word);
-  if (found == words_of<Enumeration>.end()) return std::nullopt;
-  return static_cast<Enumeration>(found - words_of<Enumeration>.begin());
+  for (std::size_t i = 0; i < words_of<Enumeration>.size(); ++i) {
+    if (words_of<Enumeration>[i] == word) return static_cast<Enumeration>(i);
+  }
+  return std::nullopt;
 }
 
 /// Returns all words, for options and messages.

@@ -7,11 +7,10 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
-#include <tbb/blocked_range.h>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/parallel_parts.h"
 #include "shapegauge/core/fields/touching_ball.h"
 #include "shapegauge/core/spatial/morton_order.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"

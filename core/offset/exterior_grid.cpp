@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <tbb/blocked_range.h>
 
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/parallel_parts.h"
 #include "shapegauge/core/offset/block_cells.h"
 #include "shapegauge/core/offset/block_distances.h"
 #include "shapegauge/core/offset/far_blocks.h"

@@ -1,5 +1,6 @@
 #include "shapegauge/core/offset/grid_surface.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

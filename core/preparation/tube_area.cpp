@@ -1,5 +1,6 @@
 #include "shapegauge/core/preparation/tube_area.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -10,11 +10,10 @@
 #include <numeric>
 #include <optional>
 #include <span>
-#include <tbb/blocked_range.h>
 #include <vector>
 
 #include "shapegauge/core/base/median.h"
-#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/parallel_parts.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/sdf/cone_sdf_engines.h"
 #include "shapegauge/core/spatial/morton_order.h"

@@ -1,6 +1,7 @@
 #include "shapegauge/core/shape/point_cloud.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/median.h"
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/parallel_parts.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/morton_order.h"
 

@@ -1,5 +1,6 @@
 #include "shapegauge/core/shape/shape.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "shapegauge/core/base/error.h"

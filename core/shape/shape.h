@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,7 +33,7 @@ struct Shape {
 
 /// Computes the axis-aligned bounding box of the vertices used by triangles, or of all points of a cloud. Empty for an
 /// empty shape.
-Eigen::AlignedBox3d bounding_box(const Shape& shape);
+Eigen::AlignedBox<double, 3> bounding_box(const Shape& shape);
 
 /// Computes the length of the bounding-box diagonal; 0 for an empty shape.
 double bounding_box_diagonal(const Shape& shape);

@@ -8,12 +8,11 @@
 #include <optional>
 #include <span>
 #include <system_error>
-#include <tbb/blocked_range.h>
 #include <unistd.h>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/parallel_parts.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/npy.h"

@@ -1,5 +1,6 @@
 // Pieces of furniture.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

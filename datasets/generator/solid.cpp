@@ -1,5 +1,6 @@
 #include "shapegauge/datasets/generator/solid.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

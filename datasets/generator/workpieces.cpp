@@ -1,5 +1,6 @@
 // Machine parts, tools and spectacles.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -17,6 +17,8 @@
 
 namespace shapegauge {
 
+class Cancellation;
+
 /// Valid numbers of threads that users request.
 inline constexpr Bounds threads_bounds{.low = 1, .high = 1024};
 

@@ -1,5 +1,6 @@
 #include "tests/oracle/offset_exterior.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

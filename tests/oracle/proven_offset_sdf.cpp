@@ -1,5 +1,7 @@
 #include "tests/oracle/proven_offset_sdf.h"
 
+#include <Eigen/Geometry>
+
 #include "shapegauge/core/shape/connectivity.h"
 
 namespace shapegauge {

@@ -8,6 +8,7 @@
 #include <span>
 #include <tbb/global_control.h>
 
+#include "shapegauge/core/base/cancellation.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/retrieval/distance_matrix.h"

@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
+#include "shapegauge/core/base/cancellation.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/retrieval/diffusion.h"

@@ -1,5 +1,6 @@
 #include "tests/support/test_shapes.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,11 +1,12 @@
 #include <atomic>
 #include <gtest/gtest.h>
-#include <tbb/blocked_range.h>
 #include <thread>
 
+#include "shapegauge/core/base/cancellation.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/parallel_parts.h"
 
 namespace shapegauge {
 

@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <array>
 #include <bit>
 #include <cstring>

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include "shapegauge/core/base/interruption.h"
+
+/// Interruptible versions of TBB's loops over ranges. A cancelled TBB loop returns normally with partial results; these
+/// throw Interrupted. They rethrow exceptions of the body.
+
+namespace shapegauge {
+
+/// Calls body(subrange) for subranges chosen by TBB.
+template <typename Range, typename Body>
+void parallel_for_parts(const Range& range, const Body& body) {
+  tbb::parallel_for(range, body);
+  check_interruption();
+}
+
+/// Combines the results of body(subrange, partial value) over subranges chosen by TBB.
+template <typename Range, typename Value, typename Body, typename Join>
+Value parallel_reduce_parts(const Range& range, const Value& identity, const Body& body, const Join& join) {
+  const Value result = tbb::parallel_reduce(range, identity, body, join);
+  check_interruption();
+  return result;
+}
+
+}  // namespace shapegauge
