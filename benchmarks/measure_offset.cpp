@@ -1,11 +1,11 @@
 // Measurements of the offset SDF in docs/methods/offset_sdf.md and docs/notes/performance.md, in addition to
 // scripts/benchmark's tables:
 //
-//   measure_offset times|threads|turned|exact [--cut N] [--every N] [--offsets 0.05,0.03,0.01] MESH...
+//   measure_offset times|threads|turned [--cut N] [--offsets 0.05,0.03,0.01] MESH...
 //
 // times: processor seconds of one thread, and how many times as long the cone takes; threads: wall-clock seconds on one
-// and on two; turned: how many values change with the mesh's direction, the grid and a little noise; exact: how far q
-// is from what ProvenOffsetSdf finds, of every N-th face (default 8). --cut N cuts every face into four, N times over.
+// and on two; turned: how many values change with the mesh's direction, the grid and a little noise. --cut N cuts every
+// face into four, N times over.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -29,8 +29,6 @@
 #include "shapegauge/core/offset/offset_solver.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/shape/samples.h"
-#include "tests/oracle/proven_offset_sdf.h"
-#include "tests/oracle/raised_samples.h"
 
 namespace shapegauge {
 
@@ -39,7 +37,6 @@ namespace {
 struct Settings {
   std::string what;
   int cut = 0;
-  Eigen::Index every = 8;
   std::vector<double> offsets{0.05, 0.03, 0.01};
   std::vector<std::string> meshes;
 };
@@ -169,63 +166,12 @@ void measure_turned(const Case& one, const Settings& settings) {
   }
 }
 
-/// Counts of samples beyond limits.
-struct Exactness {
-  int samples = 0;
-  std::array<int, 4> far{};  ///< |p'q| too large by more than 1, 5, 10, 20 % of r
-  std::array<int, 2> near{};
-  int inside = 0;  ///< d(q) < 0.99 r
-  double deepest = 0;
-  std::array<int, 2> off{};  ///< SDF by more than 1 and 10 % of r
-
-  void add(double too_far, double distance, double error) {
-    constexpr std::array<double, 4> limits{0.01, 0.05, 0.1, 0.2};
-    ++samples;
-    for (std::size_t i = 0; i < far.size(); ++i) far[i] += too_far > limits[i] ? 1 : 0;
-    for (std::size_t i = 0; i < near.size(); ++i) near[i] += -too_far > limits[i] ? 1 : 0;
-    inside += distance < 0.99 ? 1 : 0;
-    deepest = std::max(deepest, 1 - distance);
-    off[0] += error > 0.01 ? 1 : 0;
-    off[1] += error > 0.1 ? 1 : 0;
-  }
-  [[nodiscard]] double percent(int count) const { return 100.0 * count / std::max(samples, 1); }
-};
-
-void measure_exactness(const Case& one, const Settings& settings) {
-  for (const double r : settings.offsets) {
-    ProvenOffsetSdf proven(one.shape, r);
-    const test::RaisedSamples raised_samples(one.shape, r);
-    const OffsetResults found = answers(one.shape, one.faces.points, one.faces.normals, r);
-    Exactness exactness;
-    for (Eigen::Index i = 0; i < one.faces.points.rows(); i += settings.every) {
-      if (found.outcomes[static_cast<std::size_t>(i)] == OffsetOutcome::missing) continue;
-      const Eigen::Vector3d p = one.faces.points.row(i);
-      const Eigen::Vector3d normal = one.faces.normals.row(i);
-      const auto places = raised_samples.of(p, normal, [&](const Eigen::Vector3d& x) { return proven.distance(x); });
-      const auto to = [&](const Eigen::Vector3d& q) {
-        return std::min((q - places[0]).norm(), (q - places[1]).norm());
-      };
-      const Eigen::Vector3d exact = proven.q(p, normal, places);
-      const Eigen::Vector3d q = p + found.heights[i] * found.directions.row(i).transpose();
-      const double value = (exact - p).norm() + proven.exit(p, (p - exact).normalized()) - 2 * r;
-      exactness.add((to(q) - to(exact)) / r, proven.distance(q) / r, std::abs(value - found.values[i]) / r);
-    }
-    const auto percent = [&](int count) { return fmt::format("{:.2f}", exactness.percent(count)); };
-    fmt::print("| {}, {:g} % | {} | {} | {} | {} | {} | {} | {} | {:.3f} | {} | {} |\n", one.name, 100 * r,
-               percent(exactness.far[0]), percent(exactness.far[1]), percent(exactness.far[2]),
-               percent(exactness.far[3]), percent(exactness.near[0]), percent(exactness.near[1]),
-               percent(exactness.inside), exactness.deepest, percent(exactness.off[0]), percent(exactness.off[1]));
-  }
-}
-
 Settings parse(const std::vector<std::string>& arguments) {
   Settings settings;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const auto value = [&] { return i + 1 < arguments.size() ? arguments[++i] : throw ArgumentError("value"); };
     if (arguments[i] == "--cut") {
       settings.cut = std::stoi(value());
-    } else if (arguments[i] == "--every") {
-      settings.every = std::stol(value());
     } else if (arguments[i] == "--offsets") {
       settings.offsets.clear();
       const std::string list = value();
@@ -238,7 +184,7 @@ Settings parse(const std::vector<std::string>& arguments) {
       settings.meshes.push_back(arguments[i]);
     }
   }
-  if (settings.meshes.empty() || settings.every < 1) throw ArgumentError("arguments");
+  if (settings.meshes.empty()) throw ArgumentError("arguments");
   return settings;
 }
 
@@ -247,7 +193,7 @@ using Measure = void (*)(const Case&, const Settings&);
 int run(const std::vector<std::string>& arguments) {
   const Settings settings = parse(arguments);
   const std::map<std::string, Measure> measures{
-      {"times", measure_times}, {"threads", measure_threads}, {"turned", measure_turned}, {"exact", measure_exactness}};
+      {"times", measure_times}, {"threads", measure_threads}, {"turned", measure_turned}};
   const Measure measure = measures.at(settings.what);
   for (const std::string& mesh : settings.meshes) measure(read_case(mesh, settings.cut), settings);
   return 0;
@@ -261,9 +207,7 @@ int main(int argc, char** argv) {
   try {
     return shapegauge::run(std::vector<std::string>(argv + 1, argv + argc));
   } catch (const std::logic_error&) {
-    fmt::print(
-        stderr,
-        "usage: measure_offset times|threads|turned|exact [--cut N] [--every N] [--offsets 0.05,0.01] MESH...\n");
+    fmt::print(stderr, "usage: measure_offset times|threads|turned [--cut N] [--offsets 0.05,0.01] MESH...\n");
     return 2;
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());

@@ -83,6 +83,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -90,7 +92,6 @@ HWY_AFTER_NAMESPACE();
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
-#include "tests/oracle/half_spaces.h"
 
 namespace shapegauge {
 
@@ -121,14 +122,6 @@ ProjectionProblem no_half_spaces() {
   return problem;
 }
 
-std::optional<Eigen::Vector3d> projection_of(const ProjectionProblem& problem, double lowered = 0) {
-  std::vector<HalfSpace> half_spaces;
-  for (std::size_t i = 0; i < half_spaces_per_problem; ++i) {
-    if (!problem.normals[i].isZero()) half_spaces.push_back({problem.normals[i], problem.heights[i] - lowered});
-  }
-  return closest_point_in(half_spaces, Eigen::Vector3d::Zero());
-}
-
 double largest_violation(const ProjectionProblem& problem, const Eigen::Vector3d& x) {
   double largest = -1e30;
   for (std::size_t i = 0; i < half_spaces_per_problem; ++i) {
@@ -136,6 +129,27 @@ double largest_violation(const ProjectionProblem& problem, const Eigen::Vector3d
     largest = std::max(largest, problem.heights[i] - problem.normals[i].dot(x));
   }
   return largest;
+}
+
+/// The shortest of the points that lie in all half-spaces, lowered, and are nearest to the origin on one, two or three
+/// of their planes. Empty if there is none.
+std::optional<Eigen::Vector3d> projection_of(ProjectionProblem problem, double lowered = 0) {
+  for (double& height : problem.heights) height -= lowered;
+  std::optional<Eigen::Vector3d> best;
+  for (unsigned chosen = 0; chosen < 1U << half_spaces_per_problem; ++chosen) {
+    if (std::popcount(chosen) > 3) continue;
+    Eigen::Matrix<double, half_spaces_per_problem, 3> planes = decltype(planes)::Zero();
+    Eigen::Matrix<double, half_spaces_per_problem, 1> heights = decltype(heights)::Zero();
+    for (std::size_t i = 0; i < half_spaces_per_problem; ++i) {
+      if ((chosen >> i & 1U) == 0) continue;
+      planes.row(static_cast<Eigen::Index>(i)) = problem.normals[i];
+      heights[static_cast<Eigen::Index>(i)] = problem.heights[i];
+    }
+    const Eigen::Vector3d x = planes.completeOrthogonalDecomposition().solve(heights);
+    if (largest_violation(problem, x) > 1e-9 || (best && x.norm() >= best->norm())) continue;
+    best = x;
+  }
+  return best;
 }
 
 /// Least determinant of the Gram matrices of two or three normals; 1 for fewer.

@@ -2,10 +2,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/offset/offset_solver.h"
+#include "shapegauge/core/perturbation/decimate.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "tests/core/sdf/crevice_shapes.h"
 #include "tests/oracle/offset_sdf_reference.h"
@@ -89,18 +93,30 @@ void expect_tolerances(const Shape& shape, const Known& known, const Stated& sta
   EXPECT_LE(skipped, 2 + count / 100);
 }
 
-TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) {
-  const Known known(GetParam().shape, GetParam().offset);
+void expect_tolerances(const Shape& shape, double offset) {
+  const Known known(shape, offset);
   for (const Stated& stated : {Stated{OffsetAccuracy::fast, 1 / 2.5, 0.04, 0.02, 0.2},
                                {OffsetAccuracy::standard, 1 / 3.0, 0.02, 0.01, 0.1},
                                {OffsetAccuracy::fine, 1 / 5.0, 0.01, 0.01, 0.1}}) {
     SCOPED_TRACE(held_value(stated.accuracy));
-    expect_tolerances(GetParam().shape, known, stated);
+    expect_tolerances(shape, known, stated);
   }
 }
 
+TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) { expect_tolerances(GetParam().shape, GetParam().offset); }
+
 INSTANTIATE_TEST_SUITE_P(Shapes, OffsetSdfAgainstReference, testing::ValuesIn(test::offset_cases()),
                          test::name_of_case);
+
+TEST(OffsetSdfOfScansAgainstReference, KeepsTheStatedTolerances) {
+  const char* const data = std::getenv("SHAPEGAUGE_DATA");
+  if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
+  for (const char* const name : {"T0.off", "T200.off", "T380.off", "T540.off"}) {
+    SCOPED_TRACE(name);
+    const Shape scan = read_shape(std::filesystem::path(data) / "shrec11_nonrigid" / name);
+    expect_tolerances(test::of_diagonal_1(decimate(scan, 400)), 0.05);
+  }
+}
 
 }  // namespace
 }  // namespace shapegauge
