@@ -240,7 +240,7 @@ int run(const CompareArguments& arguments) {
     }
   }
   warn_of_same_files(arguments.inputs, warnings);
-  if (const auto few = few_units_warning(comparisons.front(), options, Audience::command_line)) {
+  if (const auto few = few_units_warning(comparisons.front(), options)) {
     warnings.push_back(*few);
   }
   write_compared(arguments, compared, aligned, comparisons);

@@ -92,7 +92,7 @@ Described described(const DescriptorChoice& choice, const Shape& given, bool den
   Described result;
   FieldSource source(shape);
   result.fields = compute_fields(choice, source);
-  remarks.warnings = offset_warnings(choice, source, Audience::command_line);
+  remarks.warnings = offset_warnings(choice, source);
   if (needs_learning(choice.descriptor, choice.values)) return result;
   const DescriptorInput input{.shape = shape, .fields = result.fields, .proxy = &source.proxy()};
   result.features = compute_features(choice.descriptor, input, {}, choice.values);

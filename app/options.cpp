@@ -161,7 +161,7 @@ void remark_on(const ChosenOffset& chosen, Remarks& remarks) {
         leaves_gaps_open(chosen) ? fmt::format(" that at most {:.4g} can close", AutomaticOffsetOptions{}.most) : "",
         chosen.automatic->noise));
   }
-  if (const auto leak = leak_warning(chosen, Audience::command_line)) remarks.warnings.push_back(*leak);
+  if (const auto leak = leak_warning(chosen)) remarks.warnings.push_back(*leak);
 }
 
 nlohmann::ordered_json to_json(const ChosenOffset& chosen) {

@@ -6,7 +6,6 @@
 
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/setting_names.h"
 
 namespace shapegauge {
 
@@ -43,7 +42,7 @@ std::string meaning_of(const Parameter& parameter, bool with_default) {
 
 CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,
                                   std::string names, std::string meaning) {
-  if (names.empty()) names = setting_name(Audience::command_line, parameter.name);
+  if (names.empty()) names = option_name(parameter.name);
   if (meaning.empty()) meaning = meaning_of(parameter);
   const auto fill_in = [&given] { given.text = "true"; };
   CLI::Option* const option = parameter.kind == ParameterKind::boolean

@@ -15,8 +15,8 @@
 #include "app/options.h"
 #include "app/parameter_options.h"
 #include "app/shape_files.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/stl.h"
 #include "shapegauge/core/perturbation/perturbations.h"
@@ -67,7 +67,7 @@ struct PerturbArguments {
 
 /// Adds the options of one kind of perturbation.
 void add_step_options(CLI::App& command, const StepOptions& options, AskedStep& step) {
-  const std::string type_option = setting_name(Audience::command_line, options.type);
+  const std::string type_option = option_name(options.type);
   const auto parameters = step.kind->parameters;
   if (parameters.empty()) {
     command.add_flag(type_option, step.wanted, without_full_stop(step.kind->description));
@@ -76,8 +76,7 @@ void add_step_options(CLI::App& command, const StepOptions& options, AskedStep& 
   CLI::Option* first = nullptr;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const Parameter& parameter = parameters[i];
-    const std::string made =
-        i == 0 ? type_option : setting_name(Audience::command_line, fmt::format("{}_{}", options.type, parameter.name));
+    const std::string made = i == 0 ? type_option : option_name(fmt::format("{}_{}", options.type, parameter.name));
     const std::string name = i < options.names.size() ? std::string(options.names[i]) : made;
     const std::string meaning =
         i == 0 ? fmt::format("{} {}", step.kind->description, meaning_of(parameter, false)) : "";

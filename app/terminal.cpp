@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/setting_names.h"
 
 namespace shapegauge {
 
@@ -25,6 +26,15 @@ int first_output_error = 0;
 /// Writes to standard error; failures cannot be reported anywhere.
 void write_message(std::string_view text) {
   [[maybe_unused]] const std::size_t written = std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+/// Makes text printable, and spells the settings it names as options.
+std::string for_terminal(std::string_view text) {
+  return spell_settings(printable(text), [](std::string_view name, std::string_view value) {
+    if (value == "false") return option_name(fmt::format("no_{}", name));
+    const bool is_switch = value.empty() || value == "true";
+    return option_name(name) + (is_switch ? "" : fmt::format(" {}", value));
+  });
 }
 
 }  // namespace
@@ -58,16 +68,22 @@ void set_verbosity(Verbosity verbosity) { current_verbosity = verbosity; }
 
 Verbosity verbosity() { return current_verbosity; }
 
-void note(std::string_view text) {
-  if (current_verbosity != Verbosity::quiet) write_message(fmt::format("shapegauge: {}\n", printable(text)));
+std::string option_name(std::string_view setting) {
+  std::string option = fmt::format("--{}", setting);
+  std::ranges::replace(option, '_', '-');
+  return option;
 }
 
-void warn(std::string_view text) { write_message(fmt::format("shapegauge: warning: {}\n", printable(text))); }
+void note(std::string_view text) {
+  if (current_verbosity != Verbosity::quiet) write_message(fmt::format("shapegauge: {}\n", for_terminal(text)));
+}
+
+void warn(std::string_view text) { write_message(fmt::format("shapegauge: warning: {}\n", for_terminal(text))); }
 
 void print_error(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   text.erase(text.find_last_not_of(' ') + 1);
-  write_message(fmt::format("shapegauge: error: {}\n", printable(text)));
+  write_message(fmt::format("shapegauge: error: {}\n", for_terminal(text)));
 }
 
 ProgressLine::ProgressLine() : shown_(shows_progress()) {}

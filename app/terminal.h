@@ -40,7 +40,11 @@ void print_output(fmt::format_string<Values...> format, Values&&... values) {
   write_output(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Prints "shapegauge: error: <text>" on one line, whatever the text.
+/// Makes the option of a setting: "--on-error".
+std::string option_name(std::string_view setting);
+
+/// Prints "shapegauge: error: <text>" on one line, whatever the text. Settings in backquotes are shown as options here
+/// and in the functions below (spell_settings()).
 void print_error(std::string text);
 
 /// Prints "shapegauge: <text>" unless quiet.

@@ -1,6 +1,7 @@
 // The native half of the Python package: arrays in, arrays out. Checks of arguments and docstrings are in
 // shapegauge/*.py. Other functions are in the files *_bindings.cpp.
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,8 @@
 
 #include "python/native.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/setting_names.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/derived_distances.h"
@@ -29,10 +32,8 @@ namespace py = pybind11;
 namespace shapegauge {
 
 RunControl interruptible_control(int threads, Cancellation& cancellation, const PythonProgress& progress) {
-  RunControl control{.threads = threads,
-                     .interrupted = [&] { return cancellation.requested(); },
-                     .cancellation = &cancellation,
-                     .audience = Audience::python};
+  RunControl control{
+      .threads = threads, .interrupted = [&] { return cancellation.requested(); }, .cancellation = &cancellation};
   if (progress) {
     control.progress = [&progress](std::string_view stage, std::size_t done, std::size_t total) {
       const py::gil_scoped_acquire acquired;
@@ -70,6 +71,17 @@ py::array fuse(const std::vector<DistanceMatrix>& distances, const std::string& 
   return array_of(compute(threads, [&] { return make_derived("sum", Json::parse(settings)).compute(distances); }));
 }
 
+/// Spells the settings that a message names as arguments: ties='index'.
+std::string with_arguments(const std::string& message) {
+  return spell_settings(message, [](std::string_view name, std::string_view value) {
+    if (value.empty()) return std::string(name);
+    const bool is_bool = value == "true" || value == "false";
+    const std::string text = is_bool ? (value == "true" ? "True" : "False") : std::string(value);
+    const bool is_word = !is_bool && !parse_number(text);
+    return std::string(name) + (is_word ? "='" + text + "'" : "=" + text);
+  });
+}
+
 /// Results of a run for Python.
 struct FinishedRun {
   std::string summary;
@@ -88,8 +100,7 @@ FinishedRun run_configuration(const std::string& document, const std::string& so
   const RunControl control = interruptible_control(threads, cancellation, progress);
   run_interruptibly(cancellation, [&] {
     Json configuration = document.empty() ? read_json(source) : parse_json(document, source);
-    std::vector<fs::path> files =
-        apply_overrides(configuration, source, folder, overrides, experiment_paths, Audience::python);
+    std::vector<fs::path> files = apply_overrides(configuration, source, folder, overrides, experiment_paths);
     if (document.empty()) files.emplace_back(source);
     Experiment experiment = read_experiment(configuration, source, folder);
     std::ranges::move(files, std::back_inserter(experiment.input_paths));
@@ -111,7 +122,15 @@ FinishedRun run_configuration(const std::string& document, const std::string& so
 PYBIND11_MODULE(_native, module) {
   using namespace shapegauge;
   module.doc() = "Native functions of shapegauge; see the package.";
-  py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  static const py::exception<InputError> input_error(module, "InputError", PyExc_ValueError);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(std::move(thrown));
+    } catch (const InputError& error) {
+      PyErr_SetString(input_error.ptr(), with_arguments(error.what()).c_str());
+    }
+  });
+  module.def("with_arguments", &with_arguments);
   bind_shapes(module);
   bind_evaluation(module);
   bind_comparison(module);

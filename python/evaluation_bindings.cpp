@@ -112,11 +112,11 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
     std::vector<std::string> ids;
     for (std::size_t i = 0; i < wanted.labels.size(); ++i) ids.push_back(std::to_string(i));
     const MatrixFindings found = checks.findings();
-    result.warnings = matrix_warnings(found, ids, wanted.negated, Audience::python);
+    result.warnings = matrix_warnings(found, ids, wanted.negated);
     if (const auto left_out = left_out_warning(*result.evaluation, task, wanted.options)) {
       result.warnings.push_back(*left_out);
     }
-    if (const auto tied = ties_warning(*result.evaluation, found, Audience::python)) {
+    if (const auto tied = ties_warning(*result.evaluation, found)) {
       result.warnings.push_back(*tied);
     }
     return result;
@@ -200,7 +200,7 @@ struct ComparedMethods {
   ComparisonOptions options;
 
   [[nodiscard]] std::vector<std::string> warnings() const {
-    const auto few = few_units_warning(comparisons.front(), options, Audience::python);
+    const auto few = few_units_warning(comparisons.front(), options);
     return few ? std::vector{*few} : std::vector<std::string>();
   }
 };

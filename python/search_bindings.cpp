@@ -54,7 +54,7 @@ std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optiona
   run_interruptibly(cancellation, [&] {
     SearchMethod method = method_of(wanted);
     if (!update) {
-      opened->index = open_index_as_it_is(std::move(method), collection, place, Audience::python);
+      opened->index = open_index_as_it_is(std::move(method), collection, place);
       keep_in_memory(opened->index.contents);
       return;
     }
@@ -93,7 +93,7 @@ void check_page(const NativeIndex& opened, const py::list& given, const fs::path
     inputs.push_back(opened.index.collection.file(model.path));
   }
   const OutputFile output{.path = page, .what = "page", .extensions = page_extensions};
-  check_output_files(inputs, {&output, 1}, replace, Audience::python);
+  check_output_files(inputs, {&output, 1}, replace);
 }
 
 void write_page(const fs::path& page, const std::string& text) { write_file_atomically(page, text); }

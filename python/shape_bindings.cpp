@@ -69,7 +69,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     result.values = wanted.compute(source, result.samples, true);
     if (const auto chosen = offset_of(wanted, result.values, shape)) {
       result.offset = chosen->offset;
-      result.leak = leak_warning(*chosen, Audience::python);
+      result.leak = leak_warning(*chosen);
       result.two_sided = two_sided_warning(shape, result.values.values, chosen->offset);
       result.hollow = hollow_remark(shape, true);
     }
@@ -112,7 +112,7 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
         Eigen::Map<const Eigen::VectorX<std::int32_t>>(labels.data(), static_cast<Eigen::Index>(labels.size()));
     const SegmentationOptions& options = method.options;
     if (options.method == SegmentationAlgorithm::paper && options.field == SegmentedSdf::offset) {
-      const auto leak = leak_warning(choose_offset(options.offset, shape), Audience::python);
+      const auto leak = leak_warning(choose_offset(options.offset, shape));
       if (leak) result.warnings.push_back(*leak);
     }
     return result;
@@ -141,7 +141,7 @@ py::tuple describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
     return Computed{
         .features = compute_features(choice.descriptor, {.shape = shape, .fields = fields, .proxy = &source.proxy()},
                                      {}, choice.values),
-        .warnings = offset_warnings(choice, source, Audience::python)};
+        .warnings = offset_warnings(choice, source)};
   });
   return py::make_tuple(array_of(std::move(computed.features)), computed.warnings);
 }

@@ -48,7 +48,7 @@ double in_file_units(std::string_view what, const Length& length, std::string_vi
   if (length.unit.empty()) return length.value;
   if (file_unit.empty()) {
     throw InputError(fmt::format(
-        "{} is in {}, but the unit of the files is not known (STL and OBJ have none): add --unit", what, length.unit));
+        "{} is in {}, but the unit of the files is not known (STL and OBJ have none): add `unit`", what, length.unit));
   }
   return length.value * metres_of(length.unit) / metres_of(file_unit);
 }

@@ -73,8 +73,7 @@ bool is_page(const fs::path& output) {
   return std::ranges::find(page_extensions, lower_case(output.extension().string())) != page_extensions.end();
 }
 
-void check_output_files(std::span<const fs::path> inputs, std::span<const OutputFile> outputs, bool replace,
-                        Audience audience) {
+void check_output_files(std::span<const fs::path> inputs, std::span<const OutputFile> outputs, bool replace) {
   check_streams(inputs, outputs);
   std::map<std::string, fs::path> read;
   for (const fs::path& input : inputs) {
@@ -94,15 +93,14 @@ void check_output_files(std::span<const fs::path> inputs, std::span<const Output
     if (!fs::exists(output.path, unknown) || (replace && output.may_be_input)) continue;
     if (const auto input = read.find(identity); input != read.end()) {
       throw InputError(fmt::format("{} would overwrite the input {}; give it another name{}", output.what,
-                                   input->second.string(),
-                                   output.may_be_input ? ", or use " + setting_on(audience, "replace") : ""));
+                                   input->second.string(), output.may_be_input ? ", or use `replace=true`" : ""));
     }
     if (!replace && fs::is_directory(output.path, unknown)) {
       throw InputError(fmt::format("{}: {} is a folder; name a file", output.what, output.path.string()));
     }
     if (!replace && !output.is_updated) {
-      throw InputError(fmt::format("{}: {} exists; give another name, or overwrite it with {}", output.what,
-                                   output.path.string(), setting_on(audience, "replace")));
+      throw InputError(fmt::format("{}: {} exists; give another name, or overwrite it with `replace=true`", output.what,
+                                   output.path.string()));
     }
   }
 }

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/base/setting_names.h"
-
 /// Checks of output files before any work: inputs are never overwritten.
 
 namespace shapegauge {
@@ -36,6 +34,6 @@ bool is_page(const std::filesystem::path& output);
 /// exists and `replace` is not set, if its extension is not supported, and if standard input or standard output is
 /// named twice. Devices and pipes are always accepted.
 void check_output_files(std::span<const std::filesystem::path> inputs, std::span<const OutputFile> outputs,
-                        bool replace, Audience audience = Audience::command_line);
+                        bool replace);
 
 }  // namespace shapegauge

@@ -118,7 +118,7 @@ void prepare_folder(const std::filesystem::path& folder, bool force) {
       if (belongs_to_dataset(entry.path())) old_files.push_back(entry.path());
     }
     if (!old_files.empty() && !force) {
-      throw InputError(fmt::format("{} already has a data set ({}); use another folder, or --force to replace it",
+      throw InputError(fmt::format("{} already has a data set ({}); use another folder, or `force=true` to replace it",
                                    folder.string(),
                                    std::min_element(old_files.begin(), old_files.end())->filename().string()));
     }

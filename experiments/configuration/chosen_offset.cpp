@@ -19,12 +19,11 @@ double rounded_up(double value) {
 }
 
 /// Recommends a replacement for an offset smaller than the gaps of the shape.
-std::string advice(const ChosenOffset& chosen, Audience audience) {
+std::string advice(const ChosenOffset& chosen) {
   const double enough = rounded_up(1.1 * chosen.gap);
   if (enough > 1) return "no offset closes them";
   const bool automatic_is_enough = !chosen.automatic && enough <= AutomaticOffsetOptions{}.most;
-  return fmt::format("use {}{}", setting_with_number(audience, "offset", enough),
-                     automatic_is_enough ? (audience == Audience::python ? " or 'auto'" : " or auto") : "");
+  return fmt::format("use `offset={:.2g}`{}", enough, automatic_is_enough ? " or `offset=auto`" : "");
 }
 
 }  // namespace
@@ -43,12 +42,12 @@ ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
 
 bool leaves_gaps_open(const ChosenOffset& chosen) { return chosen.automatic && chosen.gap > chosen.automatic->gap; }
 
-std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience audience) {
+std::optional<std::string> leak_warning(const ChosenOffset& chosen) {
   if (chosen.offset >= chosen.gap) return std::nullopt;
   const bool stays_open = leaves_gaps_open(chosen);
   return fmt::format("the {} ({} % of the diagonal){}: the offset surface leaks into it; {}",
                      stays_open ? "widest gap of the shape" : "offset is smaller than the gaps of the shape",
-                     two_digits(100 * chosen.gap), stays_open ? " stays open" : "", advice(chosen, audience));
+                     two_digits(100 * chosen.gap), stays_open ? " stays open" : "", advice(chosen));
 }
 
 std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull) {

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -27,7 +26,7 @@ ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 bool leaves_gaps_open(const ChosenOffset& chosen);
 
 /// Returns the warning about an offset smaller than the gaps of the shape, if it is.
-std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience audience);
+std::optional<std::string> leak_warning(const ChosenOffset& chosen);
 
 /// Returns the warning about two-sided samples, whose SDF is below half the offset: both of their sides are about
 /// equally far from the outside. The input's orientation, or chance, then determines the outward side. This occurs

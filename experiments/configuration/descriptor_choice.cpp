@@ -86,7 +86,7 @@ std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, FieldSou
   return fields;
 }
 
-std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSource& source, Audience audience) {
+std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSource& source) {
   std::vector<std::string> warnings;
   const auto add = [&](const std::optional<std::string>& warning) {
     if (warning && std::ranges::find(warnings, *warning) == warnings.end()) warnings.push_back(*warning);
@@ -96,8 +96,7 @@ std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSo
     const auto offset = settings.find("offset");
     if (offset == settings.end()) continue;
     add(leak_warning(offset->is_number() ? choose_offset(offset->get<double>(), source.shape())
-                                         : chosen_automatically(source.automatic_offset()),
-                     audience));
+                                         : chosen_automatically(source.automatic_offset())));
     add(hollow_remark(source.shape(), true));
   }
   return warnings;

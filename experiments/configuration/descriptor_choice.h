@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
@@ -28,6 +27,6 @@ std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, FieldSou
 
 /// Returns warnings about the offsets of the descriptor's fields: where one is smaller than the gaps of the shape
 /// (leak_warning()), and for a hollow shape, whose hull they measure (hollow_remark()). Each once.
-std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSource& source, Audience audience);
+std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSource& source);
 
 }  // namespace shapegauge

@@ -222,9 +222,8 @@ std::filesystem::path path_value(const nlohmann::json& object, const std::string
   return (folder / expanded).lexically_normal();
 }
 
-nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment, Audience audience) {
-  const std::string source =
-      fmt::format("{} {}", audience == Audience::python ? "settings" : "--set", printable(assignment, 100));
+nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment) {
+  const std::string source = fmt::format("setting {}", printable(assignment, 100));
   if (!is_utf8(assignment)) fail(source, "the bytes are not UTF-8");
   const std::size_t equals = place_of_equals(assignment);
   if (equals == std::string_view::npos || equals == 0) {

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/setting_names.h"
 
 namespace shapegauge {
 
@@ -63,7 +62,6 @@ std::filesystem::path path_value(const nlohmann::json& object, const std::string
 /// path are created. Returns the position of the value. Throws InputError for an assignment without key or `=`, an
 /// index out of range, an unknown name, a key into something that is neither object nor array, bytes that are not
 /// UTF-8, and a value that parse_json() rejects.
-nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment,
-                                            Audience audience = Audience::command_line);
+nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment);
 
 }  // namespace shapegauge

@@ -339,11 +339,10 @@ const DocumentPaths& retrieval_paths() {
 }
 
 std::vector<fs::path> apply_overrides(Json& document, const std::string& source, const fs::path& folder,
-                                      std::span<const std::string> overrides, const PathsOfDocument& paths_of,
-                                      Audience audience) {
+                                      std::span<const std::string> overrides, const PathsOfDocument& paths_of) {
   std::vector<fs::path> files = read_dataset_files(document, source, folder, paths_of(document).datasets);
   for (const std::string& assignment : overrides) {
-    const Json::json_pointer changed = apply_override(document, assignment, audience);
+    const Json::json_pointer changed = apply_override(document, assignment);
     for (const Json::json_pointer& place : places_of_paths(document, paths_of(document))) {
       if (!is_at_or_below(place, changed)) continue;
       const std::string path = expand_variables(document[place].get<std::string>());

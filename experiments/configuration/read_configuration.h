@@ -31,8 +31,7 @@ const DocumentPaths& retrieval_paths();
 std::vector<std::filesystem::path> apply_overrides(nlohmann::json& document, const std::string& source,
                                                    const std::filesystem::path& folder,
                                                    std::span<const std::string> overrides,
-                                                   const PathsOfDocument& paths_of,
-                                                   Audience audience = Audience::command_line);
+                                                   const PathsOfDocument& paths_of);
 
 /// Reads a retrieval experiment from a document. `source` is its name in messages; relative paths are relative to
 /// `folder`.

@@ -64,8 +64,8 @@ RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destina
   const std::string folder = on_first_rank(ranks, [&] {
     limit = cache_limit();  // reports a wrong setting before the run
     check_results_are_no_inputs(destination, main_results(experiment), experiment.input_paths);
-    lock.emplace(destination, control.audience);
-    prepare_result_folder(destination, experiment.configuration, replace, control.audience);
+    lock.emplace(destination);
+    prepare_result_folder(destination, experiment.configuration, replace);
     staged.emplace(destination);
     return fs::absolute(staged->folder()).string();
   });

@@ -131,11 +131,11 @@ Json recorded_configuration(const Json& manifest, const fs::path& root, const Pa
   std::vector<Place> datasets = matching_places(configuration, paths.datasets);
   std::erase_if(datasets, [&](const Place& place) { return !configuration.at(place).contains("root"); });
   if (datasets.size() > 1) {
-    throw InputError(fmt::format("--dataset-root: the run has several data sets; name each, as in --set {}.root=FOLDER",
+    throw InputError(fmt::format("`dataset_root`: the run has several data sets; name each, as in `set={}.root=FOLDER`",
                                  dotted(datasets.front())));
   }
   if (datasets.empty() && files.empty()) {
-    throw InputError("--dataset-root: all shapes of this run were generated; leave it out");
+    throw InputError("`dataset_root`: all shapes of this run were generated; leave it out");
   }
   for (const Place& dataset : datasets) move_dataset(configuration, dataset, absolute_root);
   move_files(configuration, files, absolute_root);

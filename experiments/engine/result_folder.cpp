@@ -131,7 +131,7 @@ std::vector<std::string> file_safe_names(std::span<const std::string> names) {
   return safe_names;
 }
 
-FolderLock::FolderLock(const fs::path& folder, Audience audience) : path_(folder / ".shapegauge-lock") {
+FolderLock::FolderLock(const fs::path& folder) : path_(folder / ".shapegauge-lock") {
   make_folder(folder);
   while (true) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -142,8 +142,8 @@ FolderLock::FolderLock(const fs::path& folder, Audience audience) : path_(folder
     const int error = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
     if (error == EWOULDBLOCK) {
       ::close(descriptor_);
-      throw InputError(fmt::format("another run is writing to {}; wait for it, or use another folder with {}",
-                                   folder.string(), setting_name(audience, "output")));
+      throw InputError(fmt::format("another run is writing to {}; wait for it, or use another folder with `output`",
+                                   folder.string()));
     }
     // The previous owner may have removed the file: a lock on a removed file has no effect.
     if (error != 0 || is_file_of(descriptor_, path_)) return;
@@ -184,8 +184,7 @@ void check_results_are_no_inputs(const fs::path& folder, std::span<const std::st
   }
 }
 
-void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace,
-                           Audience audience) {
+void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace) {
   make_folder(folder);
   // Tests writing now, not after hours.
   const fs::path probe = folder / ".shapegauge-probe";
@@ -194,8 +193,8 @@ void prepare_result_folder(const fs::path& folder, const nlohmann::json& configu
   fs::remove(probe, ignored);
 
   if (replace || !has_results(folder) || earlier_configuration(folder) == configuration) return;
-  throw InputError(fmt::format("{} has results of another configuration; use another folder with {}, or {}",
-                               folder.string(), setting_name(audience, "output"), setting_on(audience, "replace")));
+  throw InputError(fmt::format(
+      "{} has results of another configuration; use another folder with `output`, or `replace=true`", folder.string()));
 }
 
 StagedResults::StagedResults(fs::path destination)

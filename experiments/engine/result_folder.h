@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "shapegauge/core/base/setting_names.h"
-
 namespace shapegauge {
 
 /// Makes a safe file name: replaces every run of characters other than ASCII letters, digits, ".", "-" and "_" by one
@@ -25,7 +23,7 @@ class FolderLock {
  public:
   /// Creates the folder if missing and locks it. Throws InputError if it cannot be created or written to, or if another
   /// run has locked it.
-  explicit FolderLock(const std::filesystem::path& folder, Audience audience = Audience::command_line);
+  explicit FolderLock(const std::filesystem::path& folder);
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
   FolderLock(FolderLock&&) = delete;
@@ -57,8 +55,7 @@ void check_results_are_no_inputs(const std::filesystem::path& folder, std::span<
 /// Prepares the result folder before a run. The folder may be new, have no results, or have those of the same
 /// configuration, which a repeated run replaces. Throws InputError if it has other results, unless `replace` is set, or
 /// cannot be created or written to.
-void prepare_result_folder(const std::filesystem::path& folder, const nlohmann::json& configuration, bool replace,
-                           Audience audience = Audience::command_line);
+void prepare_result_folder(const std::filesystem::path& folder, const nlohmann::json& configuration, bool replace);
 
 /// Staging of new results in a folder that may have earlier ones. Files are written to a subfolder and replace the
 /// earlier ones only when all are complete. A disk that becomes full therefore leaves earlier results intact.

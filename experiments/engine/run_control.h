@@ -10,7 +10,6 @@
 
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/parameter.h"
-#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/distributed/communicator.h"
@@ -32,7 +31,6 @@ struct RunControl {
   /// Receives the stage and its progress; calls are serialised.
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress =
       [](std::string_view, std::size_t, std::size_t) {};
-  Audience audience = Audience::command_line;  ///< of messages that name settings
 };
 
 /// Shape that a run omitted.

@@ -149,10 +149,10 @@ void warn_of_order(const MatrixIds& taken, const ModelLabels& labels, Evaluation
   if (taken.rows == otherwise.rows && taken.columns == otherwise.columns) return;
   data.task.warnings.push_back(labels.listed
                                    ? fmt::format("rows are assumed to be in the order of {}, which differs from the "
-                                                 "natural order of ids (2 before 10); for that use --order natural",
+                                                 "natural order of ids (2 before 10); for that use `order=natural`",
                                                  labels.source)
                                    : fmt::format("rows are assumed to be in natural order of ids (2 before 10), which "
-                                                 "differs from the order of {}; for that use --order file",
+                                                 "differs from the order of {}; for that use `order=file`",
                                                  labels.source));
 }
 
@@ -195,7 +195,7 @@ EvaluationData open_judged(const EvaluationFiles& files) {
     const MatrixIds ids = ids_of_files(data.distances, files);
     if (ids.rows.empty()) {
       throw InputError(
-          fmt::format("{}: with judgements (qrels) the rows and columns need ids: a CSV with ids, or --ids",
+          fmt::format("{}: with judgements (qrels) the rows and columns need ids: a CSV with ids, or `ids`",
                       files.matrix.string()));
     }
     check_size(data.distances, ids, files.ids.empty() ? files.matrix.string() : files.ids.string(), files);
@@ -215,11 +215,11 @@ std::string name_of_row(std::span<const std::string> ids, Eigen::Index row) {
   return printable(ids[static_cast<std::size_t>(row)], 60);
 }
 
-void warn_of_entries(const MatrixFindings& found, bool negated, Audience audience, std::vector<std::string>& warnings) {
+void warn_of_entries(const MatrixFindings& found, bool negated, std::vector<std::string>& warnings) {
   if (found.negative > 0 && !negated) {
-    warnings.push_back(fmt::format("{} negative, which ranks before 0; if larger means more similar, use {}",
-                                   count_text(found.negative, "distance is", "distances are"),
-                                   setting_on(audience, "similarity")));
+    warnings.push_back(
+        fmt::format("{} negative, which ranks before 0; if larger means more similar, use `similarity=true`",
+                    count_text(found.negative, "distance is", "distances are")));
   }
   if (found.infinite > 0) {
     warnings.push_back(
@@ -243,12 +243,11 @@ std::string asymmetry_text(const MatrixFindings& found) {
   return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);
 }
 
-void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated, Audience audience,
-                    std::vector<std::string>& warnings) {
+void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated, std::vector<std::string>& warnings) {
   if (looks_reversed(found, rows)) {
-    warnings.push_back(fmt::format("{}{} {}; scores of the wrong kind are near 0", reversed_text(found, rows),
-                                   negated ? "distances, which take no" : "similarities, which take",
-                                   setting_on(audience, "similarity")));
+    warnings.push_back(fmt::format("{}{} `similarity=true`; scores of the wrong kind are near 0",
+                                   reversed_text(found, rows),
+                                   negated ? "distances, which take no" : "similarities, which take"));
   }
   if (found.asymmetric_pairs > 0) {
     warnings.push_back(fmt::format("{}; query i is answered by row i, not by column i", asymmetry_text(found)));
@@ -320,11 +319,10 @@ std::string advice_on(const EvaluationFiles& files, const EvaluationTask& task) 
 
 }  // namespace
 
-std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated,
-                                         Audience audience) {
+std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated) {
   std::vector<std::string> warnings;
-  warn_of_entries(found, negated, audience, warnings);
-  warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, audience, warnings);
+  warn_of_entries(found, negated, warnings);
+  warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, warnings);
   warn_of_rows(found, ids, warnings);
   return warnings;
 }
@@ -353,15 +351,15 @@ std::vector<std::string> rerank_warnings(const OpenMatrix& matrix) {
   return warnings;
 }
 
-std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found, Audience audience) {
+std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found) {
   const auto known = std::ranges::count_if(
       found.constant_rows, [&](Eigen::Index row) { return std::ranges::binary_search(evaluation.queries, row); });
   if (evaluation.queries_with_ties <= known) return std::nullopt;
   const auto& [pessimistic, optimistic] = evaluation.first_tier_bounds;
   return fmt::format(
-      "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered by {}{}",
-      evaluation.queries_with_ties, evaluation.queries.size(),
-      setting_with_word(audience, "ties", name_of(evaluation.ties)),
+      "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered by "
+      "`ties={}`{}",
+      evaluation.queries_with_ties, evaluation.queries.size(), name_of(evaluation.ties),
       pessimistic == optimistic
           ? ""
           : fmt::format("; FT ranges from {:.1f} to {:.1f} with their order", 100 * pessimistic, 100 * optimistic));
@@ -379,7 +377,7 @@ std::optional<std::string> left_out_warning(const Evaluation& evaluation, const 
 
 EvaluationData open_evaluation_files(const EvaluationFiles& files) {
   if (files.labels.empty() == files.qrels.empty()) {
-    throw InputError("exactly one of --labels (classes of the models) and --qrels (judgements) is required");
+    throw InputError("exactly one of `labels` (classes of the models) and `qrels` (judgements) is required");
   }
   return files.qrels.empty() ? open_labelled(files) : open_judged(files);
 }

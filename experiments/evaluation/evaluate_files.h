@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/datasets/files/open_matrix.h"
 #include "shapegauge/experiments/evaluation/evaluation_task.h"
 #include "shapegauge/metrics/evaluation.h"
@@ -41,16 +40,14 @@ struct EvaluationData {
 
 /// Returns warnings about a matrix, one sentence each. `ids` name its rows; `negated` means that it contained
 /// similarities.
-std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated,
-                                         Audience audience = Audience::command_line);
+std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated);
 
 /// Returns warnings about a matrix to be re-ranked, one sentence each. Reads it once more.
 std::vector<std::string> rerank_warnings(const OpenMatrix& matrix);
 
 /// Returns the warning about queries with relevant and other models at equal distance, with the effect of their order
 /// on FT. Nothing if all these queries are rows of equal distances, which matrix_warnings() reports.
-std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found,
-                                        Audience audience = Audience::command_line);
+std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found);
 
 /// Returns the warning about models that are never queries because their classes are small, if there are any.
 std::optional<std::string> left_out_warning(const Evaluation& evaluation, const RetrievalTask& task,

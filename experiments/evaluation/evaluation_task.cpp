@@ -152,7 +152,7 @@ void warn_of_coverage(std::string_view queries, Unanswered unanswered, Evaluatio
         fmt::format("{} of {} {} have no answer: {}", missing, coverage.queries, queries,
                     unanswered == Unanswered::count
                         ? "their scores are 0"
-                        : fmt::format("the scores are of the other {}, as in trec_eval; --missing-queries zero counts "
+                        : fmt::format("the scores are of the other {}, as in trec_eval; `missing_queries=zero` counts "
                                       "the missing ones with scores of 0",
                                       coverage.answered)));
   }

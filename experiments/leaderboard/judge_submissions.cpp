@@ -223,7 +223,7 @@ std::size_t index_of_measure(const std::string& wanted, const std::vector<std::s
   const auto found = std::ranges::find(measures, wanted.empty() ? "mAP" : wanted);
   if (found != measures.end()) return static_cast<std::size_t>(found - measures.begin());
   if (wanted.empty()) return 0;
-  throw InputError(fmt::format("--rank-by: {} is not among the measures ({})", wanted, fmt::join(measures, ", ")));
+  throw InputError(fmt::format("`rank_by`: {} is not among the measures ({})", wanted, fmt::join(measures, ", ")));
 }
 
 std::vector<std::string> measure_names(const EvaluationOptions& options) {

@@ -132,22 +132,18 @@ OrderedJson comparison_json(const AlignedMethods& methods, std::span<const Metho
           {"measures", std::move(measures)}};
 }
 
-std::optional<std::string> few_units_warning(const MethodComparison& comparison, const ComparisonOptions& options,
-                                             Audience audience) {
+std::optional<std::string> few_units_warning(const MethodComparison& comparison, const ComparisonOptions& options) {
   const double smallest = smallest_p_value(options, comparison.units);
   const auto pairs = static_cast<double>(comparison.pairs.size());
   const double alpha = 1 - options.confidence;
   if (pairs * smallest <= alpha) return std::nullopt;
   const bool few_resamples = smallest * (1.0 + options.resampling.resamples) <= 1;
   const std::string more_blocks =
-      options.blocks == ResamplingUnit::classes
-          ? fmt::format(" or {} (which is too liberal)", setting_with_word(audience, "blocks", "queries"))
-          : "";
+      options.blocks == ResamplingUnit::classes ? " or `blocks=queries` (which is too liberal)" : "";
   const std::string advice =
-      few_resamples
-          ? fmt::format("use more {} than {}", setting_name(audience, "resamples"), options.resampling.resamples)
-          : fmt::format("use more {}, {} (which assumes normally distributed differences){}", name_of(options.blocks),
-                        setting_with_word(audience, "test", "t"), more_blocks);
+      few_resamples ? fmt::format("use more `resamples` than {}", options.resampling.resamples)
+                    : fmt::format("use more {}, `test=t` (which assumes normally distributed differences){}",
+                                  name_of(options.blocks), more_blocks);
   return fmt::format(
       "with {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {}){}; no "
       "difference can be significant at {:.4g}; {}",

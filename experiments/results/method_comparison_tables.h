@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 
-#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
@@ -30,7 +29,6 @@ nlohmann::ordered_json comparison_json(const AlignedMethods& methods, std::span<
                                        const ComparisonOptions& options);
 
 /// Returns the warning that too few units or resamples make significance impossible, if that is so.
-std::optional<std::string> few_units_warning(const MethodComparison& comparison, const ComparisonOptions& options,
-                                             Audience audience);
+std::optional<std::string> few_units_warning(const MethodComparison& comparison, const ComparisonOptions& options);
 
 }  // namespace shapegauge

@@ -30,6 +30,6 @@ std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& di
 NearestModels nearest_in(const SearchMethod& method, const ShapeIndex& index, int count, const RunControl& control);
 
 /// Writes the index to its file, or adds a note with the reason if that fails.
-void write_index(const OpenIndex& index, Audience audience, std::vector<std::string>& notes);
+void write_index(const OpenIndex& index, std::vector<std::string>& notes);
 
 }  // namespace shapegauge

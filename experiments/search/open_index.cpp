@@ -225,12 +225,11 @@ std::optional<ShapeIndex> read_index(const fs::path& file, const std::string& ke
 
 }  // namespace
 
-void write_index(const OpenIndex& index, Audience audience, std::vector<std::string>& notes) {
+void write_index(const OpenIndex& index, std::vector<std::string>& notes) {
   try {
     write_file_atomically(index.file, encode_index(index.contents, index.method.key()));
   } catch (const InputError& error) {
-    notes.push_back(fmt::format("the index could not be written: {}; choose another file with {}", error.what(),
-                                setting_name(audience, "index")));
+    notes.push_back(fmt::format("the index could not be written: {}; choose another file with `index`", error.what()));
   }
 }
 
@@ -247,7 +246,7 @@ OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::
     if (before) check_collection(*before, file, location, files);
     if (before && is_of(*before, files)) {
       index.contents = std::move(*before);
-      if (take_state(index.contents, location, files)) write_index(index, control.audience, update.notes);
+      if (take_state(index.contents, location, files)) write_index(index, update.notes);
       return;
     }
     index.contents =
@@ -255,20 +254,18 @@ OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::
     index.contents.collection = location;
     update.rebuilt = true;
     update.left_out = new_failures(index.contents, before ? &*before : nullptr);
-    write_index(index, control.audience, update.notes);
+    write_index(index, update.notes);
   });
   return index;
 }
 
-OpenIndex open_index_as_it_is(SearchMethod method, const fs::path& collection, const fs::path& file,
-                              Audience audience) {
+OpenIndex open_index_as_it_is(SearchMethod method, const fs::path& collection, const fs::path& file) {
   OpenIndex index{.method = std::move(method), .collection = {}, .file = file, .contents = {}};
   IndexFault fault = IndexFault::damaged;
   std::optional<ShapeIndex> contents = decode_index(map_file(file), index.method.key(), fault);
   if (!contents) {
-    throw InputError(fmt::format("{} is {}; rebuild it by searching {}", file.string(),
-                                 fault == IndexFault::damaged ? "damaged" : "of another method or program",
-                                 audience == Audience::python ? "with update=True" : "without --no-update"));
+    throw InputError(fmt::format("{} is {}; rebuild it by searching without `update=false`", file.string(),
+                                 fault == IndexFault::damaged ? "damaged" : "of another method or program"));
   }
   index.contents = std::move(*contents);
   index.collection.base = collection_base(collection);

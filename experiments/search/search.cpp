@@ -149,7 +149,7 @@ void require_neighbours(OpenIndex& index, const RunControl& control, std::vector
   const auto wanted = std::min<Eigen::Index>(count, models - 1);
   if (index.contents.nearest.indices.rows() == models && index.contents.nearest.indices.cols() == wanted) return;
   index.contents.nearest = nearest_in(index.method, index.contents, count, control);
-  write_index(index, control.audience, notes);
+  write_index(index, notes);
 }
 
 /// Returns the nearest models after diffusion over the collection and, if it is not a member, the query.

@@ -50,7 +50,7 @@ OpenIndex open_index(SearchMethod method, const std::filesystem::path& collectio
 /// for an unusable index, and for one of another collection: from another place, with no file of the same name and
 /// size.
 OpenIndex open_index_as_it_is(SearchMethod method, const std::filesystem::path& collection,
-                              const std::filesystem::path& file, Audience audience = Audience::command_line);
+                              const std::filesystem::path& file);
 
 /// Shape to search for.
 struct SearchQuery {

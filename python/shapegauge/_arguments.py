@@ -61,7 +61,7 @@ def warn(sentences: Iterable[str], prefix: str = "") -> None:
     while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] == _PACKAGE:
         level, frame = level + 1, frame.f_back
     for sentence in sentences:
-        _warnings.warn(prefix + sentence, stacklevel=level)
+        _warnings.warn(prefix + _native.with_arguments(sentence), stacklevel=level)
 
 
 def path_of(path: Any, name: str) -> str:

@@ -39,7 +39,7 @@ bool configuration(std::string_view bytes) {
   if (!is_accepted("run.json:", [&] { document = parse_json(next_part(bytes), "run.json"); })) return false;
   while (!bytes.empty()) {
     const std::string_view assignment = next_part(bytes);
-    if (!is_accepted("--set ", [&] { apply_override(document, assignment); })) return false;
+    if (!is_accepted("setting ", [&] { apply_override(document, assignment); })) return false;
   }
   if (document.contains("shapes")) return complete(document, comparison_from_json);
   if (document.contains("segmentation")) return complete(document, segmentation_from_json);

@@ -6,15 +6,16 @@ namespace shapegauge {
 
 namespace {
 
-TEST(SettingNames, AreOptionsOnTheCommandLineAndArgumentsInPython) {
-  EXPECT_EQ(setting_name(Audience::command_line, "minimum_class_size"), "--minimum-class-size");
-  EXPECT_EQ(setting_name(Audience::python, "minimum_class_size"), "minimum_class_size");
-  EXPECT_EQ(setting_with_word(Audience::command_line, "ties", "index"), "--ties index");
-  EXPECT_EQ(setting_with_word(Audience::python, "ties", "index"), "ties='index'");
-  EXPECT_EQ(setting_with_number(Audience::command_line, "offset", 0.031), "--offset 0.031");
-  EXPECT_EQ(setting_with_number(Audience::python, "offset", 0.031), "offset=0.031");
-  EXPECT_EQ(setting_on(Audience::command_line, "similarity"), "--similarity");
-  EXPECT_EQ(setting_on(Audience::python, "similarity"), "similarity=True");
+TEST(SettingNames, InBackquotesAreSpelledByTheInterface) {
+  const auto spelled = [](std::string_view message) {
+    return spell_settings(message, [](std::string_view name, std::string_view value) {
+      return "<" + std::string(name) + "|" + std::string(value) + ">";
+    });
+  };
+  EXPECT_EQ(spelled("use `on_error=skip` or `replace`"), "use <on_error|skip> or <replace|>");
+  EXPECT_EQ(spelled("`set=a.b=3`"), "<set|a.b=3>");
+  EXPECT_EQ(spelled("no setting: `A b`, ``, ` and `ties=index`"), "no setting: `A b`, ``, ` and `ties=index`");
+  EXPECT_EQ(spelled("`A b` and `ties=index`"), "`A b` and <ties|index>");
 }
 
 }  // namespace

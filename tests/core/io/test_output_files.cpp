@@ -20,10 +20,9 @@ class CheckedOutputFiles : public testing::Test {
   [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
 
   /// Returns the message of the check, with in.off and other.off as inputs; empty if it passes.
-  [[nodiscard]] std::string refusal(const std::vector<OutputFile>& outputs, bool replace = false,
-                                    Audience audience = Audience::command_line) const {
+  [[nodiscard]] std::string refusal(const std::vector<OutputFile>& outputs, bool replace = false) const {
     try {
-      check_output_files(std::vector{in_, other_}, outputs, replace, audience);
+      check_output_files(std::vector{in_, other_}, outputs, replace);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -47,7 +46,7 @@ TEST_F(CheckedOutputFiles, AnInputIsNeverOverwritten) {
   for (const bool replace : {false, true}) {
     const std::string message = refusal({{.path = other_, .what = "--output"}}, replace);
     EXPECT_THAT(message, HasSubstr("--output would overwrite the input " + other_.string()));
-    EXPECT_THAT(message, testing::Not(HasSubstr("--replace")));
+    EXPECT_THAT(message, testing::Not(HasSubstr("`replace=true`")));
   }
 }
 
@@ -67,8 +66,7 @@ TEST_F(CheckedOutputFiles, AnInputIsRecognisedByAnyName) {
 
 TEST_F(CheckedOutputFiles, OnlyWithReplaceMayAnInputBeReplaced) {
   const OutputFile output{.path = in_, .what = "--output", .may_be_input = true};
-  EXPECT_THAT(refusal({output}), HasSubstr("give it another name, or use --replace"));
-  EXPECT_THAT(refusal({output}, false, Audience::python), HasSubstr("or use replace=True"));
+  EXPECT_THAT(refusal({output}), HasSubstr("give it another name, or use `replace=true`"));
   EXPECT_EQ(refusal({output}, true), "");
 }
 

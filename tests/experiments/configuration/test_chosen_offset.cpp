@@ -47,15 +47,14 @@ TEST(ChooseOffset, RefusesAShapeWithoutExtent) {
 }
 
 TEST(LeakWarning, IsOfOffsetsBelowTheGap) {
-  EXPECT_TRUE(leak_warning(choose_offset(0.9 * gap, open_box()), Audience::python));
-  EXPECT_FALSE(leak_warning(choose_offset(1.1 * gap, open_box()), Audience::python));
-  EXPECT_FALSE(leak_warning(choose_offset(0.001, test::box({4, 3, 1}, 1)), Audience::python));
+  EXPECT_TRUE(leak_warning(choose_offset(0.9 * gap, open_box())));
+  EXPECT_FALSE(leak_warning(choose_offset(1.1 * gap, open_box())));
+  EXPECT_FALSE(leak_warning(choose_offset(0.001, test::box({4, 3, 1}, 1))));
 }
 
 TEST(LeakWarning, NamesAnOffsetThatIsEnough) {
   // 1.1 times the gap, 0.3236, rounded up to two digits.
-  EXPECT_NE(leak_warning({.offset = 0.01, .gap = gap, .automatic = {}}, Audience::python)->find("0.33"),
-            std::string::npos);
+  EXPECT_NE(leak_warning({.offset = 0.01, .gap = gap, .automatic = {}})->find("0.33"), std::string::npos);
 }
 
 TEST(TwoSidedWarning, CountsSamplesBelowHalfTheOffsetUnlessTheShapeIsClosed) {

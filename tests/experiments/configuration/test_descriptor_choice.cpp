@@ -75,8 +75,7 @@ TEST(OffsetWarnings, AreOfGapsAndHollowShapesForFieldsWithAnOffset) {
   const auto warnings = [](const Json& offset, const Shape& shape) {
     const Json fields{{{"type", "offset_sdf"}, {"offset", offset}}, {{"type", "offset_sdf"}, {"offset", offset}}};
     FieldSource source(shape);
-    return offset_warnings(make_descriptor({{"type", "joint_histogram"}, {"fields", fields}}), source,
-                           Audience::command_line);
+    return offset_warnings(make_descriptor({{"type", "joint_histogram"}, {"fields", fields}}), source);
   };
   const Shape box = test::box({4, 3, 1}, 1);
   EXPECT_THAT(warnings(0.01, box), testing::IsEmpty());
@@ -92,8 +91,7 @@ TEST(OffsetWarnings, AreOfGapsAndHollowShapesForFieldsWithAnOffset) {
   EXPECT_THAT(warnings(0.01, wall), testing::ElementsAre(HasSubstr("hollow")));
   FieldSource source(open);
   const Json cones{{{"type", "cone_sdf"}}, {{"type", "cone_sdf"}}};
-  EXPECT_THAT(offset_warnings(make_descriptor({{"type", "joint_histogram"}, {"fields", cones}}), source,
-                              Audience::command_line),
+  EXPECT_THAT(offset_warnings(make_descriptor({{"type", "joint_histogram"}, {"fields", cones}}), source),
               testing::IsEmpty());
 }
 

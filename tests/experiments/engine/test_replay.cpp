@@ -88,10 +88,10 @@ TEST(Replay, DamagedPathsAreErrorsWithTheirPlace) {
 TEST(Replay, WhatIsGeneratedHasNoFolder) {
   const Json dataset{{"configuration", {{"dataset", {{"generate", Json::object()}}}}}};
   EXPECT_THAT(test::input_error_of([&] { recorded_configuration(dataset, "/new", paths); }),
-              HasSubstr("--dataset-root"));
+              HasSubstr("`dataset_root`"));
   const Json shapes{{"configuration", {{"shapes", {{{"name", "a"}, {"generate", Json::object()}}}}}}};
   EXPECT_THAT(test::input_error_of([&] { recorded_configuration(shapes, "/new", paths); }),
-              HasSubstr("--dataset-root"));
+              HasSubstr("`dataset_root`"));
 }
 
 TEST(Replay, OneOfSeveralDataSetsIsLookedForInAnotherFolderByItsName) {

@@ -48,7 +48,7 @@ TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
   {
     const FolderLock lock(folder.path() / "a/b");
     EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run is writing to"));
-    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("--output"));
+    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("`output`"));
     EXPECT_EQ(lock_error(folder.path() / "a"), "no error");
     EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run")) << "the refused one has not unlocked it";
   }
@@ -100,7 +100,7 @@ TEST(ResultFolder, ResultsOfAnotherConfigurationAreKeptUnlessForced) {
   }
   const test::TemporaryFolder folder;
   write_text(folder.path() / "summary.csv", "method\n");
-  EXPECT_THAT(error_for(folder.path()), HasSubstr("--replace"));
+  EXPECT_THAT(error_for(folder.path()), HasSubstr("`replace=true`"));
 }
 
 TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {

@@ -180,7 +180,7 @@ TEST_F(MatrixWarnings, SayWhatWasFoundAndWhatItDoes) {
 TEST_F(MatrixWarnings, OfSimilaritiesSayNothingOfSignsAndTheDiagonal) {
   EXPECT_THAT(warnings_of("9 3 2 1\n3 9 2 1\n2 2 9 4\n1 1 4 9\n", true), IsEmpty());
   EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n", true),
-              Contains(HasSubstr("matrix of distances, which take no --similarity")));
+              Contains(HasSubstr("matrix of distances, which take no `similarity=true`")));
 }
 
 }  // namespace

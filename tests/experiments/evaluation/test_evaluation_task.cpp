@@ -184,8 +184,8 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
     return test::input_error_of([&] { open_evaluation_files(files); });
   };
   EXPECT_THAT(error({.matrix = three, .labels = labels}), HasSubstr("d.txt has 3 rows, but there are 4 models in"));
-  EXPECT_THAT(error({.matrix = three}), HasSubstr("--labels"));
-  EXPECT_THAT(error({.matrix = three, .labels = labels, .qrels = labels}), HasSubstr("--labels"));
+  EXPECT_THAT(error({.matrix = three}), HasSubstr("`labels`"));
+  EXPECT_THAT(error({.matrix = three, .labels = labels, .qrels = labels}), HasSubstr("`labels`"));
   const auto ids = file("ids.txt", "1\n2\n3\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = ids}), HasSubstr("model \"3\" is in no class"));
   const auto twice = file("twice.txt", "1\n2\nT2\n");
@@ -214,7 +214,7 @@ TEST_F(EvaluationTaskTest, RowsOfAMatrixAreThoseOfAListOfLabels) {
   const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});
   EXPECT_THAT(usual.task.query_ids, ElementsAre("10", "2", "1"));
   EXPECT_EQ(measure(usual, "NN"), 1);
-  EXPECT_THAT(usual.task.warnings, ElementsAre(HasSubstr("--order natural")));
+  EXPECT_THAT(usual.task.warnings, ElementsAre(HasSubstr("`order=natural`")));
   const EvaluationData natural =
       open_evaluation_files({.matrix = matrix, .labels = labels, .order = RowOrder::natural});
   EXPECT_THAT(natural.task.query_ids, ElementsAre("1", "2", "10"));
@@ -227,7 +227,7 @@ TEST_F(EvaluationTaskTest, RowsOfAMatrixAreInNaturalOrderOfAClassification) {
   const auto matrix = file("d.txt", "0 1 5\n1 0 5\n5 5 0\n");
   const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});
   EXPECT_THAT(usual.task.query_ids, ElementsAre("1", "2", "10"));
-  EXPECT_THAT(usual.task.warnings, ElementsAre(HasSubstr("--order file")));
+  EXPECT_THAT(usual.task.warnings, ElementsAre(HasSubstr("`order=file`")));
   const EvaluationData in_file = open_evaluation_files({.matrix = matrix, .labels = labels, .order = RowOrder::file});
   EXPECT_THAT(in_file.task.query_ids, ElementsAre("10", "2", "1"));
   EXPECT_THAT(in_file.task.warnings, testing::IsEmpty());
