@@ -47,12 +47,6 @@ void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions&
 /// diffuse() does and for a matrix that is not square.
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options = {});
 
-/// Model and distance in an answer to a query.
-struct RankedModel {
-  Eigen::Index model = 0;
-  double distance = 0;
-};
-
 /// Returns the `count` nearest models of one model after diffusion, without itself, nearest first (ties: lesser index
 /// first). The result agrees with the model's row of diffuse() to about 1e-6, without computing the other rows.
 /// `nearest` are the nearest models before diffusion, as many as the largest of neighbour_counts(); `distances` are

@@ -32,13 +32,28 @@ FloatColumns unit_columns(Eigen::Index size, std::span<const Eigen::Index> model
 /// Returns the decay of the coefficients of 1 / (1 - damping x) in Chebyshev polynomials.
 double series_rate(double damping) { return damping / (1 + std::sqrt(1 - damping * damping)); }
 
-/// Replaces the lower triangle by that of the Cholesky factor, in the blocks and steps of Eigen's LLT. Can be
-/// interrupted between blocks.
+/// Replaces the lower triangle of a small matrix by that of its Cholesky factor, column by column. Returns false, and
+/// stops, if the matrix is not positive definite.
+bool factorise_columns(Eigen::Ref<Eigen::MatrixXd> matrix) {
+  const Eigen::Index size = matrix.rows();
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const auto before = matrix.row(k).head(k);
+    auto below = matrix.col(k).tail(size - k - 1);
+    const double squared = matrix(k, k) - before.squaredNorm();
+    if (squared <= 0) return false;
+    matrix(k, k) = std::sqrt(squared);
+    below.noalias() -= matrix.bottomLeftCorner(size - k - 1, k) * before.transpose();
+    below /= matrix(k, k);
+  }
+  return true;
+}
+
+/// Replaces the lower triangle by that of the Cholesky factor, in the blocks of Eigen's LLT. Can be interrupted between
+/// blocks.
 void factorise(Eigen::MatrixXd& matrix) {
-  using Steps = Eigen::internal::llt_inplace<double, Eigen::Lower>;
   const Eigen::Index size = matrix.rows();
   if (size < 32) {
-    Steps::unblocked(matrix);
+    factorise_columns(matrix);
     return;
   }
   const Eigen::Index block = std::clamp<Eigen::Index>(size / 8 / 16 * 16, 8, 128);
@@ -47,7 +62,7 @@ void factorise(Eigen::MatrixXd& matrix) {
     const Eigen::Index width = std::min(block, size - k);
     const Eigen::Index rest = size - k - width;
     auto corner = matrix.block(k, k, width, width);
-    if (Steps::unblocked(corner) >= 0 || rest == 0) return;
+    if (!factorise_columns(corner) || rest == 0) return;
     auto below = matrix.block(k + width, k, rest, width);
     corner.adjoint().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(below);
     matrix.block(k + width, k + width, rest, rest).selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);

@@ -24,6 +24,12 @@ struct NearestModels {
   double largest = 0;        ///< largest finite distance between any two models
 };
 
+/// Model and distance in an answer to a query.
+struct RankedModel {
+  Eigen::Index model = 0;
+  double distance = 0;
+};
+
 /// Makes a source of rows from a matrix in memory, which must outlive it. Throws ArgumentError for a matrix that is not
 /// square.
 RowSource rows_of(const DistanceMatrix& distances);
