@@ -52,8 +52,6 @@ CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter,
     option->type_name(type_name_of(parameter.kind));
     option->each([name = option->get_name(), parameter](const std::string& text) {
       if (text.empty()) throw InputError(fmt::format("{} is empty; it must be {}", name, legal_values(parameter)));
-      const auto choice = choice_of(parameter, text);
-      if (choice && *choice != text) note(fmt::format("{0} {1} is now {0} {2}", name, text, *choice));
     });
   }
   given.option = option->get_name();

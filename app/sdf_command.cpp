@@ -177,23 +177,6 @@ void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
   for (std::string& warning : outcome_warnings(outcomes)) remarks.warnings.push_back(std::move(warning));
 }
 
-/// Resolves a short or, with a note, former name of a method.
-std::string with_method_name(std::string text) {
-  if (text == "ball") return "inscribed_ball";
-  if (text != "offset" && text != "cone") return text;
-  note(fmt::format("--method {0} is now --method {0}_sdf", text));
-  return text + "_sdf";
-}
-
-/// Adds the former --opening-angle (now --opening-angle-degrees), hidden from the help.
-void add_former_options(CLI::App& command, SdfArguments& arguments) {
-  const auto take = [&arguments](const std::string& angle) {
-    note("--opening-angle is now --opening-angle-degrees");
-    arguments.settings["opening_angle_degrees"].text = angle;
-  };
-  command.add_option_function<std::string>("--opening-angle", take)->group("");
-}
-
 /// Adds an option for each parameter of the methods.
 void add_settings(CLI::App& command, SdfArguments& arguments) {
   for (const FieldType& method : methods()) {
@@ -349,13 +332,12 @@ void add_sdf_command(CLI::App& app, int& status) {
   command->add_option("--method", arguments->method, descriptions_of_methods())
       ->required()
       ->check(CLI::IsMember(method_names()))
-      ->transform(with_method_name);
+      ->transform([](const std::string& name) { return name == "ball" ? "inscribed_ball" : name; });
   add_outputs(*command, *arguments);
   begin_option_group(*command, "Method");
   add_site_option(*command, arguments->site);
   CLI::Option* const offset = add_offset_option(*command, arguments->offset);
   add_settings(*command, *arguments);
-  add_former_options(*command, *arguments);
   add_denoise_option(*command, arguments->denoise);
   begin_option_group(*command, "Colours and pictures");
   add_picture_options(*command, *arguments);

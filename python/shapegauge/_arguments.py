@@ -4,54 +4,28 @@ from __future__ import annotations
 
 import collections as _collections
 import collections.abc as _abc
-import functools as _functools
-import inspect as _inspect
 import itertools as _itertools
 import math as _math
 import numbers as _numbers
 import os as _os
 import sys as _sys
 import warnings as _warnings
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, Tuple, Union
+from typing import Any, Callable, Iterable, Optional, Union
 
 import numpy as _numpy
 
 from . import _native
 from ._native import InputError
 
-if TYPE_CHECKING:
-    from typing import Concatenate, ParamSpec, Protocol, TypeVar, overload
-
-    Settings = ParamSpec("Settings")
-    Result = TypeVar("Result", covariant=True)
-
-    class OfShape(Protocol[Settings, Result]):
-        """A function of a shape: of vertices and faces, or of one object that has both."""
-
-        @overload
-        def __call__(self, vertices: Any, faces: Any, *args: Settings.args, **kwargs: Settings.kwargs) -> Result: ...
-        @overload
-        def __call__(self, vertices: Any, *args: Settings.args, **kwargs: Settings.kwargs) -> Result: ...
-
-    class OfPathAndShape(Protocol[Settings, Result]):
-        """Like OfShape, with a path as first argument."""
-
-        @overload
-        def __call__(self, path: PathLike, vertices: Any, faces: Any, *args: Settings.args,
-                     **kwargs: Settings.kwargs) -> Result: ...
-        @overload
-        def __call__(self, path: PathLike, vertices: Any, *args: Settings.args, **kwargs: Settings.kwargs) -> Result: ...
-
 PathLike = Union[str, bytes, "_os.PathLike[Any]"]
 Progress = Callable[[str, int, int], object]
-ShapeArrays = Tuple[_numpy.ndarray, _numpy.ndarray, _numpy.ndarray]
 _PACKAGE = __name__.split(".", maxsplit=1)[0]
 
 
 def progress_of(on_progress: Optional[Progress]) -> Optional[Progress]:
     """Returns the progress callback, or None."""
     if on_progress is not None and not callable(on_progress):
-        raise InputError(f"on_progress must be a function of stage, done and total, not {_kind(on_progress)}")
+        raise InputError(f"on_progress must be a function of stage, done and total, not {kind_of(on_progress)}")
     return on_progress
 
 
@@ -69,7 +43,7 @@ def path_of(path: Any, name: str) -> str:
     try:
         text = _os.fsdecode(path)
     except TypeError:
-        raise InputError(f"{name} must be the path of a file, not {_kind(path)}") from None
+        raise InputError(f"{name} must be the path of a file, not {kind_of(path)}") from None
     if not text or "\0" in text:
         raise InputError(f"{name} is {text!r}, which is no path of a file")
     return text
@@ -91,7 +65,7 @@ def whole_number(value: Any, name: str, low: int, high: int) -> int:
 def word(value: Any, name: str) -> str:
     """Validates a string."""
     if not isinstance(value, str):
-        raise InputError(f"{name} must be a string, not {_kind(value)}")
+        raise InputError(f"{name} must be a string, not {kind_of(value)}")
     try:
         value.encode()
     except UnicodeEncodeError:
@@ -102,7 +76,7 @@ def word(value: Any, name: str) -> str:
 def switch(value: Any, name: str) -> bool:
     """Validates a bool."""
     if not isinstance(value, (bool, _numpy.bool_)):
-        raise InputError(f"{name} must be True or False, not {_kind(value)}")
+        raise InputError(f"{name} must be True or False, not {kind_of(value)}")
     return bool(value)
 
 
@@ -129,9 +103,9 @@ def words(values: Any, name: str) -> list[str]:
 def ordered(values: Any, name: str) -> list[Any]:
     """Returns the values as a list. Unordered collections are rejected."""
     if isinstance(values, (_abc.Set, _abc.Mapping)):
-        raise InputError(f"{name} must be a list, not {_kind(values)}, which has no order")
+        raise InputError(f"{name} must be a list, not {kind_of(values)}, which has no order")
     if isinstance(values, (str, bytes)) or not isinstance(values, _abc.Iterable):
-        raise InputError(f"{name} must be a list, not {_kind(values)}")
+        raise InputError(f"{name} must be a list, not {kind_of(values)}")
     return list(values)
 
 
@@ -155,7 +129,7 @@ def plain(value: Any, name: str, depth: int = 0) -> Any:
                 for key, part in value.items()}
     if isinstance(value, (list, tuple)):
         return [plain(part, f"{name}[{i}]", depth + 1) for i, part in enumerate(value)]
-    raise InputError(f"{name} must be a number, a string, a bool, a list or a dict, not {_kind(value)}")
+    raise InputError(f"{name} must be a number, a string, a bool, a list or a dict, not {kind_of(value)}")
 
 
 def with_article(noun: str) -> str:
@@ -163,12 +137,13 @@ def with_article(noun: str) -> str:
     return f"{'an' if noun[0] in 'aeiouAEIOU' else 'a'} {noun}"
 
 
-def _kind(value: Any) -> str:
+def kind_of(value: Any) -> str:
+    """Returns the type of a value with its article: "a list"."""
     return "None" if value is None else with_article(type(value).__name__)
 
 
 def _shown(value: Any) -> str:
-    return repr(value) if isinstance(value, (str, _numbers.Number)) else _kind(value)
+    return repr(value) if isinstance(value, (str, _numbers.Number)) else kind_of(value)
 
 
 def array_of(values: Any, what: str, with_bools: bool = False) -> _numpy.ndarray:
@@ -234,32 +209,16 @@ def check_order(indexes: Iterable[tuple[str, Optional[list[Any]]]]) -> None:
                          f"{_shown(index[row])} and {_shown(second[row])}; reindex one like the other")
 
 
-def _shape_text(array: _numpy.ndarray) -> str:
+def shape_text(array: _numpy.ndarray) -> str:
+    """Returns the dimensions of an array: "2 x 3"."""
     return " x ".join(map(str, array.shape))
-
-
-def _rows(values: Any, what: str, kind: Any) -> _numpy.ndarray:
-    array = array_of(values, what)
-    if array.ndim == 0:
-        raise InputError(f"{what} must be n x 3, not {_kind(values)}")
-    if array.size == 0 and array.ndim <= 2 and (array.ndim == 1 or array.shape[0] == 0):
-        array = array.reshape(0, 3)
-    if array.ndim != 2 or array.shape[1] != 3:
-        hint = "; split polygons into triangles first" if what == "faces" and array.ndim == 2 else ""
-        raise InputError(f"{what} must be n x 3, not {_shape_text(array)}{hint}")
-    if kind is _numpy.int32 and array.size > 0:
-        if array.dtype.kind not in "iu":
-            raise InputError(f"{what} must be whole numbers, not {array.dtype}; convert them with astype(int)")
-        if not (0 <= array.min() and array.max() < 2**31):
-            raise InputError(f"{what} must be vertex indices from 0 on")
-    return _numpy.ascontiguousarray(array, dtype=kind)
 
 
 def matrix_of(values: Any, what: str) -> _numpy.ndarray:
     """Returns a matrix of float64."""
     array = array_of(values, what)
     if array.ndim != 2:
-        raise InputError(f"{what} must be a matrix, not {_kind(values) if array.ndim == 0 else _shape_text(array)}")
+        raise InputError(f"{what} must be a matrix, not {kind_of(values) if array.ndim == 0 else shape_text(array)}")
     return _numpy.ascontiguousarray(array, dtype=_numpy.float64)
 
 
@@ -267,154 +226,8 @@ def square_matrix(distances: Any) -> _numpy.ndarray:
     """Returns a square matrix of float64."""
     array = array_of(distances, "distances")
     if array.ndim != 2 or array.shape[0] != array.shape[1]:
-        given = _kind(distances) if array.ndim == 0 else _shape_text(array)
+        given = kind_of(distances) if array.ndim == 0 else shape_text(array)
         hint = "; scipy.spatial.distance.squareform() makes a condensed vector square" if array.ndim == 1 else ""
         raise InputError(f"distances must be n x n, not {given}{hint}")
     check_order([("rows of distances", index_of(distances)), ("columns of distances", index_of(distances, "columns"))])
     return _numpy.ascontiguousarray(array, dtype=_numpy.float64)
-
-
-def is_shape_object(value: Any) -> bool:
-    """Returns whether the value is an object with the arrays of a shape, not an array."""
-    if hasattr(value, "__array__"):
-        return False
-    return hasattr(value, "vertices") or hasattr(value, "points") or _is_scene(value) or _is_tensor_geometry(value)
-
-
-def _is_scene(value: Any) -> bool:
-    """Returns whether the value is a trimesh scene: meshes with transformations."""
-    return hasattr(value, "geometry") and callable(getattr(value, "dump", None))
-
-
-def _is_tensor_geometry(value: Any) -> bool:
-    """Returns whether the value is a mesh or a point cloud of open3d.t."""
-    return any("positions" in getattr(value, part, ()) for part in ("vertex", "point"))
-
-
-def _tensor_array(values: Any, name: str) -> Any:
-    return values[name].cpu().numpy() if name in values else None
-
-
-def _arrays_of_tensors(shape: Any) -> tuple[Any, Any, Any]:
-    if "positions" in getattr(shape, "point", ()):
-        return _tensor_array(shape.point, "positions"), None, _tensor_array(shape.point, "normals")
-    return _tensor_array(shape.vertex, "positions"), _tensor_array(shape.triangle, "indices"), None
-
-
-def _faces_of_cells(mesh: Any) -> Any:
-    """Returns the triangles among the cells of a meshio mesh; none for a cloud."""
-    faces = []
-    for block in mesh.cells:
-        kind, cells = (block.type, block.data) if hasattr(block, "type") else block
-        if kind == "triangle":
-            faces.append(array_of(cells, "cells"))
-        elif kind not in ("vertex", "line"):
-            raise InputError(f"the {type(mesh).__name__} has cells of the kind {kind}; split them into triangles first")
-    return _numpy.concatenate(faces) if faces else None
-
-
-def _attribute(shape: Any, name: str) -> Any:
-    value = getattr(shape, name, None)
-    if callable(value):
-        raise InputError(f"{name} of the {type(shape).__name__} is a function; give its arrays")
-    return value
-
-
-def _faces_of_points(mesh: Any) -> Any:
-    """The faces of an object whose vertices are `points`: none for a cloud (Open3D), or a padded list (PyVista)."""
-    if hasattr(mesh, "cells") and not hasattr(mesh, "faces"):
-        if not isinstance(mesh.cells, (list, tuple)):
-            raise InputError(f"{_kind(mesh)} has cells of several kinds; give its points and its triangles")
-        return _faces_of_cells(mesh)
-    faces = _attribute(mesh, "faces")
-    if faces is None:
-        return None
-    array = array_of(faces, "faces")
-    if array.ndim != 1:
-        return array
-    if array.size % 4 != 0 or (array.reshape(-1, 4)[:, 0] != 3).any():
-        raise InputError(f"the {type(mesh).__name__} has faces that are no triangles; split them into triangles first")
-    return array.reshape(-1, 4)[:, 1:]
-
-
-def _arrays_of_object(shape: Any) -> tuple[Any, Any, Any]:
-    """Returns the vertices, faces and normals of an object."""
-    if _is_scene(shape):
-        shape = shape.dump(concatenate=True)
-    if _is_tensor_geometry(shape):
-        return _arrays_of_tensors(shape)
-    if not hasattr(shape, "vertices"):
-        return _attribute(shape, "points"), _faces_of_points(shape), _attribute(shape, "normals")
-    faces = _attribute(shape, "faces")
-    faces = _attribute(shape, "triangles") if faces is None else faces
-    return _attribute(shape, "vertices"), faces, _attribute(shape, "normals")
-
-
-def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
-    """Vertices, faces and normals as arrays, from arrays or from one object in the place of vertices."""
-    if is_shape_object(vertices):
-        if faces is not None:
-            raise InputError(f"the {type(vertices).__name__} brings its faces along; leave faces out")
-        vertices, faces, own_normals = _arrays_of_object(vertices)
-        is_cloud = faces is None or len(faces) == 0
-        normals = own_normals if normals is None and is_cloud else normals
-    vertices = _rows(vertices, "vertices", _numpy.float64)
-    faces = _rows([] if faces is None else faces, "faces", _numpy.int32)
-    normals = _rows([] if normals is None else normals, "normals", _numpy.float64)
-    if len(normals) > 0 and len(faces) > 0:
-        raise InputError("normals are for point clouds; a mesh has its own: leave normals out")
-    if len(normals) > 0 and len(normals) != len(vertices):
-        raise InputError(f"there are {len(normals)} normals for {len(vertices)} points")
-    return vertices, faces, normals
-
-
-def of_shape(leading: int = 0) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    """Decorates a function of a shape's arrays and settings, so that callers pass vertices and faces, or one object
-    that has both. `leading`: number of arguments before the shape.
-
-    Arguments are bound once for both forms: what follows the shape is the same, and what is left over is an error.
-    """
-
-    def decorate(function: Callable[..., Any]) -> Callable[..., Any]:
-        parameters = list(_inspect.signature(function).parameters.values())
-        before, settings = parameters[:leading], parameters[leading + 1:]
-        kind = _inspect.Parameter.POSITIONAL_OR_KEYWORD
-        of_settings = _inspect.Signature(before + settings)
-        signature = _inspect.Signature(
-            [*before, _inspect.Parameter("vertices", kind), _inspect.Parameter("faces", kind, default=None), *settings])
-
-        @_functools.wraps(function)
-        def call(*arguments: Any, **keywords: Any) -> Any:
-            first, rest = list(arguments[:leading]), list(arguments[leading:])
-            if "vertices" in keywords:
-                rest.insert(0, keywords.pop("vertices"))
-            if not rest:
-                raise TypeError(f"{function.__name__}() needs vertices, or an object that has them")
-            vertices = rest.pop(0)
-            # What follows a cloud's points may be a setting: neither words nor numbers are faces.
-            stands_alone = is_shape_object(vertices) and (not rest or rest[0] is not None)
-            stands_alone = stands_alone or "faces" in keywords or not rest or isinstance(rest[0], (str, _numbers.Number))
-            faces = keywords.pop("faces", None) if stands_alone else rest.pop(0)
-            try:
-                bound = of_settings.bind(*first, *rest, **keywords)
-            except TypeError as error:
-                raise TypeError(f"{function.__name__}(): {error}; its arguments are {signature}") from None
-            arrays = shape_arrays(vertices, faces, bound.arguments.get("normals"))
-            return function(*bound.args[:leading], arrays, *bound.args[leading:], **bound.kwargs)
-
-        setattr(call, "__signature__", signature)
-        return call
-
-    return decorate
-
-
-if TYPE_CHECKING:
-
-    def shape_function(function: Callable[Concatenate[ShapeArrays, Settings], Result]) -> OfShape[Settings, Result]: ...
-
-    def path_and_shape_function(
-            function: Callable[Concatenate[PathLike, ShapeArrays, Settings], Result]
-    ) -> OfPathAndShape[Settings, Result]: ...
-else:
-    shape_function = of_shape()
-    path_and_shape_function = of_shape(leading=1)

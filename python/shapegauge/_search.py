@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Iterator, NamedTuple, Optional, Sequence,
 import numpy as _numpy
 
 from . import _native
-from ._arguments import (Progress, is_shape_object, number_of_threads, path_of, plain, progress_of, shape_arrays, switch,
-                         warn, word)
+from ._arguments import Progress, number_of_threads, path_of, plain, progress_of, switch, warn, word
 from ._native import InputError
 from ._settings import REGISTERED, number_of
+from ._shape_arrays import is_shape_object, shape_arrays
 
 if TYPE_CHECKING:
     import pandas

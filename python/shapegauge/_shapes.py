@@ -8,10 +8,10 @@ from typing import Any, Mapping, NamedTuple, Optional, Union
 import numpy as _numpy
 
 from . import _native
-from ._arguments import (PathLike, ShapeArrays, number_of_threads, path_and_shape_function, path_of, plain,
-                         shape_function, warn, with_article, word)
+from ._arguments import PathLike, kind_of, number_of_threads, path_of, plain, warn, word
 from ._native import InputError
 from ._settings import REGISTERED, listing, listing_of_all, settings_of, with_settings
+from ._shape_arrays import ShapeArrays, is_shape_object, settings_after, shape_arrays
 
 Sites = Union[str, Mapping[str, int]]
 
@@ -69,20 +69,20 @@ def read(path: PathLike) -> Shape:
     return Shape(*_native.read(path_of(path, "path")))
 
 
-@path_and_shape_function
-def write(path: PathLike, shape: ShapeArrays, normals: Any = None) -> None:
+def write(path: PathLike, vertices: Any, faces: Any = None, normals: Any = None) -> None:
     """Writes a shape in the format of the extension. Warns if STL, of single precision, distorts the shape.
 
     >>> sg.write("hand.ply", *sg.read("hand.off"))
     """
-    warning = _native.write(path_of(path, "path"), *shape)
+    if is_shape_object(vertices) and normals is None:  # what follows an object are its normals
+        faces, normals = None, faces
+    warning = _native.write(path_of(path, "path"), *shape_arrays(vertices, faces, normals))
     warn([] if warning is None else [warning])
 
 
 @with_settings([("Types and their settings", listing_of_all("fields"))])
-@shape_function
-def field(shape: ShapeArrays, type: str = "offset_sdf", *, at: Sites = "faces", normals: Any = None, threads: int = 0,
-          **settings: Any) -> ScalarField:
+def field(vertices: Any, faces: Any = None, type: str = "offset_sdf", *, at: Sites = "faces", normals: Any = None,
+          threads: int = 0, **settings: Any) -> ScalarField:
     """A scalar field of any type that configurations know (docs/reference/configuration.md), in the units of the input.
 
     at: "faces", "vertices" or {"surface": n}; a cloud has its values at its points. settings: those of the type, below.
@@ -90,7 +90,8 @@ def field(shape: ShapeArrays, type: str = "offset_sdf", *, at: Sites = "faces", 
 
     >>> values, weights = sg.field(mesh, "centricity", sources=24)
     """
-    found = _field(shape, word(type, "type"), at, settings, threads)
+    faces, type = settings_after(vertices, faces, (type, "offset_sdf"))
+    found = _field(shape_arrays(vertices, faces, normals), word(type, "type"), at, settings, threads)
     warn(found["leaks"] + found["hollow"] + found["without_value"])
     return _scalar_field(found)
 
@@ -106,72 +107,50 @@ def _scalar_field(found: dict[str, Any]) -> ScalarField:
                        found["points"])
 
 
-# The settings of each field of thickness, and older names of fields and settings.
+# The settings of each field of thickness.
 _SDF_SETTINGS = {name: entry["settings"] for name, entry in REGISTERED["fields"].items() if entry["is_thickness"]}
-_OLDER_METHODS = {"offset": "offset_sdf", "cone": "cone_sdf"}
-_OLDER_SETTINGS = {"opening_angle": "opening_angle_degrees", "separation_angle": "separation_angle_degrees"}
 _SDF_DEFAULTS = {"offset": REGISTERED["options"]["sdf"]["offset"]["default"]}
-
-
-def _sdf_method(method: Any) -> str:
-    if isinstance(method, str) and _OLDER_METHODS.get(method, method) in _SDF_SETTINGS:
-        return _OLDER_METHODS.get(method, method)
-    shown = repr(method) if isinstance(method, str) else with_article(type(method).__name__)
-    *others, last = (f'"{name}"' for name in _SDF_SETTINGS)
-    raise InputError(f"method must be {', '.join(others)} or {last}, not {shown}")
-
-
-def _registered_settings(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns the settings that are given, by their registered names."""
-    registered: dict[str, Any] = {}
-    for name, value in given.items():
-        if value is None:
-            continue
-        own = _OLDER_SETTINGS.get(name, name)
-        if own in registered:
-            raise InputError(f"{name} is the older name of {own}; give one of them")
-        registered[own] = value
-    return registered
 
 
 @with_settings([(f'Settings of method="{method}"', listing(settings, _SDF_DEFAULTS))
                 for method, settings in _SDF_SETTINGS.items()])
-@shape_function
-def sdf(shape: ShapeArrays, method: str = "offset_sdf", offset: Union[None, float, str] = None, *,
-        accuracy: Optional[str] = None, at: Sites = "faces", rays: Optional[int] = None,
-        opening_angle_degrees: Optional[float] = None, engine: Optional[str] = None, postprocess: Optional[bool] = None,
-        separation_angle_degrees: Optional[float] = None, opening_angle: Optional[float] = None,
-        separation_angle: Optional[float] = None, normals: Any = None, threads: int = 0) -> ScalarField:
+def sdf(vertices: Any, faces: Any = None, method: Union[str, float] = "offset_sdf",
+        offset: Union[None, float, str] = None, *, accuracy: Optional[str] = None, at: Sites = "faces",
+        rays: Optional[int] = None, opening_angle_degrees: Optional[float] = None, engine: Optional[str] = None,
+        postprocess: Optional[bool] = None, separation_angle_degrees: Optional[float] = None, normals: Any = None,
+        threads: int = 0) -> ScalarField:
     """The thickness of a shape by the shape diameter function or inscribed balls, in the units of the input.
 
     method: "offset_sdf" (SDF of the offset surface, robust to noise and cracks, also for point clouds), "cone_sdf" (the
     conventional SDF, for closed meshes) or "inscribed_ball" (diameter of the largest inscribed ball). Each method has its
-    own settings, below. The older names "offset", "cone", opening_angle and separation_angle mean the same. Returns a
-    ScalarField, which unpacks as values and weights; its `offset` is the one that "auto" chose.
+    own settings, below. Returns a ScalarField, which unpacks as values and weights; its `offset` is the one that "auto"
+    chose.
 
     >>> values, weights = sg.sdf(vertices, faces, method="offset_sdf", offset=0.05, at="faces")
     >>> sg.sdf(points, offset="auto").offset
     0.0125
     >>> values, weights = sg.sdf(mesh, "cone_sdf")
     """
-    method = _sdf_method(method)
-    given = _registered_settings({
-        "offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle_degrees": opening_angle_degrees,
-        "engine": engine, "postprocess": postprocess, "separation_angle_degrees": separation_angle_degrees, "opening_angle": opening_angle,
-        "separation_angle": separation_angle})
+    faces, method, offset = settings_after(vertices, faces, (method, "offset_sdf"), (offset, None))
+    if not isinstance(method, str) or method not in _SDF_SETTINGS:
+        *others, last = (f'"{name}"' for name in _SDF_SETTINGS)
+        shown = repr(method) if isinstance(method, str) else kind_of(method)
+        raise InputError(f"method must be {', '.join(others)} or {last}, not {shown}")
+    settings = {"offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle_degrees": opening_angle_degrees,
+                "engine": engine, "postprocess": postprocess, "separation_angle_degrees": separation_angle_degrees}
+    given = {name: value for name, value in settings.items() if value is not None}
     for name in given:
         if name not in _SDF_SETTINGS[method]:
             other = next(other for other, settings in _SDF_SETTINGS.items() if name in settings)
             raise InputError(f'{name} requires method="{other}", not "{method}"')
     if method == "offset_sdf":
         given = {**_SDF_DEFAULTS, **given}
-    found = _field(shape, method, at, given, threads)
+    found = _field(shape_arrays(vertices, faces, normals), method, at, given, threads)
     warn(found["leaks"] + found["hollow"] + found["without_value"])
     return _scalar_field(found)
 
 
-@shape_function
-def normals(shape: ShapeArrays, offset: Union[float, str] = "auto", *, at: Sites = "vertices",
+def normals(vertices: Any, faces: Any = None, offset: Union[float, str] = "auto", *, at: Sites = "vertices",
             threads: int = 0) -> _numpy.ndarray:
     """Estimates outward unit normals, n x 3, robust to noise, cracks and orientation.
 
@@ -180,7 +159,8 @@ def normals(shape: ShapeArrays, offset: Union[float, str] = "auto", *, at: Sites
     >>> sg.normals(points).shape
     (5000, 3)
     """
-    found = _field(shape, "offset_sdf", at, {"offset": offset}, threads)
+    faces, offset = settings_after(vertices, faces, (offset, "auto"))
+    found = _field(shape_arrays(vertices, faces, None), "offset_sdf", at, {"offset": offset}, threads)
     warn(found["leaks"] + found["two_sided"] + found["without_value"])
     return found["normals"]
 
@@ -195,8 +175,7 @@ def _with_settings(function: str, own: Mapping[str, str], settings: Mapping[str,
 
 @with_settings([("Settings", listing({
     name: setting for name, setting in settings_of("sections", "segmentation_method").items() if name != "method"}))])
-@shape_function
-def segment(shape: ShapeArrays, method: str = "best", *, normals: Any = None, threads: int = 0,
+def segment(vertices: Any, faces: Any = None, method: str = "best", *, normals: Any = None, threads: int = 0,
             **settings: Any) -> _numpy.ndarray:
     """Cuts a shape into parts: int32 numbers of parts from 0 on, one a face, or a point of a cloud.
 
@@ -206,21 +185,23 @@ def segment(shape: ShapeArrays, method: str = "best", *, normals: Any = None, th
     >>> labels = sg.segment(vertices, faces, "paper", field="cone_sdf", parts=4)
     >>> labels = sg.segment(mesh, "paper")
     """
+    faces, method = settings_after(vertices, faces, (method, "best"))
     document = _with_settings("segment", {"name": "parts", "method": word(method, "method")}, settings)
-    labels, warnings = _native.segment(*shape, document, number_of_threads(threads))
+    labels, warnings = _native.segment(*shape_arrays(vertices, faces, normals), document, number_of_threads(threads))
     warn(warnings)
     return labels
 
 
 @with_settings([("Descriptors and their settings", listing_of_all("descriptors"))])
-@shape_function
-def describe(shape: ShapeArrays, descriptor: str = "light_field", *, normals: Any = None, threads: int = 0,
-             **settings: Any) -> _numpy.ndarray:
+def describe(vertices: Any, faces: Any = None, descriptor: str = "light_field", *, normals: Any = None,
+             threads: int = 0, **settings: Any) -> _numpy.ndarray:
     """The features of a shape under a descriptor (docs/manual/descriptors.md), float32. The shape is scaled to unit area.
 
     >>> features = sg.describe(vertices, faces, "light_field")
     >>> features = sg.describe(mesh, "d2")
     """
+    faces, descriptor = settings_after(vertices, faces, (descriptor, "light_field"))
+    shape = shape_arrays(vertices, faces, normals)
     document = _with_settings("describe", {"type": word(descriptor, "descriptor")}, settings)
     try:
         features, warnings = _native.describe(*shape, document, number_of_threads(threads))

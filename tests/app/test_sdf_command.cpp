@@ -198,7 +198,7 @@ TEST_F(SdfCommand, SaysWhichThicknessOfAHollowBody) {
   write_off(at("sphere.off"), test::joined({shape, test::flipped(test::sphere(8, 3))}));
   EXPECT_THAT(sdf("--method offset_sdf -o '" + at("x.csv") + "'").errors,
               testing::AllOf(HasSubstr("warning"), HasSubstr("hollow"), HasSubstr("hull")));
-  const Outcome outcome = sdf("--method ball --summary --format json");
+  const Outcome outcome = sdf("--method inscribed_ball --summary --format json");
   EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("wall"), testing::Not(HasSubstr("warning"))));
   EXPECT_NEAR(nlohmann::json::parse(outcome.output)["percentiles"]["50"].get<double>(), 2, 0.2);
 }
@@ -240,7 +240,7 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {good + "--method cone_sdf --range 4,1" + out, "--range"},
       {good + "--method cone_sdf --range 0,1 --scale log" + out, "--range"},
       {good + "--method cone_sdf --separation-angle-degrees 30" + out, "--separation-angle-degrees"},
-      {good + "--method ball --separation-angle-degrees 180" + out, "angle"},
+      {good + "--method inscribed_ball --separation-angle-degrees 180" + out, "angle"},
       {good + "--method cone_sdf --plot x.eps", ".svg, .pdf or .png"},
       {good + "--method cone_sdf --rays 0" + out, "rays"},
       {good + "--method cone_sdf --opening-angle-degrees 400" + out, "angle"},
@@ -249,15 +249,6 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {good + "--method cone_sdf --offset 0.1" + out, "--offset does not apply to --method cone_sdf"},
       {good + "--method offset_sdf --rays 3" + out, "--rays does not apply to --method offset_sdf"}};
   expect_error_lines(cases);
-}
-
-TEST_F(SdfCommand, FormerNamesStillWorkWithANote) {
-  ASSERT_EQ(sdf("--method cone_sdf --opening-angle-degrees 80 -o '" + at("now.csv") + "'").errors, "");
-  const Outcome former = sdf("--method cone --opening-angle 80 -o '" + at("former.csv") + "'");
-  EXPECT_EQ(former.status, 0);
-  EXPECT_EQ(text_of(at("former.csv")), text_of(at("now.csv")));
-  EXPECT_THAT(former.errors, AllOf(HasSubstr("cone_sdf"), HasSubstr("--opening-angle-degrees")));
-  EXPECT_THAT(run_executable("sdf --help").output, Not(HasSubstr("--opening-angle ")));
 }
 
 }  // namespace

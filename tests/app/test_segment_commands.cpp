@@ -78,20 +78,6 @@ TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
               testing::AllOf(HasSubstr("--patches"), HasSubstr("from 1 to 100000; default: 150")));
 }
 
-TEST_F(SegmentCommands, SegmentTakesTheOlderNamesOfFields) {
-  const auto segment = [&](const std::string& field) {
-    return run_executable(fmt::format("segment '{}' --method paper --field {} --replace -o '{}'", at("psb/off/1.off"),
-                                      field, at("x.seg")));
-  };
-  const Outcome outcome = segment("cone_sdf");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  const std::string parts = text_of(at("x.seg"));
-  const Outcome former = segment("cone");
-  EXPECT_EQ(former.status, 0) << former.errors;
-  EXPECT_EQ(former.errors, "shapegauge: --field cone is now --field cone_sdf\n" + outcome.errors);
-  EXPECT_EQ(text_of(at("x.seg")), parts);
-}
-
 TEST_F(SegmentCommands, SegmentDrawsAndColours) {
   EXPECT_EQ(run_executable(fmt::format("segment '{}' -o '{}'", at("psb/off/1.off"), at("x.png"))).status, 0);
   EXPECT_THAT(text_of(at("x.png")), StartsWith("\x89PNG"));

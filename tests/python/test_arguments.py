@@ -27,9 +27,9 @@ def objects():
 @pytest.mark.parametrize("mesh", objects(), ids=["trimesh", "Open3D", "PyVista", "Shape"])
 def test_settings_after_an_object_are_those_after_arrays(mesh):
     both = (VERTICES, FACES)
-    for settings in (("offset", 0.03), ("offset", 0.2), ("cone",), ()):
+    for settings in (("offset_sdf", 0.03), ("offset_sdf", 0.2), ("cone_sdf",), ()):
         np.testing.assert_array_equal(sg.sdf(mesh, *settings).values, sg.sdf(*both, *settings).values)
-    assert (sg.sdf(mesh, "offset", 0.03).values != sg.sdf(mesh, "offset", 0.2).values).any()
+    assert (sg.sdf(mesh, "offset_sdf", 0.03).values != sg.sdf(mesh, "offset_sdf", 0.2).values).any()
     np.testing.assert_array_equal(sg.field(mesh, "cone_sdf")[0], sg.field(*both, "cone_sdf")[0])
     np.testing.assert_array_equal(sg.normals(mesh, 0.2), sg.normals(*both, offset=0.2))
     np.testing.assert_array_equal(sg.describe(mesh, "d2"), sg.describe(*both, "d2"))
@@ -38,10 +38,10 @@ def test_settings_after_an_object_are_those_after_arrays(mesh):
 
 def test_arrays_may_be_given_by_name_and_clouds_before_words():
     by_name = sg.sdf(vertices=VERTICES, faces=FACES, offset=0.1).values
-    np.testing.assert_array_equal(by_name, sg.sdf(VERTICES, faces=FACES, method="offset", offset=0.1).values)
+    np.testing.assert_array_equal(by_name, sg.sdf(VERTICES, faces=FACES, method="offset_sdf", offset=0.1).values)
     np.testing.assert_array_equal(sg.describe(VERTICES, "d2"), sg.describe(VERTICES, None, "d2"))
     np.testing.assert_array_equal(sg.normals(VERTICES, 0.2), sg.normals(VERTICES, offset=0.2))
-    np.testing.assert_array_equal(sg.sdf(MESH, None, "cone").values, sg.sdf(MESH, "cone").values)
+    np.testing.assert_array_equal(sg.sdf(MESH, None, "cone_sdf").values, sg.sdf(MESH, "cone_sdf").values)
     assert list(inspect.signature(sg.sdf).parameters)[:4] == ["vertices", "faces", "method", "offset"]
     assert list(inspect.signature(sg.write).parameters) == ["path", "vertices", "faces", "normals"]
 
@@ -57,7 +57,7 @@ def test_objects_are_written(tmp_path):
 def test_numbers_may_be_numpys():
     expected = sg.field(MESH, "centricity", sources=5).values
     np.testing.assert_array_equal(sg.field(MESH, "centricity", sources=np.int64(5)).values, expected)
-    surface = sg.sdf(MESH, "cone", at={"surface": np.int32(50)}, threads=np.int64(1))
+    surface = sg.sdf(MESH, "cone_sdf", at={"surface": np.int32(50)}, threads=np.int64(1))
     assert surface.values.shape == (50,)
     np.testing.assert_array_equal(sg.sdf(VERTICES.astype(object), FACES.astype(object)).values, sg.sdf(MESH).values)
 
@@ -65,11 +65,11 @@ def test_numbers_may_be_numpys():
 DISTANCES, LABELS = toy()
 CALLS = [
     # Unknown or incompatible arguments.
-    (lambda: sg.sdf(MESH, "cone", "garbage"), "offset"),
-    (lambda: sg.sdf(MESH, "cone", 0.05, 3), "positional"),
-    (lambda: sg.sdf(VERTICES, FACES, "offset", 0.05, "fine"), "positional"),
-    (lambda: sg.sdf(MESH, "offset", rays=9), "rays"),
-    (lambda: sg.sdf(MESH, FACES), "method"),
+    (lambda: sg.sdf(MESH, "cone_sdf", "garbage"), "offset"),
+    (lambda: sg.sdf(MESH, "cone_sdf", 0.05, 3), "positional"),
+    (lambda: sg.sdf(VERTICES, FACES, "offset_sdf", 0.05, "fine"), "positional"),
+    (lambda: sg.sdf(MESH, "offset_sdf", rays=9), "rays"),
+    (lambda: sg.sdf(MESH, FACES), "faces"),
     (lambda: sg.sdf(MESH, faces=FACES), "faces"),
     (lambda: sg.sdf(), "vertices"),
     (lambda: sg.sdf(MESH, nonsense=1), "nonsense"),
@@ -112,11 +112,10 @@ CALLS = [
     (lambda: sg.sdf(MESH, offset=float("nan")), "offset is nan"),
     (lambda: sg.sdf(MESH, offset=-1), "offset"),
     (lambda: sg.sdf(MESH, "x"), "cone"),
-    (lambda: sg.sdf(MESH, "cone", opening_angle=500), "opening_angle_degrees: "),
-    (lambda: sg.sdf(MESH, "cone", rays={1}), "rays"),
-    (lambda: sg.sdf(MESH, "cone_sdf", separation_angle=5), 'separation_angle_degrees requires method="inscribed_ball"'),
-    (lambda: sg.sdf(MESH, "inscribed_ball", separation_angle=180), "separation_angle_degrees: "),
-    (lambda: sg.sdf(MESH, "cone", opening_angle=50, opening_angle_degrees=60), "older name"),
+    (lambda: sg.sdf(MESH, "cone_sdf", opening_angle_degrees=500), "opening_angle_degrees: "),
+    (lambda: sg.sdf(MESH, "cone_sdf", rays={1}), "rays"),
+    (lambda: sg.sdf(MESH, "cone_sdf", separation_angle_degrees=5), 'separation_angle_degrees requires method="inscribed_ball"'),
+    (lambda: sg.sdf(MESH, "inscribed_ball", separation_angle_degrees=180), "separation_angle_degrees: "),
     (lambda: sg.field(MESH, "centricity", sources=float("inf")), "sources is inf"),
     (lambda: sg.field(MESH, 5), "type"),
     (lambda: sg.describe(MESH, "x"), "^descriptor: "),

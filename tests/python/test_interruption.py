@@ -50,8 +50,8 @@ except KeyboardInterrupt:
 """
 
 CALLS = {
-    "sdf": ("points = cloud(3_000_000)", "sg.sdf(points, 'offset', 0.005, accuracy='fine')"),
-    "sdf of a mesh": ("mesh = bumpy_torus(1000, 500)", "sg.sdf(*mesh, 'cone', rays=1000)"),
+    "sdf": ("points = cloud(3_000_000)", "sg.sdf(points, 'offset_sdf', 0.005, accuracy='fine')"),
+    "sdf of a mesh": ("mesh = bumpy_torus(1000, 500)", "sg.sdf(*mesh, 'cone_sdf', rays=1000)"),
     "normals": ("points = cloud(3_000_000)", "sg.normals(points, 0.005)"),
     "field": ("mesh = bumpy_torus(500, 300)", "sg.field(*mesh, 'centricity', sources=1000)"),
     "spectrum": ("mesh = bumpy_torus(200, 150)", "sg.field(*mesh, 'heat_kernel', eigenvalues=1000)"),

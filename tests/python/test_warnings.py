@@ -45,7 +45,7 @@ def test_leaks_are_warned_of(tmp_path):
     sg.write(tmp_path / "open.off", VERTICES, OPEN)
     shape = sg.read(tmp_path / "open.off")
     for offset in (0.02, "auto"):
-        told = program("sdf", tmp_path / "open.off", "--method", "offset", "--offset", offset, "--replace", "-o",
+        told = program("sdf", tmp_path / "open.off", "--method", "offset_sdf", "--offset", offset, "--replace", "-o",
                        tmp_path / "x.csv")
         _, found = warned(lambda: sg.sdf(shape, offset=offset))
         assert found == [in_python(sentence) for sentence in commands_warnings(told)]
@@ -70,7 +70,7 @@ def test_leaks_are_warned_of(tmp_path):
 def test_the_offset_that_was_chosen_is_told(tmp_path):
     sg.write(tmp_path / "cloud.ply", VERTICES)
     field, found = warned(lambda: sg.sdf(sg.read(tmp_path / "cloud.ply"), offset="auto"))
-    program("sdf", tmp_path / "cloud.ply", "--method", "offset", "--offset", "auto", "--timings", tmp_path / "t.json",
+    program("sdf", tmp_path / "cloud.ply", "--method", "offset_sdf", "--offset", "auto", "--timings", tmp_path / "t.json",
             "-o", tmp_path / "x.csv")
     told = json.loads((tmp_path / "t.json").read_text())["offset"]
     assert told["automatic"] and field.offset == told["offset"] > 0.01
@@ -79,7 +79,7 @@ def test_the_offset_that_was_chosen_is_told(tmp_path):
     np.testing.assert_array_equal(field.normals, sg.normals(VERTICES, "auto"))
     assert sg.sdf(VERTICES, FACES, offset=0.07).offset == 0.07
     assert sg.field(VERTICES, FACES, "offset_sdf", offset=0.07).offset == 0.07
-    assert sg.sdf(VERTICES, FACES, "cone").offset is None and sg.sdf(VERTICES, FACES, "cone").normals is None
+    assert sg.sdf(VERTICES, FACES, "cone_sdf").offset is None and sg.sdf(VERTICES, FACES, "cone_sdf").normals is None
 
 
 def test_models_that_a_run_omits_are_named(tmp_path):

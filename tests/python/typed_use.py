@@ -8,7 +8,7 @@ import numpy as np
 import shapegauge as sg
 
 vertices, faces, normals = sg.read(pathlib.Path("hand.off"))
-field: sg.ScalarField = sg.sdf(vertices, faces, method="offset", offset=0.05, at="faces")
+field: sg.ScalarField = sg.sdf(vertices, faces, method="offset_sdf", offset=0.05, at="faces")
 of_cloud: sg.ScalarField = sg.sdf(vertices, offset="auto")
 values, weights = field
 offset: float | None = field.offset

@@ -53,14 +53,6 @@ TEST(SegmentationExperiment, HasPlacesAndSettingsAsGiven) {
   EXPECT_EQ(options.method, SegmentationAlgorithm::best);
 }
 
-TEST(SegmentationExperiment, TakesTheOlderNamesOfFields) {
-  for (const auto& [older, name] : {std::pair("offset", "offset_sdf"), std::pair("cone", "cone_sdf")}) {
-    const auto method = [](const char* field) { return Json{{"name", "a"}, {"method", "paper"}, {"field", field}}; };
-    EXPECT_EQ(to_json(read(benchmark, method(older))), to_json(read(benchmark, method(name))));
-    EXPECT_EQ(to_json(read(benchmark, method(older)))["segmentation"][0]["field"], name);
-  }
-}
-
 TEST(SegmentationExperiment, SuggestsTheNamesOfFields) {
   const Json method{{"name", "a"}, {"method", "paper"}, {"field", "ball"}};
   EXPECT_THAT(test::input_error_of([&] { read(benchmark, method); }),

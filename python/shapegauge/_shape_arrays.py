@@ -1,0 +1,142 @@
+"""Shapes as arguments: arrays, or objects of trimesh, Open3D, PyVista and meshio."""
+
+from __future__ import annotations
+
+import numbers as _numbers
+from typing import Any, Tuple
+
+import numpy as _numpy
+
+from ._arguments import array_of, kind_of, shape_text
+from ._native import InputError
+
+ShapeArrays = Tuple[_numpy.ndarray, _numpy.ndarray, _numpy.ndarray]
+
+
+def settings_after(vertices: Any, faces: Any, *settings: tuple[Any, Any]) -> tuple[Any, ...]:
+    """Returns the faces and the settings. settings: values, each with its default, in the order of the arguments.
+
+    Settings may follow an object, or the points of a cloud, in the place of faces: sdf(mesh, "cone_sdf", 0.05). They are
+    moved to their own places then.
+    """
+    values = [value for value, _ in settings]
+    is_setting = isinstance(faces, (str, _numbers.Number))
+    if faces is None or not (is_setting or is_shape_object(vertices)):
+        return (faces, *values)
+    if not is_setting:
+        raise InputError(f"the {type(vertices).__name__} already has faces; leave faces out")
+    is_given = [type(value) is not type(default) or value != default for value, default in settings]
+    if is_given[-1] and all(is_given):
+        raise TypeError(f"too many positional arguments after the {type(vertices).__name__}: {values[-1]!r}")
+    return (None, faces, *(before if given else own for before, given, own in zip(values, is_given, values[1:])))
+
+
+def is_shape_object(value: Any) -> bool:
+    """Returns whether the value is an object with the arrays of a shape, not an array."""
+    if hasattr(value, "__array__"):
+        return False
+    return hasattr(value, "vertices") or hasattr(value, "points") or _is_scene(value) or _is_tensor_geometry(value)
+
+
+def _is_scene(value: Any) -> bool:
+    """Returns whether the value is a trimesh scene: meshes with transformations."""
+    return hasattr(value, "geometry") and callable(getattr(value, "dump", None))
+
+
+def _is_tensor_geometry(value: Any) -> bool:
+    """Returns whether the value is a mesh or a point cloud of open3d.t."""
+    return any("positions" in getattr(value, part, ()) for part in ("vertex", "point"))
+
+
+def _tensor_array(values: Any, name: str) -> Any:
+    return values[name].cpu().numpy() if name in values else None
+
+
+def _arrays_of_tensors(shape: Any) -> tuple[Any, Any, Any]:
+    if "positions" in getattr(shape, "point", ()):
+        return _tensor_array(shape.point, "positions"), None, _tensor_array(shape.point, "normals")
+    return _tensor_array(shape.vertex, "positions"), _tensor_array(shape.triangle, "indices"), None
+
+
+def _faces_of_cells(mesh: Any) -> Any:
+    """Returns the triangles among the cells of a meshio mesh; none for a cloud."""
+    faces = []
+    for block in mesh.cells:
+        kind, cells = (block.type, block.data) if hasattr(block, "type") else block
+        if kind == "triangle":
+            faces.append(array_of(cells, "cells"))
+        elif kind not in ("vertex", "line"):
+            raise InputError(f"the {type(mesh).__name__} has cells of the kind {kind}; split them into triangles first")
+    return _numpy.concatenate(faces) if faces else None
+
+
+def _attribute(shape: Any, name: str) -> Any:
+    value = getattr(shape, name, None)
+    if callable(value):
+        raise InputError(f"{name} of the {type(shape).__name__} is a function; give its arrays")
+    return value
+
+
+def _faces_of_points(mesh: Any) -> Any:
+    """The faces of an object whose vertices are `points`: none for a cloud (Open3D), or a padded list (PyVista)."""
+    if hasattr(mesh, "cells") and not hasattr(mesh, "faces"):
+        if not isinstance(mesh.cells, (list, tuple)):
+            raise InputError(f"{kind_of(mesh)} has cells of several kinds; give its points and its triangles")
+        return _faces_of_cells(mesh)
+    faces = _attribute(mesh, "faces")
+    if faces is None:
+        return None
+    array = array_of(faces, "faces")
+    if array.ndim != 1:
+        return array
+    if array.size % 4 != 0 or (array.reshape(-1, 4)[:, 0] != 3).any():
+        raise InputError(f"the {type(mesh).__name__} has faces that are no triangles; split them into triangles first")
+    return array.reshape(-1, 4)[:, 1:]
+
+
+def _arrays_of_object(shape: Any) -> tuple[Any, Any, Any]:
+    """Returns the vertices, faces and normals of an object."""
+    if _is_scene(shape):
+        shape = shape.dump(concatenate=True)
+    if _is_tensor_geometry(shape):
+        return _arrays_of_tensors(shape)
+    if not hasattr(shape, "vertices"):
+        return _attribute(shape, "points"), _faces_of_points(shape), _attribute(shape, "normals")
+    faces = _attribute(shape, "faces")
+    faces = _attribute(shape, "triangles") if faces is None else faces
+    return _attribute(shape, "vertices"), faces, _attribute(shape, "normals")
+
+
+def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
+    """Vertices, faces and normals as arrays, from arrays or from one object in the place of vertices."""
+    if is_shape_object(vertices):
+        if faces is not None:
+            raise InputError(f"the {type(vertices).__name__} already has faces; leave faces out")
+        vertices, faces, own_normals = _arrays_of_object(vertices)
+        is_cloud = faces is None or len(faces) == 0
+        normals = own_normals if normals is None and is_cloud else normals
+    vertices = _rows(vertices, "vertices", _numpy.float64)
+    faces = _rows([] if faces is None else faces, "faces", _numpy.int32)
+    normals = _rows([] if normals is None else normals, "normals", _numpy.float64)
+    if len(normals) > 0 and len(faces) > 0:
+        raise InputError("normals are for point clouds; a mesh has its own: leave normals out")
+    if len(normals) > 0 and len(normals) != len(vertices):
+        raise InputError(f"there are {len(normals)} normals for {len(vertices)} points")
+    return vertices, faces, normals
+
+
+def _rows(values: Any, what: str, kind: Any) -> _numpy.ndarray:
+    array = array_of(values, what)
+    if array.ndim == 0:
+        raise InputError(f"{what} must be n x 3, not {kind_of(values)}")
+    if array.size == 0 and array.ndim <= 2 and (array.ndim == 1 or array.shape[0] == 0):
+        array = array.reshape(0, 3)
+    if array.ndim != 2 or array.shape[1] != 3:
+        hint = "; split polygons into triangles first" if what == "faces" and array.ndim == 2 else ""
+        raise InputError(f"{what} must be n x 3, not {shape_text(array)}{hint}")
+    if kind is _numpy.int32 and array.size > 0:
+        if array.dtype.kind not in "iu":
+            raise InputError(f"{what} must be whole numbers, not {array.dtype}; convert them with astype(int)")
+        if not (0 <= array.min() and array.max() < 2**31):
+            raise InputError(f"{what} must be vertex indices from 0 on")
+    return _numpy.ascontiguousarray(array, dtype=kind)
