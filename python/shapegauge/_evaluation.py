@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import collections.abc as _abc
+import dataclasses as _dataclasses
 import json as _json
 import numbers as _numbers
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence, Union
@@ -246,9 +247,9 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
     """
     if protocol is None:
         protocol = "psb" if relevance is None else "trec"
-    scores = _evaluate(distances, labels, protocol, measures, ties, minimum_class_size, similarity, missing_labels,
-                       threads, word(name, "name"), "", distance=distance, targets=targets, subclasses=subclasses, relevance=relevance,
-                       curve=curve)
+    settings = _Settings(protocol, measures, ties, minimum_class_size, similarity, missing_labels, distance, threads,
+                         targets, subclasses, relevance, curve)
+    scores = _evaluate(distances, labels, settings, word(name, "name"))
     if confidence is not None:
         low_and_high = _native.intervals(scores._native, _number(confidence, "confidence"), word(blocks, "blocks"),
                                          _number(resamples, "resamples"), _number(seed, "seed"),
@@ -311,47 +312,70 @@ def _subclass_numbers(subclasses: Any, labels: Any) -> list[int]:
             for name, label in zip(names, of_models)]
 
 
-def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: str, minimum_class_size: int,
-              similarity: bool, missing_labels: str, threads: int, name: str, prefix: str, *,
-              distance: Optional[str] = None, targets: Any = None, subclasses: Any = None, relevance: Any = None,
-              curve: str = "") -> Scores:
-    similarity = switch(similarity, "similarity")
-    if distance is not None and similarity:
+@_dataclasses.dataclass
+class _Settings:
+    """Settings of an evaluation, as evaluate() describes them."""
+
+    protocol: str
+    measures: Any
+    ties: str
+    minimum_class_size: int
+    similarity: bool
+    missing_labels: str
+    distance: Optional[str]
+    threads: int
+    targets: Any = None
+    subclasses: Any = None
+    relevance: Any = None
+    curve: str = ""
+
+
+def _check_arguments(distances: Any, labels: Any, settings: _Settings) -> None:
+    """Rejects arguments that exclude each other, and pandas objects in different orders."""
+    targets, relevance, subclasses = settings.targets, settings.relevance, settings.subclasses
+    if settings.distance is not None and settings.similarity:
         raise InputError("distance applies to features, which are not similarities; omit similarity")
     if labels is None and relevance is None:
         raise InputError("labels are None; give them, or relevance in their place")
     if labels is not None and relevance is not None:
         raise InputError("give labels, or relevance in their place, not both")
-    labels = _listed(labels)
-    rectangular = targets is not None or relevance is not None
-    if subclasses is not None and rectangular:
+    if subclasses is not None and (targets is not None or relevance is not None):
         raise InputError("subclasses apply to labels of rows and columns alike; with targets give relevance instead")
-    check_order([("rows of " + ("distances" if distance is None else "features"), index_of(distances)),
+    check_order([("rows of " + ("distances" if settings.distance is None else "features"), index_of(distances)),
                  ("labels", index_of(labels)), ("subclasses", index_of(subclasses)),
                  ("rows of relevance", index_of(relevance))])
-    if distance is None:
+    if settings.distance is None:
         check_order([("columns of distances", index_of(distances, "columns")), ("targets", index_of(targets)),
                      ("columns of relevance", index_of(relevance, "columns"))])
-    matrix = _distances_of(distances, distance, rectangular, threads, prefix)
+
+
+def _evaluate(distances: Any, labels: Any, settings: _Settings, name: str, prefix: str = "") -> Scores:
+    """Evaluates one matrix. prefix: of warnings."""
+    settings.similarity = switch(settings.similarity, "similarity")
+    labels = _listed(labels)
+    _check_arguments(distances, labels, settings)
+    targets, relevance = settings.targets, settings.relevance
+    rectangular = targets is not None or relevance is not None
+    matrix = _distances_of(distances, settings.distance, rectangular, settings.threads, prefix)
     square = targets is None and matrix.shape[0] == matrix.shape[1]
     names: list[Any] = []
     numbers, columns, grades = [0] * matrix.shape[0], [0] * matrix.shape[1], None
     if relevance is not None:
         grades = _grades(relevance, matrix.shape)
     elif targets is None:
-        names, numbers = _class_numbers(labels, len(matrix), missing_labels)
+        names, numbers = _class_numbers(labels, len(matrix), settings.missing_labels)
     else:
         of_rows = _label_list(labels)
-        names, both = _class_numbers(of_rows + _label_list(targets, "targets"), sum(matrix.shape), missing_labels,
-                                     "labels and targets", targets_from=len(of_rows))
+        names, both = _class_numbers(of_rows + _label_list(targets, "targets"), sum(matrix.shape),
+                                     settings.missing_labels, "labels and targets", targets_from=len(of_rows))
         numbers, columns = both[:matrix.shape[0]], both[matrix.shape[0]:]
-    native, warnings = _native.evaluate(-matrix if similarity else matrix, numbers, None if square else columns,
-                                        _subclass_numbers(subclasses, labels), grades,
-                                        word(protocol, "protocol"), word(ties, "ties"), words(measures, "measures"),
-                                        word(curve, "curve"),
-                                        number_of(minimum_class_size, "minimum_class_size",
-                                                  settings_of("sections", "evaluation")["minimum_class_size"]), similarity,
-                                        number_of_threads(threads))
+    smallest = number_of(settings.minimum_class_size, "minimum_class_size",
+                         settings_of("sections", "evaluation")["minimum_class_size"])
+    native, warnings = _native.evaluate(
+        -matrix if settings.similarity else matrix, numbers, None if square else columns,
+        _subclass_numbers(settings.subclasses, labels), grades, word(settings.protocol, "protocol"),
+        word(settings.ties, "ties"), words(settings.measures, "measures"), word(settings.curve, "curve"), smallest,
+        settings.similarity, number_of_threads(settings.threads))
     warn(warnings, prefix)
     return Scores(native, names or ["all"], name)
 
@@ -407,15 +431,14 @@ def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union
     >>> sg.compare({"a": first, "b": second}, labels, measures=["FT", "DCG"])
     """
     methods = _named_methods(methods)
-    measures = words(measures, "measures")
+    settings = _Settings(protocol, words(measures, "measures"), ties, minimum_class_size, similarity, missing_labels,
+                         distance, threads)
     check_order((f"rows of {name}", index_of(values)) for name, values in methods.items())
     labels = _listed(labels)
     scores = []
     for name, distances in methods.items():
         try:
-            scores.append(
-                _evaluate(distances, labels, protocol, measures, ties, minimum_class_size, similarity, missing_labels,
-                          threads, name, f"{name}: ", distance=distance))
+            scores.append(_evaluate(distances, labels, settings, name, f"{name}: "))
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
     native = _native.compare(list(methods), [one._native for one in scores], word(test, "test"),
