@@ -28,14 +28,7 @@ void write_message(std::string_view text) {
   [[maybe_unused]] const std::size_t written = std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-/// Makes text printable, and spells the settings it names as options.
-std::string for_terminal(std::string_view text) {
-  return spell_settings(printable(text), [](std::string_view name, std::string_view value) {
-    if (value == "false") return option_name(fmt::format("no_{}", name));
-    const bool is_switch = value.empty() || value == "true";
-    return option_name(name) + (is_switch ? "" : fmt::format(" {}", value));
-  });
-}
+std::string for_terminal(std::string_view text) { return with_options(printable(text)); }
 
 }  // namespace
 
@@ -72,6 +65,14 @@ std::string option_name(std::string_view setting) {
   std::string option = fmt::format("--{}", setting);
   std::ranges::replace(option, '_', '-');
   return option;
+}
+
+std::string with_options(std::string_view message) {
+  return spell_settings(message, [](std::string_view name, std::string_view value) {
+    if (value == "false") return option_name(fmt::format("no_{}", name));
+    const bool is_switch = value.empty() || value == "true";
+    return option_name(name) + (is_switch ? "" : fmt::format(" {}", value));
+  });
 }
 
 void note(std::string_view text) {

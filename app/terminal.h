@@ -43,8 +43,10 @@ void print_output(fmt::format_string<Values...> format, Values&&... values) {
 /// Makes the option of a setting: "--on-error".
 std::string option_name(std::string_view setting);
 
-/// Prints "shapegauge: error: <text>" on one line, whatever the text. Settings in backquotes are shown as options here
-/// and in the functions below (spell_settings()).
+/// Spells the settings that a message names in backquotes as options (spell_settings()).
+std::string with_options(std::string_view message);
+
+/// Prints "shapegauge: error: <text>" on one line, whatever the text; like the functions below, with_options().
 void print_error(std::string text);
 
 /// Prints "shapegauge: <text>" unless quiet.

@@ -234,7 +234,8 @@ int run(ViewArguments& arguments, bool offset_given) {
   ViewPage page{.title = {}, .shapes = {}, .missing = {}, .warnings = {}, .unit = arguments.offset.unit};
   for (std::size_t i = 0; i < views.size(); ++i) {
     for (const std::string& warning : warnings[i]) {
-      page.warnings.push_back(fmt::format("{}: {}", arguments.files.inputs[i].filename().string(), warning));
+      page.warnings.push_back(
+          fmt::format("{}: {}", arguments.files.inputs[i].filename().string(), with_options(warning)));
     }
     if (views[i])
       page.shapes.push_back(std::move(*views[i]));

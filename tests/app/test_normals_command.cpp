@@ -96,7 +96,7 @@ TEST_F(NormalsCommand, WarnsOfAnOffsetBelowTheGaps) {
   const Outcome outcome = normals("cloud.off", "--offset 0.01", "x.csv");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.errors, HasSubstr("the offset is smaller than the gaps of the shape (4."));
-  EXPECT_THAT(outcome.errors, HasSubstr(" or auto\n"));
+  EXPECT_THAT(outcome.errors, HasSubstr(" or --offset auto\n"));
   // The recommended offset suffices and is not much wider than the gaps.
   const std::string option = "use --offset ";
   const std::size_t begin = outcome.errors.find(option);

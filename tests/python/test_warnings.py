@@ -38,7 +38,7 @@ def commands_warnings(lines):
 
 def in_python(sentence):
     """Replaces the options in a sentence by arguments."""
-    return re.sub(r"--(\w+) ([\d.]+)", r"\1=\2", re.sub(r" or auto\b", " or 'auto'", sentence))
+    return re.sub(r"--(\w+) ([\d.]+)", r"\1=\2", re.sub(r"--(\w+) auto\b", r"\1='auto'", sentence))
 
 
 def test_leaks_are_warned_of(tmp_path):
