@@ -25,20 +25,21 @@ make_empty_debian() {
     # Packages are written without waiting for the disk: a crash would end the trial anyway.
     echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
     tar --create --file "$packed.part" --directory "$root" .
-    mv "$packed.part" "$packed"
+    mv "$packed.part" "$packed" || return 1
   else
-    tar --extract --file "$packed" --directory "$root"
+    tar --extract --file "$packed" --directory "$root" || return 1
   fi
   cp -L /etc/resolv.conf "$root/etc/resolv.conf"
-  mount -t proc proc "$root/proc"
-  mount --bind /dev "$root/dev"
+  mount -t proc proc "$root/proc" || return 1
+  mount --bind /dev "$root/dev" || return 1
+  mount -t devpts devpts "$root/dev/pts" || return 1
   mount --bind /var/cache/apt/archives "$root/var/cache/apt/archives"
 }
 
 # remove_empty_debian ROOT: unmounts what was mounted, and removes the folder.
 remove_empty_debian() {
   local mounted
-  for mounted in var/cache/apt/archives dev proc; do umount --lazy "$1/$mounted" 2>/dev/null || true; done
+  for mounted in var/cache/apt/archives dev/pts dev proc; do umount --lazy "$1/$mounted" 2>/dev/null || true; done
   rm -rf --one-file-system "$1"
 }
 
