@@ -50,6 +50,7 @@ void add_distances_command(CLI::App& app, int& status);    ///< computes distanc
 void add_rerank_command(CLI::App& app, int& status);       ///< re-ranks distances
 void add_evaluate_command(CLI::App& app, int& status);     ///< evaluates a distance matrix
 void add_compare_command(CLI::App& app, int& status);      ///< compares methods on the same queries
+void add_audit_command(CLI::App& app, int& status);        ///< evaluates as several programs do
 void add_leaderboard_command(CLI::App& app, int& status);  ///< ranks submissions
 void add_segmentation_evaluation_command(CLI::App& app, int& status);  ///< evaluates segmentations against human ones
 void add_measures_command(CLI::App& app, int& status);                 ///< prints the definitions of the measures

@@ -32,6 +32,7 @@ namespace fs = std::filesystem;
 struct CompareArguments {
   std::vector<fs::path> inputs;
   EvaluationArguments evaluation;
+  std::vector<std::string> of_distances;  // given options that act on distances only
   ResamplingArguments resampling{.blocks = "classes", .confidence = 0.95, .resampling = {}};
   std::string test = "randomization";
   std::string average = "micro";
@@ -44,6 +45,16 @@ struct CompareArguments {
   fs::path report;
   bool replace = false;
 };
+
+// Returns true for the folder of a run and for a table of scores: all inputs without labels or judgements.
+bool has_scores(const fs::path& input, const CompareArguments& arguments) {
+  const EvaluationFiles& files = arguments.evaluation.files;
+  return is_folder(input) || (files.labels.empty() && files.qrels.empty());
+}
+
+bool all_have_scores(const CompareArguments& arguments) {
+  return std::ranges::all_of(arguments.inputs, [&](const fs::path& input) { return has_scores(input, arguments); });
+}
 
 // Inputs of a comparison, with the data for curves and reports.
 struct ComparedInputs {
@@ -59,7 +70,7 @@ std::vector<MethodScores> methods_of_table(const fs::path& path, const CompareAr
   std::vector<MethodScores> methods = read_method_scores(path);
   const bool one =
       std::ranges::all_of(methods, [&](const MethodScores& method) { return method.protocol == methods[0].protocol; });
-  if (one) return methods;
+  if (one && arguments.evaluation.protocol.empty()) return methods;
   std::erase_if(methods, [&](const MethodScores& method) { return method.protocol != wanted_protocol; });
   if (methods.empty()) {
     throw InputError(fmt::format("{}: no scores under the protocol {}; choose another with --protocol", path.string(),
@@ -80,17 +91,31 @@ void add_curves_of_run(const fs::path& folder, const CompareArguments& arguments
   }
 }
 
+// Throws InputError if the scores of a run, which stand beside those of evaluated distances, have another rule of ties.
+void check_ties_of_run(const fs::path& folder, const CompareArguments& arguments) {
+  std::error_code unknown;
+  const fs::path summary = folder / "summary.json";
+  if (all_have_scores(arguments) || !fs::exists(summary, unknown)) return;
+  const auto json = nlohmann::json::parse(read_file_bytes(summary), nullptr, false);
+  const std::string ties = json.is_object() ? json.value("ties", arguments.evaluation.ties) : arguments.evaluation.ties;
+  if (ties == arguments.evaluation.ties) return;
+  throw InputError(
+      fmt::format("{}: the scores of the run are with --ties {}, those of the distances with --ties {}; use "
+                  "--ties {}",
+                  folder.string(), ties, arguments.evaluation.ties, ties));
+}
+
 // Adds the methods of one input with its warnings.
 void add_methods(const fs::path& path, const CompareArguments& arguments, ComparedInputs& compared) {
   const auto add = [&](std::vector<MethodScores> methods) {
     std::ranges::move(methods, std::back_inserter(compared.methods));
   };
   if (is_folder(path)) {
+    check_ties_of_run(path, arguments);
     add(methods_of_table(path / per_query_name, arguments));
     return add_curves_of_run(path, arguments, compared.methods.back().protocol, compared);
   }
-  const bool matrix = !arguments.evaluation.files.labels.empty() || !arguments.evaluation.files.qrels.empty();
-  if (!matrix) {
+  if (has_scores(path, arguments)) {
     if (wants_curves(arguments)) {
       throw InputError(fmt::format(
           "{}: tables of scores have no curves; use the folder of the run, or distances with --labels", path.string()));
@@ -128,12 +153,25 @@ std::vector<fs::path> files_read(const CompareArguments& arguments) {
   return files;
 }
 
+// Throws InputError for options of distances if there are none.
+void check_options_act(const CompareArguments& arguments) {
+  if (!all_have_scores(arguments) || arguments.of_distances.empty()) return;
+  throw InputError(fmt::format(
+      "{} has no effect on the scores of a run or a table, which are as they were evaluated; omit it, or compare "
+      "distances with --labels or --qrels",
+      arguments.of_distances.front()));
+}
+
 void check_compare_outputs(const CompareArguments& arguments) {
   for (const fs::path& plot : {arguments.plot, arguments.score_plot}) {
     if (!plot.empty()) check_drawing_file(plot);
   }
-  const bool matrices = !arguments.evaluation.files.labels.empty();
-  if (!arguments.report.empty() && !matrices) throw InputError("--report requires distance matrices and --labels");
+  for (const fs::path& input : arguments.inputs) {
+    if (arguments.report.empty() || !has_scores(input, arguments)) continue;
+    throw InputError(fmt::format(
+        "{}: --report requires distance matrices and --labels; of a run, use the files in its folder distances",
+        input.string()));
+  }
   const std::vector<OutputFile> outputs{{.path = arguments.plot, .what = "--plot"},
                                         {.path = arguments.score_plot, .what = "--plot-scores"},
                                         {.path = arguments.curves, .what = "--pr", .extensions = {".csv"}},
@@ -227,6 +265,7 @@ void warn_of_same_files(std::span<const fs::path> inputs, std::vector<std::strin
 
 int run(const CompareArguments& arguments) {
   check_compare_outputs(arguments);
+  check_options_act(arguments);
   ComparedInputs compared;
   for (const fs::path& input : arguments.inputs) add_methods(input, arguments, compared);
   std::vector<std::string>& warnings = compared.warnings;
@@ -284,8 +323,10 @@ void add_compare_command(CLI::App& app, int& status) {
   add_evaluation_options(*command, arguments->evaluation);
   add_comparison_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);
-  command->callback(
-      [arguments, &status] { with_threads(arguments->evaluation.threads, [&] { status = run(*arguments); }); });
+  command->callback([command, arguments, &status] {
+    arguments->of_distances = given_options(*command, options_of_distances);
+    with_threads(arguments->evaluation.threads, [&] { status = run(*arguments); });
+  });
 }
 
 }  // namespace shapegauge

@@ -14,7 +14,7 @@
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
-#include "shapegauge/retrieval/feature_precision.h"
+#include "shapegauge/retrieval/feature_checks.h"
 
 namespace shapegauge {
 
@@ -34,11 +34,11 @@ int run(const DistancesArguments& arguments) {
   const LabelledTable table = read_matrix(arguments.features, TableShape::any);
   DistanceMatrix distances;
   try {
+    if (const auto warning = check_features(table.numbers)) warn(*warning);
     distances = feature_distances(arguments.distance, table.numbers.cast<float>());
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", arguments.features.string(), error.what()));
   }
-  if (const auto warning = feature_precision_warning(table.numbers)) warn(*warning);
   write_distance_matrix(arguments.output, distances, table.row_ids);
   return exit_success;
 }

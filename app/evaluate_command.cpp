@@ -56,8 +56,11 @@ struct EvaluateCommandArguments {
 nlohmann::ordered_json inputs_json(const EvaluateCommandArguments& arguments) {
   const EvaluationFiles& files = arguments.evaluation.files;
   nlohmann::ordered_json json{{"version", version()}, {"file", arguments.distances.string()}};
+  if (!arguments.evaluation.evaluator.empty()) json["evaluator"] = arguments.evaluation.evaluator;
+  if (!files.variable.empty()) json["variable"] = files.variable;
   if (!files.labels.empty()) json["labels"] = files.labels.string();
   if (!files.targets.empty()) json["targets"] = files.targets.string();
+  if (files.shared_ids) json["shared_ids"] = true;
   if (!files.qrels.empty()) json["qrels"] = files.qrels.string();
   if (!files.ids.empty()) json["ids"] = files.ids.string();
   if (!files.distance.empty()) json["distance"] = files.distance;

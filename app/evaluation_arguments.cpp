@@ -9,13 +9,12 @@
 #include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/metrics/evaluators.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
 namespace shapegauge {
 
-namespace {
-
-void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
+void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationFiles& files = arguments.files;
   begin_option_group(command, input_options);
   command.add_option(
@@ -23,11 +22,15 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
       "Classes of the models: .cla, a table (id, class and optionally subclass and split), a list of classes, one per "
       "line, an integer .npy, or a folder of class folders");
   command.add_option("--targets", files.targets, "Classes of the targets, if --labels are those of the queries");
+  command.add_flag("--shared-ids", files.shared_ids,
+                   "Take equal ids of --labels and --targets for the same model, which does not find itself");
   command.add_option("--qrels", files.qrels, "TREC relevance judgements, instead of --labels");
   command
       .add_option("--level", files.level,
                   "Level of the .cla hierarchy: 1 for the roots, 2 for their children, 0 for the classes themselves")
+      ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  command.add_option("--variable", files.variable, "Array to read from an .npz or .mat file with several");
   command.add_option("--ids", files.ids, "File with the ids of the rows, one per line");
   command
       .add_option("--order", arguments.order,
@@ -43,15 +46,18 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
       ->excludes(similarity);
 }
 
-}  // namespace
-
 void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
                             const std::vector<std::string>& missing_queries) {
   arguments.missing_queries = missing_queries.front();
-  add_input_options(command, arguments);
+  add_file_options(command, arguments);
   begin_option_group(command, "Evaluation");
+  CLI::Option* evaluator = command
+                               .add_option("--evaluator", arguments.evaluator,
+                                           "Evaluation program to reproduce: its protocol, measures and conventions")
+                               ->check(CLI::IsMember(evaluator_names()));
   command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, or trec with --qrels)")
-      ->check(CLI::IsMember(protocol_names()));
+      ->check(CLI::IsMember(protocol_names()))
+      ->excludes(evaluator);
   CLI::Option* missing = command
                              .add_option("--missing-queries", arguments.missing_queries,
                                          "Treatment of queries without a ranked list; zero: they have scores of 0")
@@ -65,13 +71,24 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
   command
       .add_option("--ties", arguments.ties, "Order of models at equal distance; expected for the mean over all orders")
       ->check(CLI::IsMember(ties_names()))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(evaluator);
   command.add_option("--measures", arguments.measures, "Measures, such as NN,FT,P@10 (default: those of the protocol)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->excludes(evaluator);
   command.add_option("--min-class-size", arguments.minimum_class_size, "Minimum class size of queries")
       ->check(within<int>(parameter_named("minimum_class_size", evaluation_table).bounds))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(evaluator);
   add_threads_option(command, arguments.threads);
+}
+
+std::vector<std::string> given_options(const CLI::App& command, std::span<const std::string_view> options) {
+  std::vector<std::string> given;
+  for (const std::string_view option : options) {
+    if (command.get_option(std::string(option))->count() > 0) given.emplace_back(option);
+  }
+  return given;
 }
 
 void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description) {
@@ -105,12 +122,18 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
 }
 
 Protocol chosen_protocol(const EvaluationArguments& arguments) {
+  if (!arguments.evaluator.empty()) return options_of_evaluator(arguments.evaluator).protocol;
   if (!arguments.protocol.empty()) return protocol_of(arguments.protocol).value();
   return arguments.files.qrels.empty() ? Protocol::psb : Protocol::trec;
 }
 
 EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
   EvaluationOptions options;
+  if (!arguments.evaluator.empty()) {
+    options = options_of_evaluator(arguments.evaluator);
+    if (!arguments.curve.empty()) options.curve = curve_kind_of(arguments.curve);
+    return options;
+  }
   options.protocol = chosen_protocol(arguments);
   options.ties = ties_of(arguments.ties).value();
   options.minimum_class_size = arguments.minimum_class_size;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
@@ -23,13 +25,23 @@ struct EvaluationArguments {
   EvaluationFiles files;
   std::string order;
   std::string protocol;
-  std::string missing_queries;
+  std::string evaluator;
+  std::string missing_queries = std::string(word_of(Unanswered::left_out));
   int threads = 0;
   std::string ties = name_of(EvaluationOptions{}.ties);
   std::string curve;
   std::vector<std::string> measures;
   int minimum_class_size = EvaluationOptions{}.minimum_class_size;
 };
+
+/// Options that describe files of distances and labels or how they are evaluated, and act on nothing else.
+inline constexpr std::array<std::string_view, 15> options_of_distances{
+    "--evaluator",       "--variable",    "--labels",        "--targets",    "--shared-ids", "--qrels",
+    "--level",           "--ids",         "--order",         "--similarity", "--distance",   "--ties",
+    "--missing-queries", "--all-queries", "--min-class-size"};
+
+/// Returns which of the options were given.
+std::vector<std::string> given_options(const CLI::App& command, std::span<const std::string_view> options);
 
 /// Options of resampling, as given.
 struct ResamplingArguments {
@@ -55,6 +67,9 @@ ScoreStyle style_of(const ScoreFormat& arguments);
 /// the default first.
 void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
                             const std::vector<std::string>& missing_queries = list_of_words<Unanswered>());
+
+/// Adds the options that describe files of distances and labels.
+void add_file_options(CLI::App& command, EvaluationArguments& arguments);
 
 /// Adds --confidence, --blocks, --resamples and --seed.
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments);

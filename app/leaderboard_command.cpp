@@ -37,6 +37,7 @@ struct LeaderboardArguments {
   fs::path output;
   std::string title = "Leaderboard";
   std::string rank_by;
+  bool hide_classes = false;
   ScoreFormat printed;
   bool replace = false;
 };
@@ -70,6 +71,7 @@ JudgingOptions judging_options(const LeaderboardArguments& arguments) {
                        .confidence = arguments.resampling.confidence,
                        .resampling = arguments.resampling.resampling};
   options.rank_by = arguments.rank_by;
+  options.hide_classes = arguments.hide_classes;
   return options;
 }
 
@@ -148,6 +150,8 @@ void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments)
   command.add_option("--title", arguments.title, "Title of the page")->capture_default_str();
   command.add_option("--rank-by", arguments.rank_by,
                      "Measure that determines the ranks (default: mAP, or the first measure)");
+  command.add_flag("--hide-classes", arguments.hide_classes,
+                   "Omit classes, scores per class and pages of methods, for a challenge that is still running");
   add_score_format_options(command, arguments.printed, "Format of the printed table");
   add_cache_option(command, arguments.cache);
   add_replace_option(command, arguments.replace);

@@ -10,6 +10,7 @@
 #include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -46,6 +47,14 @@ std::string command_in(const CLI::App& app) {
   std::string command = app.get_name();
   for (const CLI::App* chosen : app.get_subcommands()) command += " " + command_in(*chosen);
   return command;
+}
+
+/// Returns the command that helps after unusable arguments: for a second file of `evaluate`, the one that takes
+/// several.
+std::string help_on(const CLI::ParseError& error, const std::string& command) {
+  const bool has_extra_words = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) &&
+                               std::string_view(error.what()).find(" -") == std::string_view::npos;
+  return command == "shapegauge evaluate" && has_extra_words ? "shapegauge compare" : command + " --help";
 }
 
 /// Returns the long options of a command and of its parents.
@@ -126,7 +135,7 @@ int parse_and_run(CLI::App& app, std::span<const std::string> given) {
       print_output("{}", text.str());
       return exit_success;
     }
-    return report(fmt::format("{}; see '{} --help'", error.what(), command_in(app)), exit_unusable_input);
+    return report(fmt::format("{}; see '{}'", error.what(), help_on(error, command_in(app))), exit_unusable_input);
   }
   return exit_success;
 }

@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/terminal.h"
+#include "shapegauge/metrics/evaluators.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/segmentation_errors.h"
 
@@ -53,6 +54,19 @@ int run(const std::string& format) {
     print_output("\n{}, {}\n{}{}{}", measure.name, measure.title, wrapped(measure.definition, 4),
                  wrapped(fmt::format("Source: {}", measure.source), 4),
                  wrapped(fmt::format("Caveat: {}", measure.caveat), 4));
+  }
+  print_output("\nEvaluation programs that 'evaluate --evaluator' reproduces.\n");
+  for (const Evaluator& evaluator : evaluators()) {
+    std::string scores;
+    for (const Measure& measure : options_of_evaluator(evaluator.name).measures) {
+      scores += (scores.empty() ? "" : ", ") + measure.name;
+    }
+    print_output("\n{}, {}\n{}{}", evaluator.name, evaluator.program, wrapped(evaluator.deviations, 4),
+                 wrapped(fmt::format("Protocol {}: {}", name_of(evaluator.protocol), scores), 4));
+    for (const Measure& measure : options_of_evaluator(evaluator.name).measures) {
+      if (measure.name.find('.') == std::string::npos) continue;  // a measure of above
+      print_output("{}", wrapped(fmt::format("{}: {}", measure.name, measure.definition->definition), 4));
+    }
   }
   print_output("\nErrors of segmentations, as Chen, Golovinskiy and Funkhouser 2009 measure them; less is better.\n");
   for (const SegmentationErrorEntry& error : segmentation_error_entries()) {

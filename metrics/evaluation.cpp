@@ -91,29 +91,6 @@ Eigen::VectorXd mean_of_rows(const Eigen::MatrixXd& table) {
   return sum / static_cast<double>(table.rows());
 }
 
-// Returns the part of a task for `count` rows from `first` on.
-RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Index count) {
-  RetrievalTask part{.query_classes = {},
-                     .target_classes = task.target_classes,
-                     .own_column = {},
-                     .judged = {},
-                     .grades = {},
-                     .query_subclasses = {},
-                     .target_subclasses = task.target_subclasses,
-                     .judged_irrelevant = {},
-                     .lists_may_end_early = task.lists_may_end_early};
-  const auto copy = [&](const auto& from, auto& to) {
-    if (!from.empty()) to.assign(from.begin() + first, from.begin() + first + count);
-  };
-  copy(task.query_classes, part.query_classes);
-  copy(task.own_column, part.own_column);
-  copy(task.judged, part.judged);
-  copy(task.grades, part.grades);
-  copy(task.query_subclasses, part.query_subclasses);
-  copy(task.judged_irrelevant, part.judged_irrelevant);
-  return part;
-}
-
 // Returns the queries of each class, by evaluation.classes.
 std::vector<std::vector<Eigen::Index>> queries_by_class(const Evaluation& evaluation) {
   std::map<int, std::vector<Eigen::Index>> queries;
@@ -148,7 +125,7 @@ void draw_curves(const QueryScores& results, const std::vector<std::vector<Eigen
 }  // namespace
 
 RowJudge::RowJudge(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last)
-    : task_(&task),
+    : relevance_(task),
       measures_(options.measures.empty() ? default_measures(options.protocol) : options.measures),
       first_tier_(measure_of("FT")) {
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
@@ -169,22 +146,32 @@ RowJudge::RowJudge(const RetrievalTask& task, const EvaluationOptions& options, 
   scores_.first_tiers.resize(count, Eigen::NoChange);
 }
 
-void RowJudge::judge(const DistanceTable& rows, Eigen::Index first) {
-  if (!task_->lists_may_end_early) check_numbers(rows, first);
-  const bool is_whole = first == 0 && static_cast<std::size_t>(rows.rows()) == task_->query_classes.size();
-  const RetrievalTask part = is_whole ? RetrievalTask{} : part_of(*task_, first, rows.rows());
+template <typename ListOf>
+void RowJudge::judge_rows(Eigen::Index first, Eigen::Index last, const ListOf& list_of) {
   const auto begin = std::ranges::lower_bound(blank_.queries, first) - blank_.queries.begin();
-  const auto end = std::ranges::lower_bound(blank_.queries, first + rows.rows()) - blank_.queries.begin();
+  const auto end = std::ranges::lower_bound(blank_.queries, last) - blank_.queries.begin();
   parallel_for(begin, end, [&](std::ptrdiff_t query) {
     const auto i = static_cast<std::size_t>(query);
-    const auto list_by = [&](Ties ties) {
-      return ranked_list(rows, is_whole ? *task_ : part, blank_.queries[i] - first, blank_.protocol, ties);
-    };
-    const RankedList list = list_by(blank_.ties);
+    const RankedList list = list_of(blank_.queries[i], blank_.ties);
     keep(i - first_query_, list);
     scores_.first_tiers.row(query - static_cast<std::ptrdiff_t>(first_query_))
-        << first_tier_.value(list.tied ? list_by(Ties::pessimistic) : list),
-        first_tier_.value(list.tied ? list_by(Ties::optimistic) : list);
+        << first_tier_.value(list.tied ? list_of(blank_.queries[i], Ties::pessimistic) : list),
+        first_tier_.value(list.tied ? list_of(blank_.queries[i], Ties::optimistic) : list);
+  });
+}
+
+void RowJudge::judge(const DistanceTable& rows, Eigen::Index first) {
+  check_numbers(rows, first);
+  judge_rows(first, first + rows.rows(), [&](Eigen::Index row, Ties ties) {
+    const std::span<const double> distances(&rows.coeffRef(row - first, 0), static_cast<std::size_t>(rows.cols()));
+    return ranked_list(distances, relevance_, row, {.protocol = blank_.protocol, .ties = ties});
+  });
+}
+
+void RowJudge::judge(const RankedAnswerLists& answers) {
+  judge_rows(0, std::ssize(answers), [&](Eigen::Index row, Ties ties) {
+    return ranked_list(answers[static_cast<std::size_t>(row)], relevance_, row,
+                       {.protocol = blank_.protocol, .ties = ties});
   });
 }
 
@@ -227,10 +214,20 @@ Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const
   for (Eigen::Index first = 0; first < rows; first += together) {
     const Eigen::Index count = std::min(together, rows - first);
     const DistanceMatrix some = distances(first, count);
-    check_task(static_cast<std::size_t>(some.rows()), static_cast<std::size_t>(some.cols()),
-               part_of(task, first, count), options);
+    if (some.rows() != count || some.cols() != std::ssize(task.target_classes)) {
+      throw ArgumentError("expected " + std::to_string(count) + " rows of " +
+                          std::to_string(task.target_classes.size()) + " distances, got " +
+                          std::to_string(some.rows()) + " of " + std::to_string(some.cols()));
+    }
     judge.judge(some, first);
   }
+  return judge.evaluation_of(judge.scores());
+}
+
+Evaluation evaluate(const RankedAnswerLists& answers, const RetrievalTask& task, const EvaluationOptions& options) {
+  check_task(answers.size(), task.target_classes.size(), task, options);
+  RowJudge judge(task, options, 0, std::ssize(answers));
+  judge.judge(answers);
   return judge.evaluation_of(judge.scores());
 }
 

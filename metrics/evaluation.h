@@ -82,6 +82,10 @@ Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, c
 /// sequentially. The result is equal to the bit. Throws as above.
 Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
+/// Evaluates ranked answers, one per row of the task. Memory is proportional to their models. Throws ArgumentError for
+/// another number of answers than the task's rows, and as above.
+Evaluation evaluate(const RankedAnswerLists& answers, const RetrievalTask& task, const EvaluationOptions& options);
+
 /// Scores of some queries, in their order.
 struct QueryScores {
   Eigen::MatrixXd measures;           ///< queries x measures
@@ -102,6 +106,9 @@ class RowJudge {
   /// distance that is NaN.
   void judge(const DistanceTable& rows, Eigen::Index first);
 
+  /// Evaluates the answers to the queries of all rows. Parallel.
+  void judge(const RankedAnswerLists& answers);
+
   /// Returns the scores of the queries among the rows evaluated.
   [[nodiscard]] const QueryScores& scores() const { return scores_; }
 
@@ -109,9 +116,11 @@ class RowJudge {
   [[nodiscard]] Evaluation evaluation_of(const QueryScores& all) const;
 
  private:
+  template <typename ListOf>
+  void judge_rows(Eigen::Index first, Eigen::Index last, const ListOf& list_of);
   void keep(std::size_t score, const RankedList& list);
 
-  const RetrievalTask* task_;
+  Relevance relevance_;
   std::vector<Measure> measures_;
   Measure first_tier_;
   Evaluation blank_;             ///< without scores

@@ -7,6 +7,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/ascending_order.h"
+#include "shapegauge/metrics/equal_scores.h"
 #include "shapegauge/metrics/studentised_range.h"
 
 namespace shapegauge {
@@ -17,18 +18,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Ranks one data set, the largest value first; adds t^3 - t for each group of t tied methods.
 Eigen::VectorXd ranks_of(const Eigen::VectorXd& values, double& ties) {
-  const std::vector<std::size_t> order = ascending_order(-values);
   Eigen::VectorXd ranks(values.size());
-  for (std::size_t first = 0; first < order.size();) {
-    std::size_t after = first;
-    const double value = values[static_cast<Eigen::Index>(order[first])];
-    while (after < order.size() && values[static_cast<Eigen::Index>(order[after])] == value) ++after;
-    for (std::size_t i = first; i < after; ++i) {
-      ranks[static_cast<Eigen::Index>(order[i])] = static_cast<double>(first + 1 + after) / 2;
-    }
-    const auto tied = static_cast<double>(after - first);
+  double before = 0;
+  for (const std::vector<std::size_t>& group : groups_of_equal_scores(values)) {
+    const auto tied = static_cast<double>(group.size());
+    for (const std::size_t i : group) ranks[static_cast<Eigen::Index>(i)] = before + (tied + 1) / 2;
     ties += tied * tied * tied - tied;
-    first = after;
+    before += tied;
   }
   return ranks;
 }
@@ -43,8 +39,7 @@ FriedmanTest friedman_of(const Eigen::VectorXd& mean_ranks, double sets, double 
   test.chi_squared = 12 * sets / (methods * (methods + 1)) * spread / test.tie_correction;
   test.p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(methods - 1), test.chi_squared));
   const double rest = sets * (methods - 1) - test.chi_squared;
-  constexpr double rounding = 1e-12;
-  if (rest <= rounding * sets * methods) {
+  if (rest <= score_rounding * sets * methods) {
     test.f = infinity;
     test.f_p = 0;
     return test;
@@ -91,7 +86,7 @@ RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
       pair.mean_ranks = comparison.mean_ranks[a] - comparison.mean_ranks[b];
       const double range = std::sqrt(2.0) * std::abs(pair.mean_ranks) / unit;
       if (tested) pair.p = 1 - studentised_range_probability(range, count);
-      pair.data_sets = win_tie_loss(values.col(a) - values.col(b));
+      pair.data_sets = win_tie_loss(score_differences(values.col(a), values.col(b)));
       comparison.pairs.push_back(pair);
     }
   }

@@ -30,11 +30,11 @@ struct RankDifference {
 
 /// Comparison of several methods on several data sets by ranks.
 struct RankComparison {
-  Eigen::MatrixXd ranks;           ///< data sets x methods, 1 the best; equal values share the mean of their ranks
-  Eigen::VectorXd mean_ranks;      ///< by method
-  FriedmanTest friedman;           ///< defaults for one method or one data set
-  double critical_difference = 0;  ///< of mean ranks (Nemenyi); infinite for one data set, 0 for one method
-  std::vector<std::size_t> order;  ///< methods by increasing mean rank; ties in their own order
+  Eigen::MatrixXd ranks;       ///< data sets x methods, 1 the best; equal values (are_equal_scores()) share the mean
+  Eigen::VectorXd mean_ranks;  ///< by method
+  FriedmanTest friedman;       ///< defaults for one method or one data set
+  double critical_difference = 0;        ///< of mean ranks (Nemenyi); infinite for one data set, 0 for one method
+  std::vector<std::size_t> order;        ///< methods by increasing mean rank; ties in their own order
   std::vector<HomogeneousGroup> groups;  ///< positions in `order` of methods that do not differ significantly
   std::vector<RankDifference> pairs;
 };

@@ -82,6 +82,7 @@ MatrixChecks::RowFindings MatrixChecks::check_row(const DistanceTable& rows, Eig
   const bool has_diagonal = diagonal >= 0;
   found.unreachable = most > -least && least == std::numeric_limits<double>::infinity();
   found.constant = !found.unreachable && rows.cols() > (has_diagonal ? 2 : 1) && least == most;
+  found.at_zero = least == 0 && most > 0;
   if (!has_diagonal) return found;
   const double own = rows(row, diagonal);
   found.nonzero_diagonal = own != 0;
@@ -137,6 +138,7 @@ MatrixFindings MatrixChecks::findings() const {
     if (rows_[row].unreachable) findings.infinite_rows.push_back(static_cast<Eigen::Index>(row));
     if (rows_[row].nonzero_diagonal) ++findings.nonzero_diagonal;
     if (rows_[row].nearest_to_others) ++findings.rows_nearest_to_others;
+    if (rows_[row].at_zero) ++findings.rows_at_zero;
   }
   add_asymmetry(findings);
   add_equal_rows(findings);

@@ -21,6 +21,7 @@ struct MatrixFindings {
   Eigen::Index nonzero_diagonal = 0;
   /// Rows whose diagonal entry is the largest and not also the smallest; none in a matrix of distances.
   Eigen::Index rows_nearest_to_others = 0;
+  Eigen::Index rows_at_zero = 0;  ///< rows whose smallest entry off the diagonal is 0 and not the largest
   std::vector<std::pair<Eigen::Index, Eigen::Index>>
       equal_rows;  ///< rows that repeat an earlier one, each with that one
   std::vector<Eigen::Index>
@@ -54,6 +55,7 @@ class MatrixChecks {
     bool unreachable = false;
     bool nonzero_diagonal = false;
     bool nearest_to_others = false;
+    bool at_zero = false;
     std::pair<std::uint64_t, std::uint64_t> hash;
   };
   static RowFindings check_row(const DistanceTable& rows, Eigen::Index row, Eigen::Index diagonal);

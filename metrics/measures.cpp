@@ -101,10 +101,7 @@ std::size_t considered_ranks(const RankedList& list) { return std::min(list.leng
 // The number of relevant models that a list of the longest length can hold.
 std::size_t findable(const RankedList& list) { return std::min(list.relevant, longest_list); }
 
-double precision_of_list(const RankedList& list) {
-  if (list.length == 0) return 0;
-  return precision_at(list, considered_ranks(list));
-}
+double precision_of_list(const RankedList& list) { return precision_at(list, considered_ranks(list)); }
 
 double recall_of_list(const RankedList& list) {
   return hits_among_first(list, considered_ranks(list)) / static_cast<double>(findable(list));

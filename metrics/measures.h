@@ -13,7 +13,7 @@
 namespace shapegauge {
 
 /// Measure of the ranked answer to one query: a number from 0 to 1, larger being better, for every list with at least
-/// one relevant model. Exactly one of the two functions is set.
+/// one rank and one relevant model. Exactly one of the two functions is set.
 struct MeasureDefinition {
   std::string name;     ///< in tables and options; ends in "@k" if it has a cutoff, in "@N" if the list's end is one
   std::string title{};  ///< full name
@@ -34,7 +34,9 @@ struct Measure {
   const MeasureDefinition* definition = nullptr;
   std::size_t k = 0;
 
+  /// Returns the score of a list; 0 for an empty one, whatever the measure.
   [[nodiscard]] double value(const RankedList& list) const {
+    if (list.length == 0) return 0;
     return definition->value != nullptr ? definition->value(list) : definition->value_at(list, k);
   }
 };

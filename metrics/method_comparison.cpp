@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/metrics/equal_scores.h"
 #include "shapegauge/metrics/significance_tests.h"
 
 namespace shapegauge {
 
 namespace {
-
-constexpr double rounding = 1e-12;
 
 void check(const Eigen::MatrixXd& per_query, const UnitValues& units, const ComparisonOptions& options) {
   if (per_query.cols() < 2) throw ArgumentError("a comparison needs at least two methods");
@@ -38,7 +37,7 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs_of(std::size_t methods, s
 }
 
 double bootstrap_p_value(const Eigen::VectorXd& resampled, double observed) {
-  const double distance = std::abs(observed) * (1 - rounding);
+  const double distance = std::abs(observed) * (1 - score_rounding);
   const Eigen::Index as_far = ((resampled.array() - observed).abs() >= distance).count();
   return (1.0 + static_cast<double>(as_far)) / (1.0 + static_cast<double>(resampled.size()));
 }
@@ -90,14 +89,18 @@ MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<con
   for (const auto& [first, second] : pairs_of(static_cast<std::size_t>(per_query.cols()), options.reference)) {
     const auto a = static_cast<Eigen::Index>(first);
     const auto b = static_cast<Eigen::Index>(second);
-    const Eigen::VectorXd differences = units.values.col(a) - units.values.col(b);
+    const Eigen::VectorXd differences = score_differences(units.values.col(a), units.values.col(b));
     const Eigen::VectorXd resampled_differences = resampled.col(a) - resampled.col(b);
-    PairDifference pair{.first = first, .second = second, .difference = differences.dot(units.weights)};
+    PairDifference pair{.first = first,
+                        .second = second,
+                        .difference = are_equal_scores(comparison.averages[a], comparison.averages[b])
+                                          ? 0
+                                          : differences.dot(units.weights)};
     pair.interval = percentile_intervals(resampled_differences, comparison.units, options.confidence).front();
     pair.p = p_value(differences, units, resampled_differences, pair.difference, options);
     pair.p_tukey = tukey(a, b);
     pair.effect_size = effect_size(contributions(differences, units.weights));
-    pair.queries = win_tie_loss(per_query.col(a) - per_query.col(b));
+    pair.queries = win_tie_loss(score_differences(per_query.col(a), per_query.col(b)));
     p_values.push_back(pair.p);
     comparison.pairs.push_back(pair);
   }

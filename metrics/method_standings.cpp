@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/metrics/ascending_order.h"
+#include "shapegauge/metrics/equal_scores.h"
 #include "shapegauge/metrics/homogeneous_groups.h"
 #include "shapegauge/metrics/significance_tests.h"
 
@@ -25,7 +25,9 @@ std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::
   const UnitValues units = units_of(per_query, classes, options.blocks, options.average);
   const Eigen::VectorXd averages = averages_of(units);
   const Eigen::MatrixXd p_values = p_values_of(units, options);
-  const std::vector<std::size_t> order = ascending_order(-averages);  // the largest first
+  const std::vector<std::vector<std::size_t>> equal = groups_of_equal_scores(averages);
+  std::vector<std::size_t> order;
+  for (const std::vector<std::size_t>& group : equal) order.insert(order.end(), group.begin(), group.end());
   const std::size_t methods = order.size();
   const double alpha = 1 - options.confidence;
   const auto differ = [&](std::size_t i, std::size_t j) {
@@ -38,13 +40,16 @@ std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::
   for (std::size_t i = 0; i < methods; ++i) {
     MethodStanding& standing = standings[order[i]];
     standing.average = averages[static_cast<Eigen::Index>(order[i])];
-    const bool tied = i > 0 && standings[order[i - 1]].average == standing.average;
-    standing.rank = tied ? standings[order[i - 1]].rank : i + 1;
     // Methods that do not differ are consecutive in the order.
     const auto holds = [&](const HomogeneousGroup& group) { return group.first <= i && i <= group.last; };
     standing.best_rank = std::ranges::find_if(groups, holds)->first + 1;
     standing.worst_rank = std::find_if(groups.rbegin(), groups.rend(), holds)->last + 1;
     standing.letters = letters[i];
+  }
+  std::size_t better = 0;
+  for (const std::vector<std::size_t>& group : equal) {
+    for (const std::size_t method : group) standings[method].rank = better + 1;
+    better += group.size();
   }
   if (units.values.rows() < 2) return standings;
   const std::vector<ConfidenceInterval> intervals = bootstrap_intervals(units, options.confidence, options.resampling);

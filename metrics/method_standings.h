@@ -23,7 +23,7 @@ struct StandingOptions {
 struct MethodStanding {
   double average = 0;
   std::optional<ConfidenceInterval> interval{};  ///< of the average; absent with fewer than two units
-  std::size_t rank = 1;                          ///< 1 + the number of methods with a larger average
+  std::size_t rank = 1;  ///< 1 + the number of methods with a larger average, see are_equal_scores()
   /// Confidence interval of the rank: from 1 + the number of significantly better methods to the number of methods
   /// minus the significantly worse ones. Mogstad, Romano, Shaikh, Wilhelm, "Inference for ranks with applications to
   /// mobility across neighbourhoods and academic achievement across countries", Review of Economic Studies 91, 2024.

@@ -37,9 +37,15 @@ std::size_t first_reaching(const Precisions& precision_at_hit, std::size_t level
   return std::max<std::size_t>(hits, 1) - 1;
 }
 
-double largest_from(const Precisions& precision_at_hit, std::size_t level, std::size_t divisions) {
-  const auto first = static_cast<std::ptrdiff_t>(first_reaching(precision_at_hit, level, divisions));
-  return *std::max_element(precision_at_hit.begin() + first, precision_at_hit.end());
+double largest_from(const Precisions& precision_at_hit, std::size_t first) {
+  return *std::max_element(precision_at_hit.begin() + static_cast<std::ptrdiff_t>(first), precision_at_hit.end());
+}
+
+// Returns the index of the first hit that trec_eval takes for the level.
+std::size_t first_in_trec_eval(const Precisions& precision_at_hit, std::size_t level, std::size_t divisions) {
+  const double recall = static_cast<double>(level) / static_cast<double>(divisions);
+  const auto hits = static_cast<std::size_t>(recall * static_cast<double>(precision_at_hit.size()) + 0.9);
+  return std::max<std::size_t>(hits, 1) - 1;
 }
 
 double precision_at(const Precisions& precision_at_hit, CurveKind kind, std::size_t level, std::size_t divisions) {
@@ -49,7 +55,9 @@ double precision_at(const Precisions& precision_at_hit, CurveKind kind, std::siz
     case CurveKind::paper:
       return last_reached(precision_at_hit, level, divisions);
     case CurveKind::trec:
-      return largest_from(precision_at_hit, level, divisions);
+      return largest_from(precision_at_hit, first_reaching(precision_at_hit, level, divisions));
+    case CurveKind::trec_eval:
+      return largest_from(precision_at_hit, first_in_trec_eval(precision_at_hit, level, divisions));
     case CurveKind::raw:
       break;
   }
@@ -98,7 +106,8 @@ std::vector<double> recall_levels(CurveKind kind, std::size_t largest_relevant) 
 Eigen::VectorXd precision_at_levels(const RankedList& list, CurveKind kind, std::size_t largest_relevant) {
   const std::size_t divisions = divisions_of(kind, largest_relevant);
   const std::size_t first = first_level_of(kind);
-  Eigen::VectorXd precisions(static_cast<Eigen::Index>(divisions + 1 - first));
+  Eigen::VectorXd precisions = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(divisions + 1 - first));
+  if (list.length == 0) return precisions;
   for (std::size_t level = first; level <= divisions; ++level) {
     precisions[static_cast<Eigen::Index>(level - first)] = precision_at(list.precision_at_hit, kind, level, divisions);
   }

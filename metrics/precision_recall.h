@@ -24,11 +24,13 @@ namespace shapegauge {
 ///   be less than the mean of maxima, for which there is no closed form.
 /// - raw: at 1/L, 2/L, ... 1, where L is the largest number of relevant models of any query, P(k) of the first hit that
 ///   reaches the level. If every query has as many relevant models, these are the hits themselves.
-enum class CurveKind { psb, paper, trec, raw };
+/// - trec_eval: like trec, but a level p is reached by floor(p R + 0.9) hits in double precision, as in trec_eval 10,
+///   which may be one less.
+enum class CurveKind { psb, paper, trec, raw, trec_eval };
 template <>
-inline constexpr std::array<std::string_view, 4> words_of<CurveKind>{"psb", "paper", "trec", "raw"};
+inline constexpr std::array<std::string_view, 5> words_of<CurveKind>{"psb", "paper", "trec", "raw", "trec_eval"};
 
-/// Returns the name in files and options: "psb", "paper", "trec" or "raw".
+/// Returns the name in files and options: "psb", "paper", "trec", "raw" or "trec_eval".
 std::string name_of(CurveKind kind);
 
 /// Returns the kind of that name, if any.

@@ -13,6 +13,7 @@ namespace shapegauge {
 
 namespace {
 
+constexpr double unreachable_distance = std::numeric_limits<double>::infinity();
 constexpr double negligible = 1e-18;  // of the largest term: less than the rounding of the sum
 
 // Sums term(probability, t) over the positions t that the j-th of `hits` hits may have among `size` unordered
@@ -65,23 +66,15 @@ void append_precisions(std::vector<double>& precisions, std::size_t size, std::s
   }
 }
 
-struct RankedColumn {
-  double distance;
-  Eigen::Index column;
-};
-
-void sort_by_distance(std::vector<RankedColumn>& models) {
-  std::ranges::sort(models, [](const RankedColumn& a, const RankedColumn& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.column < b.column;
-  });
-}
-
 struct Hit {
+  double distance = 0;
   Eigen::Index column = 0;
   double grade = 1;
 };
 
-struct Miss {
+// Model that is not relevant, at the distance of a relevant one.
+struct TiedMiss {
+  std::size_t group = 0;
   Eigen::Index column = 0;
   bool judged = true;
 };
@@ -97,93 +90,85 @@ struct Misses {
   }
 };
 
-// Models at one distance, at least one of them relevant, and the irrelevant models nearer than these but farther than
-// the previous relevant ones. Hits and misses are in the order of their columns.
-struct Tied {
-  double distance = 0;
-  Misses before;
-  std::vector<Hit> hits;
-  std::vector<Miss> misses;
-};
-
-// Partially sorted answer: the relevant models in order, and the numbers of other models between them.
+// Partially sorted answer: the relevant models in order, in groups of equal distance, and the numbers of other models
+// between the groups.
 struct Answer {
-  std::vector<Tied> tied;
-  Misses behind;                  // farther than the last relevant model
-  std::vector<double> not_found;  // grades of relevant models that have no distance
-  std::size_t judged_not_found = 0;
+  std::vector<Hit> hits;               // by distance and column
+  std::vector<double> distances;       // of the groups, ascending
+  std::vector<std::size_t> first_hit;  // by group, and the number of hits
+  std::vector<Misses> before;          // by group, and those behind the last
+  std::vector<TiedMiss> tied;          // by group and column
 };
 
-// Query of a row, with its task.
-class Query {
- public:
-  Query(const RetrievalTask& task, Eigen::Index row) : task_(task), row_(row), i_(static_cast<std::size_t>(row)) {}
-
-  [[nodiscard]] bool is_target(Eigen::Index column) const {
-    return task_.target_classes[static_cast<std::size_t>(column)] != no_class && task_.own_column[i_] != column;
-  }
-
-  [[nodiscard]] bool is_relevant(Eigen::Index column) const { return shapegauge::is_relevant(task_, row_, column); }
-
-  [[nodiscard]] double grade(Eigen::Index column) const { return grade_of(task_, row_, column); }
-
-  // Returns true for a judged column that is not relevant.
-  [[nodiscard]] bool is_judged(Eigen::Index column) const {
-    return task_.judged_irrelevant.empty() || std::ranges::binary_search(task_.judged_irrelevant[i_], column);
-  }
-
- private:
-  const RetrievalTask& task_;
-  Eigen::Index row_;
-  std::size_t i_;
+// Models tied with each other, at least one of them relevant.
+struct Tied {
+  std::span<const Hit> hits;
+  std::span<const TiedMiss> misses;
 };
 
-// Returns true if all targets are infinitely far: the query has no answer.
-bool finds_nothing(const DistanceTable& distances, const Query& query, Eigen::Index row) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (Eigen::Index column = 0; column < distances.cols(); ++column) {
-    if (query.is_target(column) && distances(row, column) < infinity) return false;
+// Returns the number of values below x. Without branches, which nobody could predict here.
+std::size_t count_below(std::span<const double> ascending, double x) {
+  const double* first = ascending.data();
+  std::size_t size = ascending.size();
+  while (size > 1) {
+    const std::size_t half = size / 2;
+    first += first[half - 1] < x ? half : 0;
+    size -= half;
   }
-  return true;
+  const bool is_last_below = size == 1 && *first < x;
+  return static_cast<std::size_t>(first - ascending.data()) + (is_last_below ? 1 : 0);
 }
 
-void collect_hits(const DistanceTable& distances, const Query& query, Eigen::Index row, bool is_empty, Answer& answer) {
-  std::vector<RankedColumn> hits;
-  for (Eigen::Index column = 0; column < distances.cols(); ++column) {
-    if (!query.is_target(column) || !query.is_relevant(column)) continue;
-    if (is_empty || std::isnan(distances(row, column))) {
-      answer.not_found.push_back(query.grade(column));
-    } else {
-      hits.push_back({distances(row, column), column});
-    }
+void group_hits(Answer& answer) {
+  std::ranges::sort(answer.hits, [](const Hit& a, const Hit& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.column < b.column;
+  });
+  for (std::size_t i = 0; i < answer.hits.size(); ++i) {
+    if (i > 0 && answer.hits[i - 1].distance == answer.hits[i].distance) continue;
+    answer.distances.push_back(answer.hits[i].distance);
+    answer.first_hit.push_back(i);
   }
-  sort_by_distance(hits);
-  for (const RankedColumn& hit : hits) {
-    if (answer.tied.empty() || answer.tied.back().distance != hit.distance) {
-      answer.tied.push_back({.distance = hit.distance, .before = {}, .hits = {}, .misses = {}});
-    }
-    answer.tied.back().hits.push_back({hit.column, query.grade(hit.column)});
-  }
+  answer.first_hit.push_back(answer.hits.size());
+  answer.before.resize(answer.distances.size() + 1);
 }
 
-void collect_misses(const DistanceTable& distances, const Query& query, Eigen::Index row, bool is_empty,
-                    Answer& answer) {
-  for (Eigen::Index column = 0; column < distances.cols(); ++column) {
-    if (!query.is_target(column) || query.is_relevant(column)) continue;
-    const double distance = distances(row, column);
-    const bool judged = query.is_judged(column);
-    if (is_empty || std::isnan(distance)) {
-      answer.judged_not_found += judged ? 1 : 0;
-      continue;
-    }
-    const auto place = std::ranges::lower_bound(answer.tied, distance, {}, &Tied::distance);
-    if (place == answer.tied.end()) {
-      answer.behind.add(judged);
-    } else if (place->distance == distance) {
-      place->misses.push_back({column, judged});
+// Sorts an answer partially. for_each(f) calls f(column, distance) for each model of it.
+template <typename ForEach>
+Answer answer_of(const ForEach& for_each, const Relevance& relevance, Eigen::Index row) {
+  Answer answer;
+  const auto for_targets = [&](bool relevant, const auto& f) {
+    for_each([&](Eigen::Index column, double distance) {
+      if (relevance.is_target(row, column) && relevance.is_relevant(row, column) == relevant) f(column, distance);
+    });
+  };
+  for_targets(true, [&](Eigen::Index column, double distance) {
+    answer.hits.push_back({distance, column, relevance.grade(row, column)});
+  });
+  group_hits(answer);
+  for_targets(false, [&](Eigen::Index column, double distance) {
+    const bool judged = relevance.is_judged_irrelevant(row, column);
+    const std::size_t group = count_below(answer.distances, distance);
+    if (group < answer.distances.size() && answer.distances[group] == distance) {
+      answer.tied.push_back({group, column, judged});
     } else {
-      place->before.add(judged);
+      answer.before[group].add(judged);
     }
+  });
+  std::ranges::sort(answer.tied, [](const TiedMiss& a, const TiedMiss& b) {
+    return a.group != b.group ? a.group < b.group : a.column < b.column;
+  });
+  return answer;
+}
+
+// Calls f with each group of tied models, in order.
+template <typename F>
+void for_each_tied(const Answer& answer, const F& f) {
+  auto miss = answer.tied.begin();
+  for (std::size_t group = 0; group < answer.distances.size(); ++group) {
+    const auto first = miss;
+    while (miss != answer.tied.end() && miss->group == group) ++miss;
+    const std::size_t hit = answer.first_hit[group];
+    f(group, Tied{.hits = {answer.hits.data() + hit, answer.first_hit[group + 1] - hit}, .misses = {first, miss}});
   }
 }
 
@@ -197,7 +182,7 @@ void append(Runs& runs, const Hit& hit) { runs.push_back({.size = 1, .hits = 1, 
 
 void append_by_index(Runs& runs, const Tied& tied) {
   auto hit = tied.hits.begin();
-  for (const Miss& miss : tied.misses) {
+  for (const TiedMiss& miss : tied.misses) {
     for (; hit != tied.hits.end() && hit->column < miss.column; ++hit) append(runs, *hit);
     append(runs, Misses{.count = 1, .judged = miss.judged ? 1U : 0U});
   }
@@ -214,8 +199,8 @@ bool order_matters(const Tied& tied) {
 // first and pessimistic the smallest.
 void append_tied(Runs& runs, const Tied& tied, Ties ties) {
   Misses misses;
-  for (const Miss& miss : tied.misses) misses.add(miss.judged);
-  std::vector<Hit> hits = tied.hits;
+  for (const TiedMiss& miss : tied.misses) misses.add(miss.judged);
+  std::vector<Hit> hits(tied.hits.begin(), tied.hits.end());
   std::ranges::stable_sort(hits, std::greater<>(), &Hit::grade);
   double grades = 0;
   switch (ties) {
@@ -241,14 +226,11 @@ void append_tied(Runs& runs, const Tied& tied, Ties ties) {
 }
 
 // Returns all grades, the largest first. A query in its own list has the largest of them, or that of its subclass.
-std::vector<double> grades_of(const Answer& answer, const RetrievalTask& task, bool starts_with_query) {
-  std::vector<double> grades = answer.not_found;
-  for (const Tied& tied : answer.tied) {
-    for (const Hit& hit : tied.hits) grades.push_back(hit.grade);
-  }
-  if (starts_with_query && !task.query_subclasses.empty()) {
+std::vector<double> sorted_grades(const Relevance& relevance, Eigen::Index row, bool counts_query) {
+  std::vector<double> grades = relevance.grades(row);
+  if (counts_query && !relevance.task().query_subclasses.empty()) {
     grades.push_back(subclass_grade(0, 0));
-  } else if (starts_with_query && !grades.empty()) {
+  } else if (counts_query && !grades.empty()) {
     grades.push_back(*std::ranges::max_element(grades));
   }
   std::ranges::sort(grades, std::greater<>());
@@ -273,6 +255,32 @@ void append(RankedList& list, const RankRun& run) {
   list.runs.push_back(run);
 }
 
+// Builds the list of an answer; for_each(f) calls f(column, distance) for each of its models.
+template <typename ForEach>
+RankedList list_of_answer(const ForEach& for_each, bool is_empty, const Relevance& relevance, Eigen::Index row,
+                          const ListConventions& conventions) {
+  const bool counts_query = conventions.protocol == Protocol::paper;
+  const bool starts_with_query = counts_query && !is_empty;
+  const Answer answer = answer_of(for_each, relevance, row);
+  std::vector<double> grades = sorted_grades(relevance, row, counts_query);
+  Runs runs;
+  if (starts_with_query) append(runs, Hit{.grade = grades.empty() ? 1 : grades.front()});
+  bool tied = false;
+  for_each_tied(answer, [&](std::size_t group, const Tied& models) {
+    append(runs, answer.before[group]);
+    append_tied(runs, models, conventions.ties);
+    tied = tied || order_matters(models);
+  });
+  append(runs, answer.before.back());
+  const std::size_t relevant = relevance.relevant(row) + (counts_query ? 1 : 0);
+  const std::size_t found = answer.hits.size() + (starts_with_query ? 1 : 0);
+  RankedList list = list_of_runs(runs, starts_with_query, relevant - found);
+  list.grades = std::move(grades);
+  list.tied = tied;
+  list.judged_misses = relevance.judged_irrelevant(row);
+  return list;
+}
+
 }  // namespace
 
 std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen::Index query, Eigen::Index count) {
@@ -286,28 +294,27 @@ std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen:
   return models;
 }
 
-RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Protocol protocol,
-                       Ties ties) {
-  const bool starts_with_query = protocol == Protocol::paper;
-  const Query query(task, row);
-  Answer answer;
-  const bool is_empty = finds_nothing(distances, query, row);
-  collect_hits(distances, query, row, is_empty, answer);
-  collect_misses(distances, query, row, is_empty, answer);
-  std::vector<double> grades;
-  if (has_grades(task)) grades = grades_of(answer, task, starts_with_query);
-  Runs runs;
-  if (starts_with_query) append(runs, Hit{.column = -1, .grade = grades.empty() ? 1 : grades.front()});
-  for (const Tied& tied : answer.tied) {
-    append(runs, tied.before);
-    append_tied(runs, tied, ties);
-  }
-  append(runs, answer.behind);
-  RankedList list = list_of_runs(runs, starts_with_query, answer.not_found.size());
-  list.grades = std::move(grades);
-  list.tied = std::ranges::any_of(answer.tied, order_matters);
-  list.judged_misses += answer.judged_not_found;
-  return list;
+RankedList ranked_list(std::span<const ListedModel> answer, const Relevance& relevance, Eigen::Index row,
+                       const ListConventions& conventions) {
+  const auto for_each = [&](const auto& f) {
+    for (const ListedModel& model : answer) f(model.column, model.distance);
+  };
+  return list_of_answer(for_each, answer.empty(), relevance, row, conventions);
+}
+
+RankedList ranked_list(std::span<const double> distances, const Relevance& relevance, Eigen::Index row,
+                       const ListConventions& conventions) {
+  const auto for_each = [&](const auto& f) {
+    for (std::size_t column = 0; column < distances.size(); ++column) {
+      f(static_cast<Eigen::Index>(column), distances[column]);
+    }
+  };
+  bool is_empty = true;
+  for_each([&](Eigen::Index column, double distance) {
+    if (relevance.is_target(row, column) && distance < unreachable_distance) is_empty = false;
+  });
+  if (is_empty) return ranked_list(std::span<const ListedModel>(), relevance, row, conventions);
+  return list_of_answer(for_each, false, relevance, row, conventions);
 }
 
 RankedList list_of_runs(const std::vector<RankRun>& runs, bool starts_with_query, std::size_t not_in_list) {

@@ -40,11 +40,30 @@ struct RankedList {
   std::vector<double> grades;     ///< of all relevant models, in descending order; all 1 if empty
 };
 
+/// Model of an answer: a column of the task with its distance, which is not NaN.
+struct ListedModel {
+  Eigen::Index column = 0;
+  double distance = 0;
+};
+
+/// Answers to the queries of a task, by row. Models may be in any order; those that are absent are not found.
+using RankedAnswerLists = std::vector<std::vector<ListedModel>>;
+
+/// Conventions for the lists of an evaluation.
+struct ListConventions {
+  Protocol protocol = Protocol::psb;
+  Ties ties = Ties::index;
+};
+
 /// Builds the list that a protocol evaluates. psb and trec: the targets without the query. paper: the query itself,
-/// then the others. Distances are those of the task's rows and columns; none may be NaN unless lists may end early.
-/// Infinite distances rank last; if all targets are infinitely far, nothing is found.
-RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Protocol protocol,
-                       Ties ties);
+/// then the others. Infinite distances rank last. The list is empty under every protocol if the answer is, or if all
+/// targets are infinitely far.
+RankedList ranked_list(std::span<const ListedModel> answer, const Relevance& relevance, Eigen::Index row,
+                       const ListConventions& conventions);
+
+/// Builds the list of a row of a distance matrix, which has a distance for each column.
+RankedList ranked_list(std::span<const double> distances, const Relevance& relevance, Eigen::Index row,
+                       const ListConventions& conventions);
 
 /// Builds a list from runs and a number of relevant models that are missing from it. Adjacent runs may be of the same
 /// kind.

@@ -15,12 +15,6 @@ RetrievalTask leave_one_out(std::span<const int> labels) {
   return task;
 }
 
-bool is_relevant(const RetrievalTask& task, Eigen::Index row, Eigen::Index column) {
-  const auto i = static_cast<std::size_t>(row);
-  if (!task.judged.empty()) return std::ranges::binary_search(task.judged[i], column);
-  return task.target_classes[static_cast<std::size_t>(column)] == task.query_classes[i];
-}
-
 int subclass_grade(int query, int model) {
   if (query == model) return 3;
   return model == no_subclass ? 2 : 1;
@@ -40,16 +34,6 @@ std::vector<int> numbered_subclasses(std::span<const std::string> names) {
 
 bool has_grades(const RetrievalTask& task) { return !task.grades.empty() || !task.query_subclasses.empty(); }
 
-double grade_of(const RetrievalTask& task, Eigen::Index row, Eigen::Index column) {
-  const auto i = static_cast<std::size_t>(row);
-  if (!task.query_subclasses.empty()) {
-    return subclass_grade(task.query_subclasses[i], task.target_subclasses[static_cast<std::size_t>(column)]);
-  }
-  if (task.grades.empty()) return 1;
-  const std::vector<Eigen::Index>& judged = task.judged[i];
-  return task.grades[i][static_cast<std::size_t>(std::ranges::lower_bound(judged, column) - judged.begin())];
-}
-
 std::vector<std::size_t> relevant_counts(const RetrievalTask& task) {
   std::unordered_map<int, std::size_t> targets_of_class;
   for (const int target : task.target_classes) ++targets_of_class[target];
@@ -61,11 +45,71 @@ std::vector<std::size_t> relevant_counts(const RetrievalTask& task) {
       counts.push_back(0);
       continue;
     }
+    const bool counts_itself =
+        own >= 0 && (task.judged.empty() ? task.target_classes[static_cast<std::size_t>(own)] == query_class
+                                         : std::ranges::binary_search(task.judged[row], own));
     const std::size_t all = task.judged.empty() ? targets_of_class[query_class] : task.judged[row].size();
-    const bool counts_itself = own >= 0 && is_relevant(task, static_cast<Eigen::Index>(row), own);
     counts.push_back(all - (counts_itself ? 1 : 0));
   }
   return counts;
+}
+
+Relevance::Relevance(const RetrievalTask& task) : task_(&task), relevant_(relevant_counts(task)) {
+  for (std::size_t column = 0; column < task.target_classes.size(); ++column) {
+    if (task.target_classes[column] == no_class) continue;
+    ++targets_;
+    if (task.query_subclasses.empty()) continue;
+    columns_of_class_[task.target_classes[column]].push_back(static_cast<Eigen::Index>(column));
+  }
+}
+
+bool Relevance::is_relevant(Eigen::Index row, Eigen::Index column) const {
+  const auto i = static_cast<std::size_t>(row);
+  if (!task_->judged.empty()) return std::ranges::binary_search(task_->judged[i], column);
+  return task_->target_classes[static_cast<std::size_t>(column)] == task_->query_classes[i];
+}
+
+bool Relevance::is_judged_irrelevant(Eigen::Index row, Eigen::Index column) const {
+  return task_->judged_irrelevant.empty() ||
+         std::ranges::binary_search(task_->judged_irrelevant[static_cast<std::size_t>(row)], column);
+}
+
+double Relevance::grade(Eigen::Index row, Eigen::Index column) const {
+  const auto i = static_cast<std::size_t>(row);
+  if (!task_->query_subclasses.empty()) {
+    return subclass_grade(task_->query_subclasses[i], task_->target_subclasses[static_cast<std::size_t>(column)]);
+  }
+  if (task_->grades.empty()) return 1;
+  const std::vector<Eigen::Index>& judged = task_->judged[i];
+  return task_->grades[i][static_cast<std::size_t>(std::ranges::lower_bound(judged, column) - judged.begin())];
+}
+
+std::size_t Relevance::judged_irrelevant(Eigen::Index row) const {
+  const auto i = static_cast<std::size_t>(row);
+  const Eigen::Index own = task_->own_column[i];
+  if (!task_->judged_irrelevant.empty()) {
+    const std::vector<Eigen::Index>& judged = task_->judged_irrelevant[i];
+    return judged.size() - (std::ranges::binary_search(judged, own) ? 1 : 0);
+  }
+  const bool is_own_target = own >= 0 && task_->target_classes[static_cast<std::size_t>(own)] != no_class;
+  return targets_ - relevant(row) - (is_own_target ? 1 : 0);
+}
+
+std::vector<double> Relevance::grades(Eigen::Index row) const {
+  if (!has_grades(*task_)) return {};
+  const auto i = static_cast<std::size_t>(row);
+  const std::vector<Eigen::Index>* columns = nullptr;
+  if (!task_->judged.empty()) {
+    columns = &task_->judged[i];
+  } else if (const auto found = columns_of_class_.find(task_->query_classes[i]); found != columns_of_class_.end()) {
+    columns = &found->second;
+  }
+  std::vector<double> grades;
+  if (columns == nullptr) return grades;
+  for (const Eigen::Index column : *columns) {
+    if (column != task_->own_column[i]) grades.push_back(grade(row, column));
+  }
+  return grades;
 }
 
 }  // namespace shapegauge

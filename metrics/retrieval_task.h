@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "shapegauge/core/base/distance_rows.h"
@@ -34,15 +35,10 @@ struct RetrievalTask {
   std::vector<int> target_subclasses{};
   /// By row: the columns judged as not relevant, ascending. If empty, all that are not relevant.
   std::vector<std::vector<Eigen::Index>> judged_irrelevant;
-  /// A NaN distance means that the model is missing from the query's answer, because the list was truncated.
-  bool lists_may_end_early = false;
 };
 
 /// Makes a task with every model as a query to all others. labels[i] is the class of model i.
 RetrievalTask leave_one_out(std::span<const int> labels);
-
-/// Returns true if the target in the column is relevant to the query in the row.
-bool is_relevant(const RetrievalTask& task, Eigen::Index row, Eigen::Index column);
 
 /// Returns the grade of a model of the query's class: 3 in the same subclass, 2 if the model has none, 1 in another
 /// subclass. Source: Savva and others, Large-scale 3D shape retrieval from ShapeNet Core55, Eurographics Workshop on 3D
@@ -55,10 +51,41 @@ std::vector<int> numbered_subclasses(std::span<const std::string> names);
 /// Returns true if relevant targets may have grades other than 1.
 bool has_grades(const RetrievalTask& task);
 
-/// Returns the grade of a relevant column.
-double grade_of(const RetrievalTask& task, Eigen::Index row, Eigen::Index column);
-
 /// Returns, by row, the number of relevant targets without the query itself; 0 for rows that are not queries.
 std::vector<std::size_t> relevant_counts(const RetrievalTask& task);
+
+/// Relevance of targets to queries, with the numbers of relevant and other targets known in advance: a list need not
+/// have them all. The task must outlive the object.
+class Relevance {
+ public:
+  explicit Relevance(const RetrievalTask& task);
+
+  [[nodiscard]] const RetrievalTask& task() const { return *task_; }
+
+  /// Returns true if the column is a target and not the query itself.
+  [[nodiscard]] bool is_target(Eigen::Index row, Eigen::Index column) const {
+    return task_->target_classes[static_cast<std::size_t>(column)] != no_class &&
+           task_->own_column[static_cast<std::size_t>(row)] != column;
+  }
+  /// Returns true if the target in the column is relevant to the query in the row.
+  [[nodiscard]] bool is_relevant(Eigen::Index row, Eigen::Index column) const;
+  /// Returns true if the target, which is not relevant, is judged as such.
+  [[nodiscard]] bool is_judged_irrelevant(Eigen::Index row, Eigen::Index column) const;
+  /// Returns the grade of a relevant column.
+  [[nodiscard]] double grade(Eigen::Index row, Eigen::Index column) const;
+
+  /// Number of relevant targets.
+  [[nodiscard]] std::size_t relevant(Eigen::Index row) const { return relevant_[static_cast<std::size_t>(row)]; }
+  /// Number of targets judged as not relevant.
+  [[nodiscard]] std::size_t judged_irrelevant(Eigen::Index row) const;
+  /// Grades of all relevant targets; empty if all are 1.
+  [[nodiscard]] std::vector<double> grades(Eigen::Index row) const;
+
+ private:
+  const RetrievalTask* task_;
+  std::vector<std::size_t> relevant_;  // by row
+  std::size_t targets_ = 0;
+  std::unordered_map<int, std::vector<Eigen::Index>> columns_of_class_;  // with subclasses
+};
 
 }  // namespace shapegauge

@@ -12,13 +12,11 @@
 #include "shapegauge/core/base/parallel_parts.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/metrics/ascending_order.h"
+#include "shapegauge/metrics/equal_scores.h"
 
 namespace shapegauge {
 
 namespace {
-
-// Tolerance relative to the summed magnitudes: the rounding of sums depends on order and signs.
-constexpr double share_of_rounding = 1e-12;
 
 // Sums the terms with random signs, 64 from each random number.
 double sum_in_random_signs(const Eigen::VectorXd& terms, RandomNumbers random) {
@@ -41,7 +39,8 @@ double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::Ve
   }
   if (differences.size() == 0) throw ArgumentError("no units for a randomisation test");
   const Eigen::VectorXd terms = differences.cwiseProduct(weights);
-  const double observed = std::abs(terms.sum()) - share_of_rounding * terms.cwiseAbs().sum();
+  // Relative to the summed magnitudes: the rounding of sums depends on order and signs.
+  const double observed = std::abs(terms.sum()) - score_rounding * terms.cwiseAbs().sum();
   const int as_extreme = parallel_reduce_parts(
       tbb::blocked_range<int>(0, options.resamples), 0,
       [&](const tbb::blocked_range<int>& range, int count) {
@@ -103,7 +102,7 @@ Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOpti
   });
   std::ranges::sort(ranges);
   const Eigen::VectorXd averages = averages_of(units);
-  const double slack = share_of_rounding * averages.cwiseAbs().maxCoeff();
+  const double slack = score_rounding * averages.cwiseAbs().maxCoeff();
   const Eigen::Index methods = averages.size();
   Eigen::MatrixXd p_values = Eigen::MatrixXd::Ones(methods, methods);
   for (Eigen::Index a = 0; a < methods; ++a) {

@@ -54,7 +54,7 @@ struct WinTieLoss {
   Eigen::Index losses = 0;
 };
 
-/// Counts the signs of the differences, first method minus second.
+/// Counts the signs of the differences, first method minus second; see score_differences().
 WinTieLoss win_tie_loss(const Eigen::VectorXd& differences);
 
 }  // namespace shapegauge

@@ -15,13 +15,14 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 /// What charts read, and the number of queries.
-OrderedJson entry_evaluation_json(const Evaluation& evaluation) {
+OrderedJson entry_evaluation_json(const Evaluation& evaluation, bool hide_classes) {
   OrderedJson json = charted_json(evaluation);
   json["queries"] = evaluation.queries.size();
+  if (hide_classes) json["classes"] = json["per_class"] = OrderedJson::array();
   return json;
 }
 
-OrderedJson entry_json(const LeaderboardEntry& entry) {
+OrderedJson entry_json(const LeaderboardEntry& entry, bool hide_classes) {
   return {{"name", entry.name},
           {"description", ""},
           {"authors", entry.authors},
@@ -30,7 +31,7 @@ OrderedJson entry_json(const LeaderboardEntry& entry) {
           {"file", entry.file},
           {"page", entry.page},
           {"warnings", entry.warnings},
-          {"evaluations", OrderedJson::array({entry_evaluation_json(*entry.evaluation)})}};
+          {"evaluations", OrderedJson::array({entry_evaluation_json(*entry.evaluation, hide_classes)})}};
 }
 
 OrderedJson standings_json(const std::vector<std::vector<MethodStanding>>& by_measure) {
@@ -51,7 +52,7 @@ OrderedJson standings_json(const std::vector<std::vector<MethodStanding>>& by_me
 
 OrderedJson page_data_of_leaderboard(const LeaderboardPage& page) {
   OrderedJson methods = OrderedJson::array();
-  for (const LeaderboardEntry& entry : page.entries) methods.push_back(entry_json(entry));
+  for (const LeaderboardEntry& entry : page.entries) methods.push_back(entry_json(entry, page.classes.empty()));
   return {{"version", version()},
           {"title", page.title},
           {"facts", page.facts},

@@ -26,7 +26,7 @@ struct LeaderboardEntry {
 struct LeaderboardPage {
   std::string title;
   std::vector<std::pair<std::string, std::string>> facts;  ///< headings and texts
-  std::vector<std::string> classes;                        ///< names, by label
+  std::vector<std::string> classes;                        ///< names, by label; empty if hidden
   std::vector<int> labels;                                 ///< class of each target
   std::vector<LeaderboardEntry> entries;                   ///< best first; at least one
   std::vector<std::vector<MethodStanding>> micro;          ///< averages over queries: by measure, by entry

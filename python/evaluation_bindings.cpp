@@ -16,10 +16,11 @@
 #include "shapegauge/experiments/results/method_comparison_tables.h"
 #include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/evaluation.h"
+#include "shapegauge/metrics/evaluators.h"
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/metrics/method_comparison.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
-#include "shapegauge/retrieval/feature_precision.h"
+#include "shapegauge/retrieval/feature_checks.h"
 
 namespace py = pybind11;
 
@@ -39,8 +40,9 @@ struct WantedEvaluation {
 };
 
 EvaluationOptions options_of(const std::string& protocol, const std::string& ties,
-                             const std::vector<std::string>& measures, int minimum_class_size,
-                             const std::string& curve) {
+                             const std::vector<std::string>& measures, int minimum_class_size, const std::string& curve,
+                             const std::string& evaluator) {
+  if (!evaluator.empty()) return options_of_evaluator(evaluator);
   EvaluationOptions options;
   const auto known_protocol = protocol_of(protocol);
   if (!known_protocol) throw InputError("unknown protocol \"" + protocol + "\"; known are psb, paper and trec");
@@ -50,7 +52,8 @@ EvaluationOptions options_of(const std::string& protocol, const std::string& tie
   }
   if (!curve.empty()) {
     options.curve = curve_kind_of(curve);
-    if (!options.curve) throw InputError("unknown curve \"" + curve + "\"; known are psb, paper, trec and raw");
+    if (!options.curve)
+      throw InputError("unknown curve \"" + curve + "\"; known are psb, paper, trec, raw and trec_eval");
   }
   options.protocol = *known_protocol;
   options.ties = *known_ties;
@@ -113,8 +116,9 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
     for (std::size_t i = 0; i < wanted.labels.size(); ++i) ids.push_back(std::to_string(i));
     const MatrixFindings found = checks.findings();
     result.warnings = matrix_warnings(found, ids, wanted.negated);
-    if (const auto left_out = left_out_warning(*result.evaluation, task, wanted.options)) {
-      result.warnings.push_back(*left_out);
+    for (const auto& warning : {chance_warning(*result.evaluation, found, task),
+                                left_out_warning(*result.evaluation, task, wanted.options)}) {
+      if (warning) result.warnings.push_back(*warning);
     }
     if (const auto tied = ties_warning(*result.evaluation, found)) {
       result.warnings.push_back(*tied);
@@ -266,14 +270,15 @@ void bind_evaluation(py::module_& module) {
                             const std::optional<std::vector<int>>& targets, const std::vector<int>& subclasses,
                             const std::optional<Eigen::MatrixXi>& relevance, const std::string& protocol,
                             const std::string& ties, const std::vector<std::string>& measures, const std::string& curve,
-                            int minimum_class_size, bool negated, int threads) {
-    const WantedEvaluation wanted{.labels = labels,
-                                  .targets = targets.value_or(std::vector<int>()),
-                                  .subclasses = subclasses,
-                                  .relevance = relevance,
-                                  .square = !targets,
-                                  .negated = negated,
-                                  .options = options_of(protocol, ties, measures, minimum_class_size, curve)};
+                            int minimum_class_size, const std::string& evaluator, bool negated, int threads) {
+    const WantedEvaluation wanted{
+        .labels = labels,
+        .targets = targets.value_or(std::vector<int>()),
+        .subclasses = subclasses,
+        .relevance = relevance,
+        .square = !targets,
+        .negated = negated,
+        .options = options_of(protocol, ties, measures, minimum_class_size, curve, evaluator)};
     const EvaluatedMatrix evaluated = evaluate_matrix(distances, wanted, threads);
     return py::make_tuple(evaluated.evaluation, evaluated.warnings);
   });
@@ -282,8 +287,8 @@ void bind_evaluation(py::module_& module) {
              [](const Eigen::Ref<const Signatures>& features, const std::string& distance, int threads) {
                return array_of(compute(threads, [&] { return feature_distances(distance, features); }));
              });
-  module.def("feature_precision_warning",
-             [](const Eigen::Ref<const DistanceMatrix>& features) { return feature_precision_warning(features); });
+  module.def("check_features",
+             [](const Eigen::Ref<const DistanceMatrix>& features) { return check_features(features); });
 }
 
 void bind_comparison(py::module_& module) {

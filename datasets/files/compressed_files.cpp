@@ -13,6 +13,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/utf8.h"
 
 namespace shapegauge {
 
@@ -126,7 +127,9 @@ std::string read_plain_bytes(const std::filesystem::path& path) {
   return unpacked_gzip(bytes, path.string());
 }
 
-std::string array_in_npz(std::string_view bytes, const std::string& source) {
+std::string read_plain_text(const std::filesystem::path& path) { return to_utf8(read_plain_bytes(path)); }
+
+std::string array_in_npz(std::string_view bytes, const std::string& source, const std::string& variable) {
   constexpr std::string_view what = "not a .npz archive, or damaged";
   const Archive opened(archive_read_new());
   archive_read_support_format_zip(opened.get());
@@ -141,13 +144,17 @@ std::string array_in_npz(std::string_view bytes, const std::string& source) {
     const char* const name = archive_entry_pathname(entry);
     if (name == nullptr || !std::string_view(name).ends_with(".npy")) continue;
     names.emplace_back(name, std::string_view(name).size() - 4);
-    if (names.size() == 1) array = entry_bytes(opened.get(), bytes.size(), source, what);
+    const bool requested = variable.empty() ? names.size() == 1 : names.back() == variable;
+    if (requested) array = entry_bytes(opened.get(), bytes.size(), source, what);
   }
   if (status != ARCHIVE_EOF) fail(opened.get(), source, what);
-  if (names.size() == 1) return array;
+  const bool found = variable.empty() ? names.size() == 1 : std::ranges::find(names, variable) != names.end();
+  if (found) return array;
   if (names.empty()) throw InputError(fmt::format("{}: the archive has no array", source));
-  throw InputError(fmt::format("{}: the archive has {} arrays ({}); save the matrix alone, or as .npy", source,
-                               names.size(), printable(fmt::format("{}", fmt::join(names, ", ")), 60)));
+  const std::string all = printable(fmt::format("{}", fmt::join(names, ", ")), 60);
+  throw InputError(variable.empty() ? fmt::format("{}: the archive has {} arrays ({}); choose one with `variable`",
+                                                  source, names.size(), all)
+                                    : fmt::format("{}: no array {}; there are {}", source, quoted_word(variable), all));
 }
 
 }  // namespace shapegauge

@@ -22,9 +22,12 @@ std::size_t most_unpacked_bytes(std::size_t packed);
 /// most_unpacked_bytes().
 std::string read_plain_bytes(const std::filesystem::path& path);
 
-/// Extracts the `.npy` file of the only array of a NumPy `.npz` archive, given its bytes. Throws InputError for an
-/// invalid or damaged archive, one that unpacks to more than most_unpacked_bytes(), and one without exactly one array;
-/// the message lists the arrays.
-std::string array_in_npz(std::string_view bytes, const std::string& source);
+/// Reads a text file as read_plain_bytes() does, converted to UTF-8 if it is UTF-16.
+std::string read_plain_text(const std::filesystem::path& path);
+
+/// Extracts the `.npy` file of the array named `variable`, or of the only array if it is
+/// empty, of a NumPy `.npz` archive, given its bytes. Throws InputError for an invalid or damaged archive, one that
+/// unpacks to more than most_unpacked_bytes(), and one without that array; the message lists the arrays.
+std::string array_in_npz(std::string_view bytes, const std::string& source, const std::string& variable = "");
 
 }  // namespace shapegauge

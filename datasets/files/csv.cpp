@@ -10,12 +10,28 @@
 
 namespace shapegauge {
 
+namespace {
+
+constexpr std::string_view separator_line = "sep=";
+
+// Returns the separator that a first line "sep=;" declares, as Excel writes it.
+std::optional<char> declared_separator(std::string_view text) {
+  text = without_byte_order_mark(text);
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  if (line.size() != separator_line.size() + 1 || !line.starts_with(separator_line)) return std::nullopt;
+  return line.back();
+}
+
+}  // namespace
+
 CsvReader::CsvReader(std::string_view text, std::string source, char separator)
     : rest_(without_byte_order_mark(text)),
       source_(std::move(source)),
       separator_(separator),
       line_end_(rest_.find('\n') == std::string_view::npos ? '\r' : '\n'),
-      cell_ends_({separator, line_end_}) {}
+      cell_ends_({separator, line_end_}) {
+  if (declared_separator(text)) take_row();
+}
 
 std::optional<CsvRow> CsvReader::next() {
   while (!rest_.empty()) {
@@ -118,6 +134,7 @@ std::string separators_only(std::string_view line) {
 }  // namespace
 
 std::optional<char> first_separator(std::string_view text) {
+  if (const auto declared = declared_separator(text)) return declared;
   const std::string_view line = first_line(text);
   for (const char separator : {'\t', ';', ','}) {
     if (line.find(separator) != std::string_view::npos) return separator;
@@ -160,6 +177,7 @@ std::optional<std::size_t> find_class_column(const CsvRow& header, const std::st
 }
 
 char number_separator(std::string_view text) {
+  if (const auto declared = declared_separator(text)) return *declared;
   std::string_view line = first_line(text);
   line = line.substr(0, line.find_last_not_of(" \t") + 1);
   const std::string separators = separators_only(line);

@@ -20,7 +20,9 @@ struct CsvRow {
 inline constexpr std::size_t most_csv_cells = 1'000'000;
 
 /// Reader of separated values (RFC 4180) row by row. Lines end with LF or CR LF, or with CR in a text without LF. A
-/// quoted cell may contain separators, line ends and, doubled, quotation marks. Blanks around a cell are removed.
+/// quoted cell may contain separators, line ends and, doubled, quotation marks. Blanks around a cell are removed. A
+/// first line "sep=;", as Excel writes it, is skipped; first_separator() and number_separator() return what it
+/// declares.
 class CsvReader {
  public:
   /// The text must outlive the reader.

@@ -1,15 +1,19 @@
 #include "shapegauge/datasets/files/mat_file.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <matio.h>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/compressed_files.h"
+#include "shapegauge/datasets/files/exact_number.h"
 
 namespace shapegauge {
 
@@ -28,7 +32,7 @@ template <typename Number>
 void copy_numbers(const matvar_t& variable, DistanceMatrix& matrix) {
   using Columns = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
   matrix = Eigen::Map<const Columns>(static_cast<const Number*>(variable.data), matrix.rows(), matrix.cols())
-               .template cast<double>();
+               .unaryExpr(&exact_number<Number>);
 }
 
 using CopyNumbers = void (*)(const matvar_t&, DistanceMatrix&);
@@ -66,36 +70,91 @@ bool is_matrix(const matvar_t& variable) {
          variable.dims[0] > 0 && variable.dims[1] > 0;
 }
 
+// Describes a variable that is no real matrix.
+std::string_view kind_of(const matvar_t& variable) {
+  switch (variable.class_type) {
+    case MAT_C_SPARSE:
+      return "sparse, use full()";
+    case MAT_C_CELL:
+      return "a cell array";
+    case MAT_C_STRUCT:
+      return "a structure";
+    case MAT_C_CHAR:
+      return "text";
+    default:
+      break;
+  }
+  if (variable.isComplex != 0) return "complex";
+  return copier_of(variable.class_type) != nullptr ? "an array of another rank" : "of another class";
+}
+
+// Variables of a file.
+struct Variables {
+  std::vector<std::string> matrices;
+  std::vector<std::string> scalars;
+  std::vector<std::string> others;  // with their kinds
+};
+
+Variables variables_of(mat_t* file) {
+  Variables found;
+  while (const Variable variable{Mat_VarReadNextInfo(file)}) {
+    const std::string name = variable->name == nullptr ? "" : variable->name;
+    if (!is_matrix(*variable)) {
+      found.others.push_back(fmt::format("{} is {}", name, kind_of(*variable)));
+    } else {
+      const bool scalar = variable->dims[0] == 1 && variable->dims[1] == 1;
+      (scalar ? found.scalars : found.matrices).push_back(name);
+    }
+  }
+  if (found.matrices.empty()) found.matrices.swap(found.scalars);
+  return found;
+}
+
+// Returns the name of the matrix to read.
+std::string chosen_matrix(const Variables& variables, const std::string& wanted, const std::string& source) {
+  const auto listed = [](const std::vector<std::string>& words) {
+    return printable(fmt::format("{}", fmt::join(words, ", ")), 200);
+  };
+  const bool found = std::ranges::find(variables.matrices, wanted) != variables.matrices.end();
+  if (found) return wanted;
+  if (wanted.empty() && variables.matrices.size() == 1) return variables.matrices.front();
+  if (variables.matrices.empty()) {
+    throw InputError(fmt::format("{}: no matrix of real numbers{}{}", source, variables.others.empty() ? "" : ": ",
+                                 listed(variables.others)));
+  }
+  throw InputError(
+      wanted.empty()
+          ? fmt::format("{}: several matrices: {}; choose one with `variable`", source, listed(variables.matrices))
+          : fmt::format("{}: no matrix {}; there are {}", source, quoted_word(wanted), listed(variables.matrices)));
+}
+
 }  // namespace
 
-DistanceMatrix read_mat(const std::filesystem::path& path) {
-  read_file_bytes(path, 1);  // says why where it cannot be read at all
+DistanceMatrix read_mat(const std::filesystem::path& path, const std::string& variable) {
+  read_file_bytes(path, 1);  // reports unreadable files
   Mat_LogInitFunc("shapegauge", [](int, char*) {});
   const std::unique_ptr<mat_t, CloseFile> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (file == nullptr) throw InputError(fmt::format("{}: not a .mat file, or damaged", path.string()));
-  std::vector<std::string> names;
-  double bytes = 0;
-  while (const Variable variable{Mat_VarReadNextInfo(file.get())}) {
-    if (!is_matrix(*variable)) continue;
-    names.emplace_back(variable->name);
-    bytes = static_cast<double>(variable->dims[0]) * static_cast<double>(variable->dims[1]) *
-            static_cast<double>(Mat_SizeOfClass(variable->class_type));
-  }
-  if (names.size() != 1) {
-    throw InputError(
-        fmt::format("{}: expected one matrix of real numbers, but the file has {}{}", path.string(),
-                    names.empty() ? "none" : "several: ", printable(fmt::format("{}", fmt::join(names, ", ")), 60)));
-  }
+  const std::string name = chosen_matrix(variables_of(file.get()), variable, path.string());
+  const Variable info{Mat_VarReadInfo(file.get(), name.c_str())};
   // Numbers may be compressed, and the announced size may be wrong.
   const std::size_t packed = std::filesystem::file_size(path);
+  const double bytes = info == nullptr ? 0
+                                       : static_cast<double>(info->dims[0]) * static_cast<double>(info->dims[1]) *
+                                             static_cast<double>(Mat_SizeOfClass(info->class_type));
   if (bytes > static_cast<double>(most_unpacked_bytes(packed))) fail_unpacking(path.string(), packed);
-  const Variable variable{Mat_VarRead(file.get(), names.front().c_str())};
-  if (variable == nullptr || variable->data == nullptr) {
+  const Variable matrix_variable{Mat_VarRead(file.get(), name.c_str())};
+  if (matrix_variable == nullptr || matrix_variable->data == nullptr) {
     throw InputError(fmt::format("{}: the matrix {} cannot be read; the file is truncated or damaged", path.string(),
-                                 printable(names.front(), 60)));
+                                 printable(name, 60)));
   }
-  DistanceMatrix matrix(static_cast<Eigen::Index>(variable->dims[0]), static_cast<Eigen::Index>(variable->dims[1]));
-  copier_of(variable->class_type)(*variable, matrix);
+  DistanceMatrix matrix(static_cast<Eigen::Index>(matrix_variable->dims[0]),
+                        static_cast<Eigen::Index>(matrix_variable->dims[1]));
+  try {
+    copier_of(matrix_variable->class_type)(*matrix_variable, matrix);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+  }
   return matrix;
 }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -59,42 +61,87 @@ LabelledTable without_ids(DistanceMatrix numbers) {
   return {.numbers = std::move(numbers), .row_ids = {}, .column_ids = {}};
 }
 
-LabelledTable read_psb(const std::filesystem::path& path, TableShape /*shape*/) {
-  return without_ids(parse_psb_matrix(read_plain_bytes(path), path.string()));  // square always
+// Returns the size of the matrix with that many entries above its diagonal, if there is one.
+std::optional<Eigen::Index> size_of_condensed(Eigen::Index entries) {
+  const auto size = static_cast<Eigen::Index>(std::llround((1 + std::sqrt(1 + 8 * static_cast<double>(entries))) / 2));
+  return entries > 0 && size * (size - 1) / 2 == entries ? std::optional(size) : std::nullopt;
 }
 
-LabelledTable read_npy(const std::filesystem::path& path, TableShape shape) {
-  return without_ids(parse_npy(read_plain_bytes(path), path.string(), shape));
+// Expands condensed distances.
+DistanceMatrix expanded(const DistanceMatrix& vector) {
+  const Eigen::Index size = size_of_condensed(vector.size()).value();
+  DistanceMatrix matrix = DistanceMatrix::Zero(size, size);
+  Eigen::Index next = 0;
+  for (Eigen::Index row = 0; row < size; ++row) {
+    for (Eigen::Index column = row + 1; column < size; ++column) {
+      matrix(row, column) = matrix(column, row) = vector.data()[next++];
+    }
+  }
+  return matrix;
 }
 
-LabelledTable read_npz(const std::filesystem::path& path, TableShape shape) {
-  return without_ids(parse_npy(array_in_npz(read_plain_bytes(path), path.string()), path.string(), shape));
+bool is_condensed(const DistanceMatrix& table) {
+  const std::array sizes{static_cast<std::uint64_t>(table.rows()), static_cast<std::uint64_t>(table.cols())};
+  return is_condensed_shape(sizes);
 }
 
-LabelledTable read_matlab(const std::filesystem::path& path, TableShape shape) {
-  LabelledTable table = without_ids(read_mat(path));
+// A file with the variable to read.
+struct Source {
+  const std::filesystem::path& path;
+  const std::string& variable;
+};
+
+LabelledTable read_psb(const Source& source, TableShape /*shape*/) {
+  return without_ids(parse_psb_matrix(read_plain_bytes(source.path), source.path.string()));  // square always
+}
+
+LabelledTable npy_table(const std::string& bytes, const std::string& source, TableShape shape) {
+  if (shape == TableShape::square && is_condensed_shape(parse_npy_header(bytes, source).shape))
+    return without_ids(expanded(parse_npy(bytes, source, TableShape::any)));
+  return without_ids(parse_npy(bytes, source, shape));
+}
+
+LabelledTable read_npy(const Source& source, TableShape shape) {
+  return npy_table(read_plain_bytes(source.path), source.path.string(), shape);
+}
+
+LabelledTable read_npz(const Source& source, TableShape shape) {
+  const std::string name = source.path.string();
+  return npy_table(array_in_npz(read_plain_bytes(source.path), name, source.variable), name, shape);
+}
+
+LabelledTable read_matlab(const Source& source, TableShape shape) {
+  LabelledTable table = without_ids(read_mat(source.path, source.variable));
   if (shape == TableShape::any || table.numbers.rows() == table.numbers.cols()) return table;
-  throw InputError(fmt::format("{}: expected a square distance matrix, found {} x {}", path.string(),
+  if (is_condensed(table.numbers)) return without_ids(expanded(table.numbers));
+  throw InputError(fmt::format("{}: expected a square distance matrix, found {} x {}", source.path.string(),
                                table.numbers.rows(), table.numbers.cols()));
 }
 
-LabelledTable read_csv(const std::filesystem::path& path, TableShape shape) {
+LabelledTable read_csv(const Source& source, TableShape shape) {
   const auto parse = shape == TableShape::square ? parse_csv_matrix : parse_csv_table;
-  return parse(read_plain_bytes(path), path.string());
+  return parse(read_plain_text(source.path), source.path.string());
 }
 
-LabelledTable read_text(const std::filesystem::path& path, TableShape shape) {
-  return without_ids(parse_text_matrix(read_plain_bytes(path), path.string(), shape));
+LabelledTable read_text(const Source& source, TableShape shape) {
+  const std::string text = read_plain_text(source.path);
+  if (shape == TableShape::square && is_vector(text)) {
+    const DistanceMatrix vector = parse_text_matrix(text, source.path.string(), TableShape::any);
+    if (is_condensed(vector)) return without_ids(expanded(vector));
+  }
+  return without_ids(parse_text_matrix(text, source.path.string(), shape));
 }
 
 struct Format {
   std::string_view extension;
-  LabelledTable (*read)(const std::filesystem::path&, TableShape);
+  LabelledTable (*read)(const Source&, TableShape);
+  bool has_variables = false;
 };
 
 constexpr std::array formats = {
-    Format{".matrix", read_psb}, Format{".npy", read_npy}, Format{".npz", read_npz},  Format{".mat", read_matlab},
-    Format{".csv", read_csv},    Format{".tsv", read_csv}, Format{".txt", read_text}, Format{".dat", read_text},
+    Format{".matrix", read_psb},       Format{".npy", read_npy},  Format{".npz", read_npz, true},
+    Format{".mat", read_matlab, true}, Format{".csv", read_csv},  Format{".tsv", read_csv},
+    Format{".txt", read_text},         Format{".dat", read_text},
 };
 
 constexpr auto extensions = [] {
@@ -114,19 +161,35 @@ const Format& format_of(const std::filesystem::path& path) {
 
 std::span<const std::string_view> matrix_extensions() { return extensions; }
 
-void refuse_nan(const DistanceMatrix& numbers, const MatrixPlace& first, std::string_view what,
-                const std::filesystem::path& path) {
+bool is_condensed_shape(std::span<const std::uint64_t> shape) {
+  if (shape.empty() || shape.size() > 2) return false;
+  const std::uint64_t columns = shape.size() == 1 ? 1 : shape[1];
+  if (shape.size() == 2 && (shape[0] == 1) == (columns == 1)) return false;
+  return size_of_condensed(static_cast<Eigen::Index>(std::max(shape[0], columns))).has_value();
+}
+
+void replace_or_refuse_nan(DistanceMatrix& numbers, const MatrixPlace& first, TableShape shape,
+                           const std::filesystem::path& path) {
+  const bool square = shape == TableShape::square;
   for (Eigen::Index i = 0; i < numbers.size(); ++i) {
     if (!std::isnan(numbers.data()[i])) continue;
-    throw InputError(fmt::format("{}: the {} in row {}, column {} (counted from 0) is not a number (NaN)",
-                                 path.string(), what, first.row + i / numbers.cols(),
-                                 first.column + i % numbers.cols()));
+    const Eigen::Index row = first.row + i / numbers.cols();
+    const Eigen::Index column = first.column + i % numbers.cols();
+    if (!square || row != column) {
+      throw InputError(fmt::format("{}: the {} in row {}, column {} (counted from 0) is not a number (NaN)",
+                                   path.string(), square ? "distance" : "number", row, column));
+    }
+    numbers.data()[i] = 0;
   }
 }
 
-LabelledTable read_matrix(const std::filesystem::path& path, TableShape shape) {
-  LabelledTable result = format_of(path).read(path, shape);
-  refuse_nan(result.numbers, {}, shape == TableShape::square ? "distance" : "number", path);
+LabelledTable read_matrix(const std::filesystem::path& path, TableShape shape, const std::string& variable) {
+  const Format& format = format_of(path);
+  if (!variable.empty() && !format.has_variables) {
+    throw InputError(fmt::format("{}: `variable` applies to .npz and .mat files only", path.string()));
+  }
+  LabelledTable result = format.read({.path = path, .variable = variable}, shape);
+  replace_or_refuse_nan(result.numbers, {}, shape, path);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -25,9 +26,11 @@ std::span<const std::string_view> matrix_extensions();
 /// Reads a matrix of distances or features; the name's extension (any case) selects the format: `.matrix` (Princeton
 /// Shape Benchmark), `.npy` or `.npz` (NumPy), `.mat` (MATLAB), `.csv` or `.tsv` (parse_csv_matrix(),
 /// parse_csv_table()), `.txt` or `.dat` (parse_text_matrix()). All but `.mat` may be compressed, with an additional
-/// `.gz`. Only CSV contains ids. Numbers may be infinite. Throws InputError for an absent or unreadable file, an
-/// unknown extension, invalid contents, another shape and a NaN.
-LabelledTable read_matrix(const std::filesystem::path& path, TableShape shape);
+/// `.gz`. Only CSV contains ids. `variable` names an array of an `.npz` or `.mat` file with several. Where a square
+/// matrix is expected, a vector of n (n - 1) / 2 numbers in `.npy`, `.npz`, `.mat` or text is its upper triangle row by
+/// row, as SciPy's pdist has it, and NaN on the diagonal is 0. Numbers may be infinite. Throws InputError for an absent
+/// or unreadable file, an unknown extension, invalid contents, another shape and any other NaN.
+LabelledTable read_matrix(const std::filesystem::path& path, TableShape shape, const std::string& variable = "");
 
 /// Writes a square matrix atomically: `.npy` (float64), or `.csv` with ids, which are numbers from 0 on if `ids` is
 /// empty. Throws InputError for another extension, and if the file cannot be written.
@@ -40,9 +43,12 @@ struct MatrixPlace {
   Eigen::Index column = 0;
 };
 
-/// Throws InputError if a number is NaN. `first` is the position of the first number in the whole matrix; `what` is the
-/// noun for a number in messages.
-void refuse_nan(const DistanceMatrix& numbers, const MatrixPlace& first, std::string_view what,
-                const std::filesystem::path& path);
+/// Sets NaN on the diagonal of a square matrix to 0. Throws InputError for any other NaN. `first` is the position of
+/// the first number in the whole matrix.
+void replace_or_refuse_nan(DistanceMatrix& numbers, const MatrixPlace& first, TableShape shape,
+                           const std::filesystem::path& path);
+
+/// Returns true if an array of that shape is a vector that may be condensed distances, see read_matrix().
+bool is_condensed_shape(std::span<const std::uint64_t> shape);
 
 }  // namespace shapegauge

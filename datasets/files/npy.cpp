@@ -18,6 +18,8 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
+#include "shapegauge/datasets/files/exact_number.h"
+#include "shapegauge/datasets/files/utf8.h"
 
 namespace shapegauge {
 
@@ -199,7 +201,7 @@ void decode(const char* bytes, std::size_t count, double* numbers) {
     std::array<char, sizeof(Number)> raw;
     std::memcpy(raw.data(), bytes + i * sizeof(Number), sizeof(Number));
     if constexpr (order != std::endian::native) std::ranges::reverse(raw);
-    numbers[i] = static_cast<double>(std::bit_cast<Number>(raw));
+    numbers[i] = exact_number(std::bit_cast<Number>(raw));
   }
 }
 
@@ -300,23 +302,6 @@ std::optional<StringFormat> string_format_of(std::string_view type) {
   return format;
 }
 
-void append_utf8(std::string& text, std::uint32_t character) {
-  const auto append = [&](std::uint32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
-  if (character < 0x80) return append(character);
-  if (character < 0x800) {
-    append(0xC0U | (character >> 6U));
-  } else {
-    if (character < 0x10000) {
-      append(0xE0U | (character >> 12U));
-    } else {
-      append(0xF0U | (character >> 18U));
-      append(0x80U | ((character >> 12U) & 0x3FU));
-    }
-    append(0x80U | ((character >> 6U) & 0x3FU));
-  }
-  append(0x80U | (character & 0x3FU));
-}
-
 /// Decodes one string of `format.length` characters, without trailing zeros; nothing for invalid Unicode.
 std::optional<std::string> decoded_string(std::string_view bytes, const StringFormat& format) {
   if (!format.unicode) return std::string(bytes.substr(0, bytes.find_last_not_of('\0') + 1));
@@ -332,10 +317,14 @@ std::optional<std::string> decoded_string(std::string_view bytes, const StringFo
   return text;
 }
 
-DistanceMatrix decoded(std::string_view bytes, const NpyTable& table) {
+DistanceMatrix decoded(std::string_view bytes, const NpyTable& table, const std::string& source) {
   const bool turned = table.column_by_column;
   DistanceMatrix matrix(turned ? table.columns : table.rows, turned ? table.rows : table.columns);
-  table.numbers.decode(bytes.data() + table.data_begin, static_cast<std::size_t>(matrix.size()), matrix.data());
+  try {
+    table.numbers.decode(bytes.data() + table.data_begin, static_cast<std::size_t>(matrix.size()), matrix.data());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", source, error.what()));
+  }
   if (turned) matrix.transposeInPlace();
   return matrix;
 }
@@ -358,7 +347,7 @@ NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_siz
 }
 
 DistanceMatrix parse_npy(std::string_view bytes, const std::string& source, TableShape shape) {
-  return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), shape, source));
+  return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), shape, source), source);
 }
 
 std::optional<std::vector<std::string>> parse_npy_strings(std::string_view bytes, const std::string& source) {

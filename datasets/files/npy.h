@@ -22,7 +22,8 @@ struct NpyHeader {
   std::size_t data_begin = 0;  ///< offset of the data from the beginning of the file, in bytes
 };
 
-/// Binary number format: size in bytes, and a function that decodes `count` numbers.
+/// Binary number format: size in bytes, and a function that decodes `count` numbers. It throws InputError as
+/// exact_number() does.
 struct NumberFormat {
   std::size_t bytes = 0;
   void (*decode)(const char* bytes, std::size_t count, double* numbers) = nullptr;

@@ -53,19 +53,29 @@ class OpenFile {
   int descriptor_;
 };
 
-DistanceMatrix read_block(const OpenFile& file, const NpyTable& table, const MatrixBlock& block) {
+// Decodes a row. Throws InputError with the file if a number does not fit.
+void decode_row(const NumberFormat& format, const std::vector<char>& bytes, const std::filesystem::path& path,
+                Eigen::Ref<Eigen::RowVectorXd> row) {
+  try {
+    format.decode(bytes.data(), static_cast<std::size_t>(row.size()), row.data());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
+DistanceMatrix read_block(const OpenFile& file, const NpyTable& table, TableShape shape, const MatrixBlock& block) {
   DistanceMatrix numbers(block.rows, block.columns);
   const auto row_bytes = static_cast<std::size_t>(block.columns) * table.numbers.bytes;
-  parallel_for_parts(
-      tbb::blocked_range<Eigen::Index>(0, block.rows), [&](const tbb::blocked_range<Eigen::Index>& some) {
-        std::vector<char> bytes(row_bytes);
-        for (Eigen::Index row = some.begin(); row < some.end(); ++row) {
-          const Eigen::Index entry = (block.first_row + row) * table.columns + block.first_column;
-          file.read(bytes, table.data_begin + static_cast<std::size_t>(entry) * table.numbers.bytes);
-          table.numbers.decode(bytes.data(), static_cast<std::size_t>(block.columns), numbers.row(row).data());
-        }
-      });
-  refuse_nan(numbers, {block.first_row, block.first_column}, "distance", file.path());
+  parallel_for_parts(tbb::blocked_range<Eigen::Index>(0, block.rows),
+                     [&](const tbb::blocked_range<Eigen::Index>& some) {
+                       std::vector<char> bytes(row_bytes);
+                       for (Eigen::Index row = some.begin(); row < some.end(); ++row) {
+                         const Eigen::Index entry = (block.first_row + row) * table.columns + block.first_column;
+                         file.read(bytes, table.data_begin + static_cast<std::size_t>(entry) * table.numbers.bytes);
+                         decode_row(table.numbers, bytes, file.path(), numbers.row(row));
+                       }
+                     });
+  replace_or_refuse_nan(numbers, {block.first_row, block.first_column}, shape, file.path());
   return numbers;
 }
 
@@ -82,6 +92,8 @@ std::optional<NpyTable> block_layout(const std::filesystem::path& path, TableSha
     const Eigen::Index size = psb_matrix_size(bytes, path.string());
     return NpyTable{.rows = size, .columns = size, .numbers = float32_format()};
   }
+  const std::vector<std::uint64_t> sizes = parse_npy_header(beginning, path.string()).shape;
+  if (shape == TableShape::square && is_condensed_shape(sizes)) return std::nullopt;
   const NpyTable table = parse_npy_table_header(beginning, bytes, shape, path.string());
   if (table.column_by_column) return std::nullopt;
   return table;
@@ -101,14 +113,14 @@ OpenMatrix open_matrix(LabelledTable table) {
           .column_ids = shared->column_ids};
 }
 
-OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape) {
-  if (const auto layout = block_layout(path, shape)) {
+OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape, const std::string& variable) {
+  if (const auto layout = variable.empty() ? block_layout(path, shape) : std::nullopt) {
     const auto file = std::make_shared<const OpenFile>(path);
-    return {.rows = layout->rows, .columns = layout->columns, .read = [file, layout](const MatrixBlock& block) {
-              return read_block(*file, *layout, block);
+    return {.rows = layout->rows, .columns = layout->columns, .read = [file, layout, shape](const MatrixBlock& block) {
+              return read_block(*file, *layout, shape, block);
             }};
   }
-  return open_matrix(read_matrix(path, shape));
+  return open_matrix(read_matrix(path, shape, variable));
 }
 
 DistanceMatrix whole_matrix(const OpenMatrix& matrix) {

@@ -30,7 +30,7 @@ struct OpenMatrix {
 /// Opens a matrix with the formats of read_matrix(). For `.matrix` files and `.npy`
 /// files in C order, only the requested blocks are in memory, and a NaN is an error of its block; other files are read
 /// as a whole.
-OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape);
+OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape, const std::string& variable = "");
 
 /// Makes an OpenMatrix of a table in memory.
 OpenMatrix open_matrix(LabelledTable table);

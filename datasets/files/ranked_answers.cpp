@@ -34,13 +34,16 @@ struct WordLine {
   std::string where;
 };
 
-std::vector<WordLine> word_lines(std::string_view text, const std::string& source, std::string_view separators) {
+// Returns the lines with words. Lines that begin with # and have not `columns` words are comments.
+std::vector<WordLine> word_lines(std::string_view text, const std::string& source, std::string_view separators,
+                                 std::size_t columns = 0) {
   std::vector<WordLine> lines;
   std::size_t number = 0;
   for (const std::string_view line : split_lines(text)) {
     ++number;
     std::vector<std::string_view> words = words_in(line, separators);
-    if (!words.empty()) lines.push_back({std::move(words), fmt::format("{}:{}", source, number)});
+    const bool comment = columns > 0 && line.starts_with('#') && (words.size() != columns || line.starts_with("# "));
+    if (!words.empty() && !comment) lines.push_back({std::move(words), fmt::format("{}:{}", source, number)});
   }
   if (lines.empty()) throw InputError(fmt::format("{}: the file has no lines", source));
   return lines;
@@ -53,6 +56,7 @@ void expect_words(const WordLine& line, std::size_t count, std::string_view form
 
 // Returns true if the first line is "query Q0 model rank score tag"; a line of numbers has no Q0.
 bool begins_like_a_run(std::string_view text) {
+  while (text.starts_with('#')) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   const std::vector<std::string_view> words = words_in(text.substr(0, text.find('\n')), " \t\r");
   return words.size() == 6 && (words[1] == "Q0" || words[1] == "q0");
 }
@@ -79,7 +83,7 @@ class Queries {
 RankedAnswers read_folder_of_lists(const std::filesystem::path& folder) {
   RankedAnswers result;
   for (const std::filesystem::path& file : ranked_list_files(folder)) {
-    result.answers.push_back(parse_ranked_list(read_plain_bytes(file), file.filename().string(), file.string()));
+    result.answers.push_back(parse_ranked_list(read_plain_text(file), file.filename().string(), file.string()));
   }
   return result;
 }
@@ -107,7 +111,7 @@ RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
   RankedAnswers result;
   Queries queries;
   std::set<std::string> tags;
-  for (const WordLine& line : word_lines(text, source, " \t")) {
+  for (const WordLine& line : word_lines(text, source, " \t", 6)) {
     expect_words(line, 6, "query Q0 model rank score tag");
     const auto score = parse_number(line.words[4]);
     if (!score || !std::isfinite(*score)) {
@@ -154,7 +158,7 @@ RankedAnswers::Answer parse_ranked_list(std::string_view text, const std::string
 Judgements parse_qrels(std::string_view text, const std::string& source) {
   Judgements result;
   Queries queries;
-  for (const WordLine& line : word_lines(text, source, " \t")) {
+  for (const WordLine& line : word_lines(text, source, " \t", 4)) {
     expect_words(line, 4, "query iteration model grade");
     int grade = 0;
     const std::string_view digits = line.words[3];
@@ -182,17 +186,17 @@ bool is_ranked_answers_file(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) return true;
   const std::string extension = format_extension(path);
   if (std::ranges::find(ranked_answers_extensions, extension) != ranked_answers_extensions.end()) return true;
-  return extension == ".txt" && begins_like_a_run(read_plain_bytes(path));
+  return extension == ".txt" && begins_like_a_run(read_plain_text(path));
 }
 
 RankedAnswers read_ranked_answers(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return read_folder_of_lists(path);
-  const std::string text = read_plain_bytes(path);
+  const std::string text = read_plain_text(path);
   return format_extension(path) == ".lists" ? parse_ranked_lists(text, path.string())
                                             : parse_trec_run(text, path.string());
 }
 
-Judgements read_qrels(const std::filesystem::path& path) { return parse_qrels(read_plain_bytes(path), path.string()); }
+Judgements read_qrels(const std::filesystem::path& path) { return parse_qrels(read_plain_text(path), path.string()); }
 
 }  // namespace shapegauge

@@ -32,8 +32,8 @@ struct Judgements {
 };
 
 /// Parses a TREC run: lines `query Q0 model rank score tag`. As in trec_eval, the order is by descending score and the
-/// rank is ignored. Throws InputError, with the line, for a wrong number of words, a score that is not finite, a
-/// repeated model of a query, and no lines.
+/// rank is ignored. Lines that begin with # are comments. Throws InputError, with the line, for a wrong number of
+/// words, a score that is not finite, a repeated model of a query, and no lines.
 RankedAnswers parse_trec_run(std::string_view text, const std::string& source);
 
 /// Parses ranked lists: one line a query with its id and then the models' ids, best first, separated by blanks or
@@ -45,9 +45,9 @@ RankedAnswers parse_ranked_lists(std::string_view text, const std::string& sourc
 /// ignored. Throws InputError, with the line, for a repeated model and no lines.
 RankedAnswers::Answer parse_ranked_list(std::string_view text, const std::string& query, const std::string& source);
 
-/// Parses TREC judgements (qrels): lines `query iteration model grade`; positive grades are relevant. Throws
-/// InputError, with the line, for a wrong number of words, a grade that is not an integer, a model judged twice for a
-/// query, and no lines.
+/// Parses TREC judgements (qrels): lines `query iteration model grade`; positive grades are relevant. Lines that
+/// begin with # are comments. Throws InputError, with the line, for a wrong number of words, a grade that is not an
+/// integer, a model judged twice for a query, and no lines.
 Judgements parse_qrels(std::string_view text, const std::string& source);
 
 /// Extensions of TREC runs and ranked lists.

@@ -1,11 +1,15 @@
 #include "shapegauge/datasets/files/text_matrices.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <fmt/format.h>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <span>
 #include <unordered_set>
 #include <utility>
 
@@ -17,20 +21,37 @@ namespace shapegauge {
 
 namespace {
 
-// Assembles a matrix from the rows of a text file; errors have file and line.
+// Returns true for a cell that stands for no number.
+bool is_missing(std::string_view word) {
+  static constexpr std::array<std::string_view, 6> words{"", "na", "nan", "n/a", "null", "-"};
+  return std::ranges::find(words, lower_case(std::string(word))) != words.end();
+}
+
+bool is_rounded_integer(std::string_view word, double number) {
+  constexpr double largest = 9007199254740992.0;  // 2^53
+  return std::abs(number) > largest && word.find_first_not_of("+-0123456789") == std::string_view::npos;
+}
+
+// Assembles a matrix from the rows of a text file; errors have file and line. Of a square one, entries on the diagonal
+// may be missing.
 class NumberRows {
  public:
   NumberRows(const std::string& source, TableShape shape) : source_(&source), shape_(shape) {}
 
   // Adds the next number, from a line with that separator, to the current row.
   void add_number(std::string_view word, std::size_t line, char separator) {
-    const auto number = parse_number(word);
+    const bool on_diagonal = shape_ == TableShape::square && numbers_.size() - row_begin_ == rows_;
+    const auto number = on_diagonal && is_missing(word) ? 0.0 : parse_number(word);
     if (!number) {
       // Of "0,5 1,2", the commas seem to be the separators.
       const bool decimal_comma = word.find(separator == ',' ? ' ' : ',') != std::string_view::npos;
       throw InputError(fmt::format("{}:{}: {} is not a number (number {} of the row){}", *source_, line,
                                    quoted_word(word), numbers_.size() - row_begin_ + 1,
                                    decimal_comma ? "; write decimal points, not commas" : ""));
+    }
+    if (is_rounded_integer(word, *number)) {
+      throw InputError(fmt::format("{}:{}: the integer {} is beyond 2^53, where numbers are rounded; scale the numbers",
+                                   *source_, line, quoted_word(word)));
     }
     numbers_.push_back(*number);
   }
@@ -76,6 +97,36 @@ class NumberRows {
 };
 
 bool is_number(const std::string& cell) { return parse_number(cell).has_value(); }
+
+// Reader of rows of numbers, all of which may end with a separator.
+class NumberRowReader {
+ public:
+  NumberRowReader(std::string_view text, const std::string& source, char separator)
+      : reader_(text, source, separator) {}
+
+  std::optional<CsvRow> next() {
+    std::optional<CsvRow> row = reader_.next();
+    if (!row || row->cells.size() < 2) return row;
+    const bool ends_with_separator = row->cells.back().empty();
+    if (!all_end_with_separator_) all_end_with_separator_ = ends_with_separator;
+    if (*all_end_with_separator_ && ends_with_separator) row->cells.pop_back();
+    return row;
+  }
+
+ private:
+  CsvReader reader_;
+  std::optional<bool> all_end_with_separator_;
+};
+
+// Returns true for the first row of distances, whose missing diagonal entry is not the corner above ids: the other
+// cells are numbers that repeat, or not all of them whole.
+bool lacks_diagonal(const CsvRow& first) {
+  if (first.cells.size() < 2 || !is_missing(first.cells.front())) return false;
+  const auto others = std::span(first.cells).subspan(1);
+  if (!std::ranges::all_of(others, is_number)) return false;
+  const auto is_whole = [](const std::string& cell) { return cell.find_first_not_of("0123456789") == cell.npos; };
+  return !std::ranges::all_of(others, is_whole) || std::set(others.begin(), others.end()).size() < others.size();
+}
 
 void check_ids(const std::vector<std::string>& ids, const std::string& where) {
   std::unordered_set<std::string_view> seen;
@@ -160,9 +211,9 @@ void add_numbers(NumberRows& rows, std::string_view line, char separator, std::s
 
 LabelledTable parse_csv_matrix(std::string_view text, const std::string& source) {
   const char separator = number_separator(text);
-  CsvReader reader(text, source, separator);
+  NumberRowReader reader(text, source, separator);
   std::optional<CsvRow> row = reader.next();
-  const bool has_ids = row && !is_number(row->cells.front());
+  const bool has_ids = row && !is_number(row->cells.front()) && !lacks_diagonal(*row);
   std::vector<std::string> ids;
   if (has_ids) {
     const CsvRow header = std::move(*row);
@@ -190,7 +241,7 @@ LabelledTable parse_csv_matrix(std::string_view text, const std::string& source)
 
 LabelledTable parse_csv_table(std::string_view text, const std::string& source) {
   const char separator = number_separator(text);
-  CsvReader reader(text, source, separator);
+  NumberRowReader reader(text, source, separator);
   std::optional<CsvRow> row = reader.next();
   std::optional<CsvRow> header;
   if (row && is_header(*row)) header = std::exchange(row, reader.next());
@@ -217,15 +268,32 @@ LabelledTable parse_csv_table(std::string_view text, const std::string& source) 
   return result;
 }
 
+bool is_vector(std::string_view text) {
+  std::size_t lines = 0;
+  bool all_single = true;
+  for (std::string_view line : split_lines(text)) {
+    line = trim(line);
+    if (line.empty() || line.starts_with('#')) continue;
+    all_single = all_single && line.find_first_of(" \t,;") == std::string_view::npos;
+    if (++lines == 2) return all_single;
+  }
+  return lines == 1;
+}
+
 DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source, TableShape shape) {
   NumberRows rows(source, shape);
   std::optional<char> separator;
   std::size_t number = 0;
+  bool all_end_with_separator = false;
   for (std::string_view line : split_lines(text)) {
     ++number;
     line = trim(line);
-    if (line.empty() || line.starts_with('#')) continue;
-    if (!separator) separator = separator_of_line(line);
+    if (line.empty() || line.starts_with('#') || (number == 1 && line.starts_with("sep="))) continue;
+    if (!separator) {
+      separator = separator_of_line(line);
+      all_end_with_separator = line.size() > 1 && line.ends_with(*separator);
+    }
+    if (all_end_with_separator && line.ends_with(*separator)) line.remove_suffix(1);
     add_numbers(rows, line, *separator, number);
     rows.end_row(number);
   }

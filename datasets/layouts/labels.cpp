@@ -74,6 +74,7 @@ ModelLabels all_are_both(Classification classification, const fs::path& path) {
           .models = models,
           .subclasses = {},
           .separate_sets = false,
+          .split = false,
           .listed = false,
           .without_ids = false,
           .source = path.string()};
@@ -138,7 +139,7 @@ ModelLabels parse_label_table(const std::vector<CsvRow>& rows, const std::string
     const Roles roles = columns.split ? roles_of(cells[*columns.split], where) : Roles{};
     if (roles.query) labels.queries.push_back(cells[*columns.id]);
     if (roles.target) labels.targets.push_back(cells[*columns.id]);
-    if (!roles.query || !roles.target) labels.separate_sets = true;
+    if (!roles.query || !roles.target) labels.separate_sets = labels.split = true;
   }
   labels.classification = collector.result();
   labels.listed = true;
@@ -238,7 +239,7 @@ void check_is_text(const fs::path& path, std::string_view text) {
 
 ModelLabels read_list(const fs::path& path) {
   if (format_extension(path) == ".npy") return read_label_array(path);
-  const std::string text = read_plain_bytes(path);
+  const std::string text = read_plain_text(path);
   check_is_text(path, text);
   if (first_separator(text)) return parse_label_table(parse_word_table(text, path.string()), path.string());
   if (const std::vector<CsvRow> rows = rows_of_words(text); !rows.empty())
@@ -286,16 +287,6 @@ Classification at_level(const Classification& classification, std::size_t level,
     for (const std::string& model : classification.classes[i].models) collector.add(model, taken.name, source);
   }
   return collector.result();
-}
-
-// Gives models without ids such ids that no models of another file have.
-ModelLabels told_apart(ModelLabels labels, std::string_view role) {
-  if (!labels.without_ids) return labels;
-  for (std::string& model : labels.models) model = fmt::format("{} {}", role, model);
-  for (ModelClass& known : labels.classification.classes) {
-    for (std::string& model : known.models) model = fmt::format("{} {}", role, model);
-  }
-  return labels;
 }
 
 std::unordered_map<std::string, std::string> class_names_by_model(const Classification& classification,
@@ -347,15 +338,37 @@ ModelLabels read_labels(const fs::path& path, std::size_t level) {
   return labels;
 }
 
-ModelLabels read_query_and_target_labels(const fs::path& queries, const fs::path& targets, std::size_t level) {
-  const ModelLabels of_queries = told_apart(read_labels(queries, level), "query");
-  const ModelLabels of_targets = told_apart(read_labels(targets, level), "target");
+TaskLabels read_query_and_target_labels(const fs::path& queries, const fs::path& targets, std::size_t level) {
+  ModelLabels of_queries = read_labels(queries, level);
+  ModelLabels of_targets = read_labels(targets, level);
+  of_queries.queries = of_queries.models;
+  of_targets.targets = of_targets.models;
+  std::vector<ModelClass> classes;
+  for (const ModelClass& known : of_queries.classification.classes) class_named(known.name, classes);
+  for (ModelClass& known : of_targets.classification.classes) {
+    class_named(known.name, of_queries.classification.classes);
+    class_named(known.name, classes).models = std::move(known.models);
+  }
+  of_targets.classification.classes = std::move(classes);
+  of_queries.separate_sets = of_targets.separate_sets = true;
+  of_queries.split = of_targets.split = false;
+  return {.queries = std::move(of_queries), .targets = std::move(of_targets)};
+}
+
+ModelLabels read_shared_labels(const fs::path& queries, const fs::path& targets, std::size_t level) {
+  const ModelLabels of_queries = read_labels(queries, level);
+  const ModelLabels of_targets = read_labels(targets, level);
+  if (of_queries.without_ids || of_targets.without_ids) {
+    throw InputError(fmt::format("{}: the file has no ids to share; with `shared_ids` both files of labels need ids",
+                                 (of_queries.without_ids ? queries : targets).string()));
+  }
   ModelLabels labels{.classification = of_queries.classification,
                      .queries = of_queries.models,
                      .targets = of_targets.models,
                      .models = of_queries.models,
                      .subclasses = {},
                      .separate_sets = true,
+                     .split = false,
                      .listed = of_queries.listed && of_targets.listed,
                      .without_ids = false,
                      .source = fmt::format("{} and {}", queries.string(), targets.string()),
@@ -378,6 +391,7 @@ ModelLabels read_query_and_target_labels(const fs::path& queries, const fs::path
       }
     }
   }
+  if (labels.models.size() == labels.targets.size()) labels.models = labels.targets;  // a file of all: its order
   return labels;
 }
 

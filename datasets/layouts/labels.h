@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -21,6 +22,7 @@ struct ModelLabels {
   std::vector<std::string> models;                          ///< all models, in the order of the file
   std::unordered_map<std::string, std::string> subclasses;  ///< by key; models without one are absent
   bool separate_sets = false;                               ///< some models are only queries or only targets
+  bool split = false;                                       ///< because a column `split` of the file says so
   bool listed = false;       ///< the file is a list of models, one a line, without groups
   bool without_ids = false;  ///< the file has no ids: models are 0, 1, ... in its order
   std::string source;        ///< prefixes error messages
@@ -49,9 +51,23 @@ std::vector<std::string> missing_class_warnings(const ModelLabels& labels);
 /// hierarchy.
 ModelLabels read_labels(const std::filesystem::path& path, std::size_t level = 0);
 
-/// Reads queries with their classes from one file and targets from another; classes are matched by name. Throws
-/// InputError as read_labels() does, and for a model with different classes in the two.
-ModelLabels read_query_and_target_labels(const std::filesystem::path& queries, const std::filesystem::path& targets,
-                                         std::size_t level = 0);
+/// Labels of the queries and targets of an evaluation: of one set of models, or of two with ids of their own, which
+/// have the same classes in the same order.
+struct TaskLabels {
+  ModelLabels queries;                   ///< of all models if they are one set
+  std::optional<ModelLabels> targets{};  ///< of the other set
+
+  [[nodiscard]] const ModelLabels& of_targets() const { return targets ? *targets : queries; }
+};
+
+/// Reads the labels of queries and of targets, which are different models even if their ids are equal. Classes are
+/// matched by name. Throws InputError as read_labels() does.
+TaskLabels read_query_and_target_labels(const std::filesystem::path& queries, const std::filesystem::path& targets,
+                                        std::size_t level = 0);
+
+/// Reads the labels of queries and of targets in which an id of both files is one model. Throws InputError as
+/// read_labels() does, for a file without ids, and for a model with different classes in the two.
+ModelLabels read_shared_labels(const std::filesystem::path& queries, const std::filesystem::path& targets,
+                               std::size_t level = 0);
 
 }  // namespace shapegauge

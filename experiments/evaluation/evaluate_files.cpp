@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -15,10 +16,11 @@
 #include "shapegauge/datasets/files/model_keys.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/labels.h"
+#include "shapegauge/metrics/chance.h"
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
-#include "shapegauge/retrieval/feature_precision.h"
+#include "shapegauge/retrieval/feature_checks.h"
 
 namespace shapegauge {
 
@@ -28,7 +30,7 @@ namespace fs = std::filesystem;
 
 // Reads the ids in a file, one a line, skipping empty lines.
 std::vector<std::string> read_ids(const fs::path& path) {
-  const std::string text = read_plain_bytes(path);
+  const std::string text = read_plain_text(path);
   std::vector<std::string> ids;
   for (const std::string_view line : split_lines(text)) {
     const std::string_view id = trim(line);
@@ -39,15 +41,15 @@ std::vector<std::string> read_ids(const fs::path& path) {
 
 // Makes a matrix of distances between features, one row a model, computed on demand. Adds a warning about features.
 OpenMatrix open_features(const EvaluationFiles& files, std::vector<std::string>& warnings) {
-  const LabelledTable table = read_matrix(files.matrix, TableShape::any);
+  const LabelledTable table = read_matrix(files.matrix, TableShape::any, files.variable);
   const auto features = std::make_shared<const Signatures>(table.numbers.cast<float>());
   const NamedDistance distance = feature_distance(files.distance);
   try {
+    if (const auto warning = check_features(table.numbers)) warnings.push_back(*warning);
     distance_rows(*features, 0, std::min<Eigen::Index>(features->rows(), 1), distance);  // throws what others would
-  } catch (const ArgumentError& error) {
+  } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
   }
-  if (const auto warning = feature_precision_warning(table.numbers)) warnings.push_back(*warning);
   const auto read = [features, distance](const MatrixBlock& block) -> DistanceMatrix {
     DistanceMatrix rows = distance_rows(*features, block.first_row, block.rows, distance);
     if (block.columns == rows.cols()) return rows;
@@ -62,7 +64,7 @@ OpenMatrix open_features(const EvaluationFiles& files, std::vector<std::string>&
 
 OpenMatrix open_distances(const EvaluationFiles& files, TableShape shape, std::vector<std::string>& warnings) {
   if (!files.distance.empty()) return open_features(files, warnings);
-  OpenMatrix matrix = open_matrix(files.matrix, shape);
+  OpenMatrix matrix = open_matrix(files.matrix, shape, files.variable);
   if (!files.similarity) return matrix;
   matrix.read = [similarities = std::move(matrix.read)](const MatrixBlock& block) -> DistanceMatrix {
     return -similarities(block);
@@ -97,19 +99,30 @@ MatrixIds ids_of_files(const OpenMatrix& matrix, const EvaluationFiles& files) {
   return ids;
 }
 
-void check_size(const OpenMatrix& matrix, const MatrixIds& ids, const std::string& who, const EvaluationFiles& files) {
-  if (static_cast<std::size_t>(matrix.rows) != ids.rows.size()) {
-    throw InputError(fmt::format("{} has {} rows, but there are {} models in {}", files.matrix.string(), matrix.rows,
-                                 ids.rows.size(), who));
-  }
-  if (static_cast<std::size_t>(matrix.columns) != ids.columns.size()) {
-    throw InputError(fmt::format("{} has {} columns, but there are {} models in {}", files.matrix.string(),
-                                 matrix.columns, ids.columns.size(), who));
-  }
+// Names the sources of the models of rows and of columns.
+struct ModelSources {
+  std::string rows;
+  std::string columns;
+};
+
+void check_size(const OpenMatrix& matrix, const MatrixIds& ids, const ModelSources& sources,
+                const EvaluationFiles& files) {
+  const auto check = [&](Eigen::Index size, std::string_view what, std::size_t models, const std::string& source) {
+    if (static_cast<std::size_t>(size) == models) return;
+    throw InputError(fmt::format("{} has {} {}, but there are {} models in {}{}", files.matrix.string(), size, what,
+                                 models, source,
+                                 !files.targets.empty() && !files.shared_ids
+                                     ? "; if the matrix is of all models and the ids of both files of labels name the "
+                                       "same models, use `shared_ids`"
+                                     : ""));
+  };
+  check(matrix.rows, "rows", ids.rows.size(), sources.rows);
+  check(matrix.columns, "columns", ids.columns.size(), sources.columns);
 }
 
 EvaluationData data_of(const RankedAnswers& answers, RankedTask ranked) {
-  return {.distances = open_matrix({.numbers = std::move(ranked.distances), .row_ids = {}, .column_ids = {}}),
+  return {.distances = {},
+          .answers = std::move(ranked.answers),
           .symmetric = false,
           .name = answers.name,
           .task = std::move(ranked.task)};
@@ -117,7 +130,8 @@ EvaluationData data_of(const RankedAnswers& answers, RankedTask ranked) {
 
 // Gives models of a list without ids those of the matrix, in order.
 void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
-  if (labels.separate_sets || ids.size() != labels.models.size()) {
+  if (!labels.without_ids) return;
+  if (ids.size() != labels.models.size()) {
     throw InputError(fmt::format("{}: the labels have no ids and there are {} of them, but the matrix names {} models",
                                  labels.source, labels.models.size(), ids.size()));
   }
@@ -126,6 +140,32 @@ void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
   }
   labels.models = labels.queries = labels.targets = ids;
   labels.keys = ModelKeys(ids);
+  labels.without_ids = false;
+}
+
+// Replaces ids that are the ends of the paths of labelled models, or the reverse, by those of the models: "m1" by
+// "cat/m1". Changes nothing if an id is labelled as it is, or has no such model or several.
+void match_ends_of_paths(std::vector<std::string>& ids, const ModelLabels& labels) {
+  const auto path_of = [&](const std::string& id) { return "/" + labels.keys.of(id); };
+  const auto name_of_path = [](const std::string& path) { return path.substr(path.rfind('/')); };
+  std::unordered_map<std::string, const std::string*> models;  // by the last part of the path; null if repeated
+  std::unordered_set<std::string> paths;
+  for (const std::string& model : labels.models) {
+    const std::string path = path_of(model);
+    paths.insert(path);
+    const auto [found, added] = models.emplace(name_of_path(path), &model);
+    if (!added) found->second = nullptr;
+  }
+  std::vector<std::string> matched;
+  for (const std::string& id : ids) {
+    const std::string path = path_of(id);
+    const auto found = models.find(name_of_path(path));
+    if (paths.contains(path) || found == models.end() || found->second == nullptr) return;
+    const std::string model = path_of(*found->second);
+    if (!model.ends_with(path) && !path.ends_with(model)) return;
+    matched.push_back(*found->second);
+  }
+  ids = std::move(matched);
 }
 
 // Refuses ids that are the first row of distances, of which the first is not a number.
@@ -143,39 +183,59 @@ void check_first_row(const std::vector<std::string>& ids, const ModelLabels& lab
 }
 
 // Warns of the assumed order of rows without ids if it is ambiguous.
-void warn_of_order(const MatrixIds& taken, const ModelLabels& labels, EvaluationData& data) {
-  const RowOrder other = labels.listed ? RowOrder::natural : RowOrder::file;
+void warn_of_order(const MatrixIds& assumed, const TaskLabels& labels, EvaluationData& data) {
+  const bool listed = labels.queries.listed && labels.of_targets().listed;
+  const RowOrder other = listed ? RowOrder::natural : RowOrder::file;
   const MatrixIds otherwise = labelled_ids(labels, {data.distances.rows, data.distances.columns}, other);
-  if (taken.rows == otherwise.rows && taken.columns == otherwise.columns) return;
-  data.task.warnings.push_back(labels.listed
-                                   ? fmt::format("rows are assumed to be in the order of {}, which differs from the "
-                                                 "natural order of ids (2 before 10); for that use `order=natural`",
-                                                 labels.source)
-                                   : fmt::format("rows are assumed to be in natural order of ids (2 before 10), which "
-                                                 "differs from the order of {}; for that use `order=file`",
-                                                 labels.source));
+  if (assumed.rows == otherwise.rows && assumed.columns == otherwise.columns) return;
+  const std::string& source = labels.queries.source;
+  data.task.warnings.push_back(listed ? fmt::format("rows are assumed to be in the order of {}, which differs from the "
+                                                    "natural order of ids (2 before 10); for that use `order=natural`",
+                                                    source)
+                                      : fmt::format("rows are assumed to be in natural order of ids (2 before 10), "
+                                                    "which differs from the order of {}; for that use `order=file`",
+                                                    source));
+}
+
+std::vector<std::string> label_warnings(const TaskLabels& labels) {
+  std::vector<std::string> warnings = missing_class_warnings(labels.queries);
+  if (labels.targets) std::ranges::move(missing_class_warnings(*labels.targets), std::back_inserter(warnings));
+  if (labels.queries.split) {
+    warnings.push_back(fmt::format("{}: the column split makes {} of {} models queries, and {} targets",
+                                   labels.queries.source, labels.queries.queries.size(), labels.queries.models.size(),
+                                   labels.queries.targets.size()));
+  }
+  return warnings;
 }
 
 EvaluationData open_labelled(const EvaluationFiles& files) {
-  ModelLabels labels = files.targets.empty() ? read_labels(files.labels, files.level)
-                                             : read_query_and_target_labels(files.labels, files.targets, files.level);
+  TaskLabels labels = read_task_labels(files);
+  std::vector<std::string> warnings = label_warnings(labels);
   if (is_ranked_answers_file(files.matrix)) {
     const RankedAnswers answers = read_ranked_answers(files.matrix);
     EvaluationData data = data_of(answers, task_of_answers(answers, labels, files.unanswered));
-    std::ranges::move(missing_class_warnings(labels), std::back_inserter(data.task.warnings));
+    std::ranges::move(warnings, std::back_inserter(data.task.warnings));
     return data;
   }
-  std::vector<std::string> warnings = missing_class_warnings(labels);
+  const TableShape shape = labels.queries.separate_sets ? TableShape::any : TableShape::square;
   EvaluationData data{
-      .distances = open_distances(files, labels.separate_sets ? TableShape::any : TableShape::square, warnings),
-      .symmetric = !files.distance.empty(),
-      .task = {}};
+      .distances = open_distances(files, shape, warnings), .symmetric = !files.distance.empty(), .task = {}};
   MatrixIds ids = ids_of_files(data.distances, files);
   const bool named = !ids.rows.empty();
-  if (named) check_first_row(ids.rows, labels, files);
-  if (named && labels.without_ids) give_ids(ids.rows, labels);
-  if (!named) ids = labelled_ids(labels, {data.distances.rows, data.distances.columns}, files.order);
-  check_size(data.distances, ids, named && !files.ids.empty() ? files.ids.string() : labels.source, files);
+  if (named) {
+    check_first_row(ids.rows, labels.queries, files);
+    give_ids(ids.rows, labels.queries);
+    if (labels.targets) give_ids(ids.columns, *labels.targets);
+    match_ends_of_paths(ids.rows, labels.queries);
+    match_ends_of_paths(ids.columns, labels.of_targets());
+  } else {
+    ids = labelled_ids(labels, {data.distances.rows, data.distances.columns}, files.order);
+  }
+  const bool from_file = named && !files.ids.empty();
+  check_size(data.distances, ids,
+             {.rows = from_file ? files.ids.string() : labels.queries.source,
+              .columns = from_file ? files.ids.string() : labels.of_targets().source},
+             files);
   data.task = task_of_labels(ids, labels);
   std::ranges::move(warnings, std::back_inserter(data.task.warnings));
   if (!named && files.order == RowOrder::usual) warn_of_order(ids, labels, data);
@@ -198,7 +258,8 @@ EvaluationData open_judged(const EvaluationFiles& files) {
           fmt::format("{}: with judgements (qrels) the rows and columns need ids: a CSV with ids, or `ids`",
                       files.matrix.string()));
     }
-    check_size(data.distances, ids, files.ids.empty() ? files.matrix.string() : files.ids.string(), files);
+    const std::string& source = files.ids.empty() ? files.matrix.string() : files.ids.string();
+    check_size(data.distances, ids, {.rows = source, .columns = source}, files);
     data.task = task_of_judgements(ids, judgements, files.qrels.string());
     std::ranges::move(warnings, std::back_inserter(data.task.warnings));
   }
@@ -258,6 +319,13 @@ void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated
   }
 }
 
+void warn_of_zeros(const MatrixFindings& found, Eigen::Index rows, bool negated, std::vector<std::string>& warnings) {
+  if (negated || rows < 2 || found.rows_at_zero < rows) return;
+  warnings.emplace_back(
+      "each query has a model at distance 0; if queries are among the targets, they find themselves: evaluate the "
+      "matrix of all models, or one with ids");
+}
+
 void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids, std::vector<std::string>& warnings) {
   auto repeated = found.equal_rows;  // constant and infinite rows have warnings of their own
   std::erase_if(repeated, [&](const auto& rows) {
@@ -289,14 +357,13 @@ void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids,
 // Evaluates the distances by rows and checks each row for anomalies.
 Evaluation evaluate_rows(const EvaluationData& data, const EvaluationOptions& options, MatrixChecks& checks,
                          const RowProgress& progress) {
+  if (data.task.coverage) return evaluate(data.answers, data.task.retrieval, options);
   const OpenMatrix& matrix = data.distances;
-  const bool has_gaps = data.task.retrieval.lists_may_end_early;  // no matrix to look for oddities in
   const bool mirrored = data.task.same_rows_and_columns && !data.symmetric;
   const RowSource rows = [&](Eigen::Index first, Eigen::Index count) {
     if (progress) progress(first, matrix.rows);
     DistanceMatrix some =
         matrix.read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns});
-    if (has_gaps) return some;
     checks.add(some);
     if (mirrored) {
       checks.compare(
@@ -323,6 +390,7 @@ std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<
   std::vector<std::string> warnings;
   warn_of_entries(found, negated, warnings);
   warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, warnings);
+  warn_of_zeros(found, static_cast<Eigen::Index>(ids.size()), negated, warnings);
   warn_of_rows(found, ids, warnings);
   return warnings;
 }
@@ -365,6 +433,19 @@ std::optional<std::string> ties_warning(const Evaluation& evaluation, const Matr
           : fmt::format("; FT ranges from {:.1f} to {:.1f} with their order", 100 * pessimistic, 100 * optimistic));
 }
 
+std::optional<std::string> chance_warning(const Evaluation& evaluation, const MatrixFindings& found,
+                                          const RetrievalTask& task) {
+  constexpr double improbable = 1e-4;
+  const bool has_reason =
+      !found.infinite_rows.empty() || 2 * evaluation.queries_with_ties > std::ssize(evaluation.queries);
+  const auto chance = has_reason ? std::nullopt : nearest_by_chance(evaluation, task);
+  if (!chance || chance->probability > improbable) return std::nullopt;
+  return fmt::format(
+      "NN is {:.1f} %, far below the {:.1f} % of a random order: rows may be in another order than the labels, or the "
+      "values may be similarities read as distances, or the reverse",
+      100 * chance->found, 100 * chance->expected);
+}
+
 std::optional<std::string> left_out_warning(const Evaluation& evaluation, const RetrievalTask& task,
                                             const EvaluationOptions& options) {
   if (evaluation.models_left_out == 0) return std::nullopt;
@@ -373,6 +454,13 @@ std::optional<std::string> left_out_warning(const Evaluation& evaluation, const 
                            count_text(evaluation.models_left_out, "model", "models"), options.minimum_class_size)
              : fmt::format("omitted from all scores: {} with fewer than {} relevant models",
                            count_text(evaluation.models_left_out, "query", "queries"), options.minimum_class_size - 1);
+}
+
+TaskLabels read_task_labels(const EvaluationFiles& files) {
+  if (files.targets.empty() && files.shared_ids) throw InputError("`shared_ids` requires `targets`");
+  if (files.targets.empty()) return {.queries = read_labels(files.labels, files.level)};
+  if (files.shared_ids) return {.queries = read_shared_labels(files.labels, files.targets, files.level)};
+  return read_query_and_target_labels(files.labels, files.targets, files.level);
 }
 
 EvaluationData open_evaluation_files(const EvaluationFiles& files) {
@@ -396,8 +484,10 @@ EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOpti
   result.findings = checks.findings();
   const std::vector<std::string> odd = matrix_warnings(result.findings, task.query_ids, files.similarity);
   result.warnings.insert(result.warnings.end(), odd.begin(), odd.end());
-  if (const auto left_out = left_out_warning(result.evaluation, task.retrieval, options)) {
-    result.warnings.push_back(*left_out);
+  for (const auto& warning :
+       {task.coverage ? std::nullopt : chance_warning(result.evaluation, result.findings, task.retrieval),
+        left_out_warning(result.evaluation, task.retrieval, options)}) {
+    if (warning) result.warnings.push_back(*warning);
   }
   return result;
 }

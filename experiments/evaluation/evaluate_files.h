@@ -18,23 +18,29 @@ namespace shapegauge {
 /// Files of an evaluation and their interpretation.
 struct EvaluationFiles {
   std::filesystem::path matrix;     ///< distances, similarities, features, a TREC run or ranked lists
+  std::string variable{};           ///< of an .npz or .mat file with several arrays; may be empty
   std::filesystem::path labels{};   ///< see read_labels(); empty with judgements
   std::filesystem::path targets{};  ///< labels of the targets if `labels` are those of the queries; may be empty
   std::filesystem::path qrels{};    ///< TREC judgements instead of labels; may be empty
   std::filesystem::path
-      ids{};  ///< ids of the rows, one a line, equal to those of the matrix if it has any; may be empty
+      ids{};  ///< ids of the rows, one per line, equal to those of the matrix if it has any; may be empty
   RowOrder order = RowOrder::usual;              ///< of rows without ids
   Unanswered unanswered = Unanswered::left_out;  ///< handling of queries without a ranked list
   std::size_t level = 0;                         ///< level of the class hierarchy, see read_labels()
+  bool shared_ids = false;                       ///< an id in `labels` and `targets` is one model, not two
   bool similarity = false;                       ///< larger values are nearer
   std::string distance{};  ///< distance between features, if the matrix has features, a row a model; may be empty
 };
 
-/// Distances with their interpretation.
+/// Reads the labels that the files name: of one set of models, or of queries and targets.
+TaskLabels read_task_labels(const EvaluationFiles& files);
+
+/// Distances or ranked answers with their interpretation.
 struct EvaluationData {
   OpenMatrix distances;
-  bool symmetric = false;  ///< by construction
-  std::string name{};      ///< tag of a TREC run; may be empty
+  RankedAnswerLists answers{};  ///< instead of distances if the task has a coverage
+  bool symmetric = false;       ///< by construction
+  std::string name{};           ///< tag of a TREC run; may be empty
   EvaluationTask task;
 };
 
@@ -48,6 +54,11 @@ std::vector<std::string> rerank_warnings(const OpenMatrix& matrix);
 /// Returns the warning about queries with relevant and other models at equal distance, with the effect of their order
 /// on FT. Nothing if all these queries are rows of equal distances, which matrix_warnings() reports.
 std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found);
+
+/// Returns the warning about fewer relevant nearest neighbours than a random order has, which rows in the wrong order
+/// or similarities read as distances may cause. For matrices only: lists may lack models.
+std::optional<std::string> chance_warning(const Evaluation& evaluation, const MatrixFindings& found,
+                                          const RetrievalTask& task);
 
 /// Returns the warning about models that are never queries because their classes are small, if there are any.
 std::optional<std::string> left_out_warning(const Evaluation& evaluation, const RetrievalTask& task,

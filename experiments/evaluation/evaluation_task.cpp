@@ -1,15 +1,12 @@
 #include "shapegauge/experiments/evaluation/evaluation_task.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <functional>
-#include <iterator>
-#include <limits>
 #include <map>
 #include <set>
-#include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -21,15 +18,31 @@ namespace shapegauge {
 
 namespace {
 
-using Columns = std::map<std::string, Eigen::Index, std::greater<>>;  // of models, in trec_eval's order of the tied
+// Positions of models by the keys of their ids; without keys, by the ids themselves.
+class Positions {
+ public:
+  explicit Positions(const std::vector<std::string>& ids, std::optional<ModelKeys> keys) : keys_(std::move(keys)) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const bool added = by_key_.emplace(key(ids[i]), static_cast<Eigen::Index>(i)).second;
+      if (!added && !repeated_) repeated_ = ids[i];
+    }
+  }
 
-// Positions of models.
-struct Places {
-  ModelKeys keys;
-  std::unordered_map<std::string, Eigen::Index> by_key;
+  // Returns the first position of a model, or -1.
+  [[nodiscard]] Eigen::Index find(const std::string& id) const {
+    const auto found = by_key_.find(key(id));
+    return found == by_key_.end() ? -1 : found->second;
+  }
+  [[nodiscard]] std::size_t size() const { return by_key_.size(); }
+  [[nodiscard]] const std::optional<std::string>& repeated() const { return repeated_; }
+  [[nodiscard]] bool has_same_models(const Positions& other) const { return by_key_ == other.by_key_; }
 
-  [[nodiscard]] bool contains(const std::string& id) const { return by_key.contains(keys.of(id)); }
-  bool operator==(const Places&) const = default;
+ private:
+  [[nodiscard]] std::string key(const std::string& id) const { return keys_ ? keys_->of(id) : id; }
+
+  std::optional<ModelKeys> keys_;
+  std::unordered_map<std::string, Eigen::Index> by_key_;
+  std::optional<std::string> repeated_;
 };
 
 // Labels, for lookup by model.
@@ -42,100 +55,160 @@ class LabelledModels {
     std::string subclass;
   };
 
-  explicit LabelledModels(const ModelLabels& labels) : source_(labels.source), keys_(labels.keys) {
+  explicit LabelledModels(const ModelLabels& labels, bool is_one_of_two)
+      : source_(labels.source), keys_(labels.keys), is_one_of_two_(is_one_of_two) {
     for (std::size_t i = 0; i < labels.classification.classes.size(); ++i) {
       for (const std::string& model : labels.classification.classes[i].models) {
-        known_[key(model)].label = static_cast<int>(i);
+        known_[keys_.of(model)].label = static_cast<int>(i);
       }
     }
     for (const auto& [model, subclass] : labels.subclasses) known_.at(model).subclass = subclass;
-    for (const std::string& model : labels.queries) known_.at(key(model)).query = true;
-    for (const std::string& model : labels.targets) known_.at(key(model)).target = true;
+    for (const std::string& model : labels.queries) known_.at(keys_.of(model)).query = true;
+    for (const std::string& model : labels.targets) known_.at(keys_.of(model)).target = true;
   }
 
   // Throws InputError if the model has no class.
   [[nodiscard]] const Known& at(const std::string& id) const {
-    const auto found = known_.find(key(id));
+    const auto found = known_.find(keys_.of(id));
     if (found != known_.end()) return found->second;
-    throw InputError(fmt::format("{}: model {} is in no class; add it to the file or leave the model out", source_,
-                                 quoted_word(id)));
+    throw InputError(fmt::format("{}: model {} is in no class; add it to the file or leave the model out{}", source_,
+                                 quoted_word(id),
+                                 is_one_of_two_ ? "; if the ids of both files of labels name the same models, use "
+                                                  "`shared_ids`"
+                                                : ""));
   }
-
-  [[nodiscard]] std::string key(const std::string& id) const { return keys_.of(id); }
 
  private:
   std::string source_;
   ModelKeys keys_;
+  bool is_one_of_two_;
   std::unordered_map<std::string, Known> known_;
 };
 
-// Sets the subclasses of rows and columns, if any model has one.
-void set_subclasses(const LabelledModels& models, const std::vector<std::string>& rows,
-                    const std::vector<std::string>& columns, RetrievalTask& task) {
-  std::vector<std::string> names;
-  for (const auto* ids : {&rows, &columns}) {
-    for (const std::string& id : *ids) names.push_back(models.at(id).subclass);
+std::string source_of(const TaskLabels& labels) {
+  return labels.targets ? fmt::format("{} and {}", labels.queries.source, labels.targets->source)
+                        : labels.queries.source;
+}
+
+// Sets the classes and subclasses of rows and columns.
+void set_classes(const MatrixIds& ids, const TaskLabels& labels, RetrievalTask& task) {
+  const LabelledModels of_rows(labels.queries, labels.targets.has_value());
+  std::optional<LabelledModels> other;
+  if (labels.targets) other.emplace(*labels.targets, true);
+  const LabelledModels& of_columns = other ? *other : of_rows;
+  std::vector<std::string> subclasses;
+  for (const std::string& id : ids.rows) {
+    const LabelledModels::Known& known = of_rows.at(id);
+    task.query_classes.push_back(known.query ? known.label : no_class);
+    subclasses.push_back(known.subclass);
   }
-  const std::vector<int> numbers = numbered_subclasses(names);
+  for (const std::string& id : ids.columns) {
+    const LabelledModels::Known& known = of_columns.at(id);
+    task.target_classes.push_back(known.target ? known.label : no_class);
+    subclasses.push_back(known.subclass);
+  }
+  const std::vector<int> numbers = numbered_subclasses(subclasses);
   if (numbers.empty()) return;
-  const auto end_of_rows = numbers.begin() + std::ssize(rows);
+  const auto end_of_rows = numbers.begin() + std::ssize(ids.rows);
   task.query_subclasses.assign(numbers.begin(), end_of_rows);
   task.target_subclasses.assign(end_of_rows, numbers.end());
 }
 
-std::vector<std::string> class_names_of(const ModelLabels& labels) {
-  std::vector<std::string> names;
-  for (const ModelClass& known : labels.classification.classes) names.push_back(known.name);
-  return names;
+// Warns if ids of two sets of models are equal, which may be a misunderstanding.
+void warn_of_shared_ids(const TaskLabels& labels, EvaluationTask& task) {
+  if (!labels.targets || labels.queries.without_ids || labels.targets->without_ids) return;
+  const Positions targets(labels.targets->models, labels.targets->keys);
+  const auto shared =
+      std::ranges::count_if(labels.queries.models, [&](const std::string& id) { return targets.find(id) >= 0; });
+  if (shared == 0) return;
+  task.warnings.push_back(fmt::format(
+      "{} in both {} and {}, and {} taken for different models, which find each other; if they are the same models, "
+      "use `shared_ids`",
+      count_text(shared, "id is", "ids are"), labels.queries.source, labels.targets->source,
+      shared == 1 ? "is" : "are"));
 }
 
-Places unique_places(const std::vector<std::string>& ids, const ModelLabels& labels) {
-  Places places{.keys = labels.keys, .by_key = {}};
-  for (const std::string& id : ids) {
-    const auto next = static_cast<Eigen::Index>(places.by_key.size());
-    if (places.by_key.emplace(places.keys.of(id), next).second) continue;
-    throw InputError(
-        fmt::format("model {} occurs twice among the models to look up in {}", quoted_word(id), labels.source));
+// Makes the task of rows and columns with labels, of which some models may be absent.
+EvaluationTask labelled_task(const MatrixIds& ids, const TaskLabels& labels, const Positions& rows,
+                             const Positions& columns) {
+  for (const Positions* positions : {&rows, &columns}) {
+    if (!positions->repeated()) continue;
+    throw InputError(fmt::format("model {} occurs twice among the models to look up in {}",
+                                 quoted_word(*positions->repeated()), source_of(labels)));
   }
-  return places;
-}
-
-Places first_places(const std::vector<std::string>& ids) {
-  Places places{.keys = ModelKeys(ids), .by_key = {}};
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    places.by_key.emplace(places.keys.of(ids[i]), static_cast<Eigen::Index>(i));
+  EvaluationTask task{.retrieval = {},
+                      .query_ids = ids.rows,
+                      .class_names = {},
+                      .same_rows_and_columns = !labels.targets && rows.has_same_models(columns),
+                      .warnings = {}};
+  for (const ModelClass& known : labels.queries.classification.classes) task.class_names.push_back(known.name);
+  set_classes(ids, labels, task.retrieval);
+  for (const std::string& id : ids.rows) {
+    task.retrieval.own_column.push_back(labels.targets ? -1 : columns.find(id));
   }
-  return places;
+  warn_of_shared_ids(labels, task);
+  return task;
 }
 
-// Returns the position of a model, or -1.
-Eigen::Index place_or_none(const std::string& id, const Places& places) {
-  const auto found = places.by_key.find(places.keys.of(id));
-  return found == places.by_key.end() ? -1 : found->second;
-}
-
-void check_all_there(const std::vector<std::string>& wanted, const Places& places, const std::string& source) {
-  for (const std::string& id : wanted) {
-    if (places.contains(id)) continue;
+void check_all_there(const std::vector<std::string>& models, const Positions& positions, const std::string& source) {
+  for (const std::string& id : models) {
+    if (positions.find(id) >= 0) continue;
     throw InputError(fmt::format("{}: model {} is classified but is not among the {} models that are there", source,
-                                 quoted_word(id), places.by_key.size()));
+                                 quoted_word(id), positions.size()));
   }
 }
 
-void number(Columns& columns) {
-  Eigen::Index next = 0;
-  for (auto& [id, column] : columns) column = next++;
+// Makes the task of rows and columns with judgements; each query is a class of its own.
+EvaluationTask judged_task(const MatrixIds& ids, const Judgements& judgements, const Positions& rows,
+                           const Positions& columns, const std::string& source) {
+  const auto find = [&](const std::string& id, const Positions& positions) {
+    const Eigen::Index found = positions.find(id);
+    if (found >= 0) return found;
+    throw InputError(fmt::format("{}: {} is judged but is not in the matrix", source, quoted_word(id)));
+  };
+  EvaluationTask task{.retrieval = {}, .query_ids = ids.rows, .class_names = ids.rows, .warnings = {}};
+  RetrievalTask& retrieval = task.retrieval;
+  retrieval.target_classes.assign(ids.columns.size(), 0);
+  retrieval.query_classes.assign(ids.rows.size(), no_class);
+  retrieval.own_column.assign(ids.rows.size(), -1);
+  for (auto* table : {&retrieval.judged, &retrieval.judged_irrelevant}) table->resize(ids.rows.size());
+  retrieval.grades.resize(ids.rows.size());
+  for (const Judgements::Judged& judged : judgements.queries) {
+    const auto row = static_cast<std::size_t>(find(judged.query, rows));
+    retrieval.query_classes[row] = static_cast<int>(row);
+    std::map<Eigen::Index, int> grades;
+    for (std::size_t i = 0; i < judged.relevant.size(); ++i) {
+      grades.emplace(find(judged.relevant[i], columns), judged.grades[i]);
+    }
+    for (const auto& [column, grade] : grades) {
+      retrieval.judged[row].push_back(column);
+      retrieval.grades[row].push_back(grade);
+    }
+    for (const std::string& model : judged.irrelevant) {
+      retrieval.judged_irrelevant[row].push_back(find(model, columns));
+    }
+    std::ranges::sort(retrieval.judged_irrelevant[row]);
+  }
+  return task;
 }
 
-DistanceMatrix nothing_found(std::size_t rows, std::size_t columns) {
-  return DistanceMatrix::Constant(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns),
-                                  std::numeric_limits<double>::quiet_NaN());
-}
-
-void warn_of_unjudged(std::size_t count, EvaluationTask& task) {
-  if (count == 0) return;
-  task.warnings.push_back(count_text(static_cast<std::int64_t>(count), "query has", "queries have") +
-                          " no judgements; omitted from all scores");
+// Adds the answer to a query with its models as columns.
+void add_answer(const RankedAnswers::Answer& answer, const Positions& columns, const RetrievalTask& task,
+                RankedAnswerLists& answers) {
+  std::vector<ListedModel>& models = answers.emplace_back();
+  std::unordered_set<Eigen::Index> seen;
+  for (const auto& [model, distance] : answer.models) {
+    const Eigen::Index column = columns.find(model);
+    if (column < 0 || task.target_classes[static_cast<std::size_t>(column)] == no_class) {
+      throw InputError(fmt::format("the answer to {} has the model {}, which is not a target",
+                                   quoted_word(answer.query), quoted_word(model)));
+    }
+    if (!seen.insert(column).second) {
+      throw InputError(
+          fmt::format("the answer to {} has a model twice, once as {}", quoted_word(answer.query), quoted_word(model)));
+    }
+    models.push_back({.column = column, .distance = distance});
+  }
 }
 
 // Describes the lengths of lists: "3", or "3 to 9".
@@ -171,265 +244,140 @@ void warn_of_coverage(std::string_view queries, Unanswered unanswered, Evaluatio
   }
 }
 
-// Computes the coverage of the first `answered` rows, which have lists, and `missing` queries without one.
-ListCoverage coverage_of(const RankedTask& ranked, Eigen::Index answered, std::size_t missing) {
-  const RetrievalTask& task = ranked.task.retrieval;
+// Computes the coverage of the answers, which are those of the first rows, and `missing` queries without one.
+ListCoverage coverage_of(const RankedAnswerLists& answers, const RetrievalTask& task, std::size_t missing) {
   const std::vector<std::size_t> relevant = relevant_counts(task);
-  ListCoverage coverage{.queries = missing, .shortest = ranked.distances.cols()};
-  for (Eigen::Index row = 0; row < answered; ++row) {
-    const auto i = static_cast<std::size_t>(row);
-    if (task.query_classes[i] == no_class) continue;
-    Eigen::Index length = 0;
-    for (Eigen::Index column = 0; column < ranked.distances.cols(); ++column) {
-      if (column != task.own_column[i] && !std::isnan(ranked.distances(row, column))) ++length;
-    }
+  ListCoverage coverage{.queries = missing, .shortest = std::ssize(task.target_classes)};
+  for (std::size_t row = 0; row < answers.size(); ++row) {
+    if (task.query_classes[row] == no_class) continue;
+    const auto length = std::ranges::count_if(
+        answers[row], [&](const ListedModel& model) { return model.column != task.own_column[row]; });
     ++coverage.queries;
     ++coverage.answered;
     coverage.shortest = std::min(coverage.shortest, length);
     coverage.longest = std::max(coverage.longest, length);
-    if (static_cast<std::size_t>(length) < relevant[i]) ++coverage.incomplete;
+    if (static_cast<std::size_t>(length) < relevant[row]) ++coverage.incomplete;
   }
   if (coverage.answered == 0) coverage.shortest = 0;
   return coverage;
 }
 
-// Gives each query a row, empty without a list, and describes the coverage. `answered` queries have lists; `missing`
-// ones have none.
-RankedTask finished(RankedTask ranked, Eigen::Index answered, std::size_t missing, std::string_view queries,
-                    Unanswered unanswered) {
-  const Eigen::Index rows = std::ssize(ranked.task.query_ids);
-  ranked.distances.conservativeResize(rows, Eigen::NoChange);
-  ranked.distances.bottomRows(rows - answered).setConstant(std::numeric_limits<double>::quiet_NaN());
-  ranked.task.coverage = coverage_of(ranked, answered, missing);
+// Adds the queries without an answer that count to the rows; `missing` are all of them.
+void add_rows(const std::vector<std::string>& missing, Unanswered unanswered, MatrixIds& ids) {
+  if (unanswered == Unanswered::count) ids.rows.insert(ids.rows.end(), missing.begin(), missing.end());
+}
+
+// Describes the coverage, and gives queries without a list an empty one.
+RankedTask with_coverage(RankedTask ranked, std::size_t missing, std::string_view queries, Unanswered unanswered) {
+  ranked.task.coverage = coverage_of(ranked.answers, ranked.task.retrieval, missing);
   warn_of_coverage(queries, unanswered, ranked.task);
+  ranked.answers.resize(ranked.task.query_ids.size());
   return ranked;
 }
 
-// Sets the relevant columns of a row with their grades, and the columns judged as not relevant.
-template <typename Place>
-void set_judged(const Judgements::Judged& judged, std::size_t row, const Place& place, RetrievalTask& task) {
-  std::vector<std::pair<Eigen::Index, int>> relevant;
-  for (std::size_t i = 0; i < judged.relevant.size(); ++i) {
-    relevant.emplace_back(place(judged.relevant[i]), judged.grades[i]);
-  }
-  std::ranges::sort(relevant);
-  for (const auto& [column, grade] : relevant) {
-    task.judged[row].push_back(column);
-    task.grades[row].push_back(grade);
-  }
-  for (const std::string& model : judged.irrelevant) task.judged_irrelevant[row].push_back(place(model));
-  std::ranges::sort(task.judged_irrelevant[row]);
-}
-
-void resize_judged(std::size_t rows, RetrievalTask& task) {
-  task.judged.resize(rows);
-  task.grades.resize(rows);
-  task.judged_irrelevant.resize(rows);
-}
-
-// With judgements, every query has its own class.
-void add_judged_query(const Judgements::Judged& judged, const Columns& columns, EvaluationTask& task) {
-  const std::size_t row = task.query_ids.size();
-  task.retrieval.query_classes.push_back(static_cast<int>(row));
-  task.class_names.push_back(judged.query);
-  task.query_ids.push_back(judged.query);
-  task.retrieval.own_column.push_back(-1);
-  resize_judged(row + 1, task.retrieval);
-  set_judged(
-      judged, row, [&](const std::string& model) { return columns.at(model); }, task.retrieval);
-}
-
-// Models that are listed or judged.
-Columns columns_of(const RankedAnswers& answers, const Judgements& judgements) {
-  Columns columns;
-  for (const RankedAnswers::Answer& answer : answers.answers) {
-    for (const auto& [model, distance] : answer.models) columns.emplace(model, 0);
-  }
-  for (const Judgements::Judged& judged : judgements.queries) {
-    for (const auto* models : {&judged.relevant, &judged.irrelevant}) {
-      for (const std::string& model : *models) columns.emplace(model, 0);
-    }
-  }
-  number(columns);
-  return columns;
-}
-
-// Task of ranked answers with labels, built query by query.
-class LabelledAnswers {
- public:
-  LabelledAnswers(const ModelLabels& labels, std::size_t answers) : queries_(labels.queries), models_(labels) {
-    for (const std::string& target : labels.targets) columns_.emplace(models_.key(target), 0);
-    number(columns_);
-    EvaluationTask& task = ranked_.task;
-    task.class_names = class_names_of(labels);
-    for (const auto& [id, column] : columns_) task.retrieval.target_classes.push_back(models_.at(id).label);
-    task.retrieval.lists_may_end_early = true;
-    ranked_.distances = nothing_found(answers, columns_.size());
-  }
-
-  void add(const RankedAnswers::Answer& answer) {
-    const auto row = static_cast<Eigen::Index>(ranked_.task.query_ids.size());
-    add_query(answer.query);
-    if (!answered_.insert(models_.key(answer.query)).second) {
-      throw InputError(fmt::format("the query {} has two spellings", quoted_word(answer.query)));
-    }
-    for (const auto& [model, distance] : answer.models) {
-      if (!models_.at(model).target) {
-        throw InputError(fmt::format("the answer to {} has the model {}, which is not a target",
-                                     quoted_word(answer.query), quoted_word(model)));
-      }
-      double& entry = ranked_.distances(row, columns_.at(models_.key(model)));
-      if (!std::isnan(entry)) {
-        throw InputError(fmt::format("the answer to {} has a model twice, once as {}", quoted_word(answer.query),
-                                     quoted_word(model)));
-      }
-      entry = distance;
-    }
-  }
-
-  // Adds a query without its answer.
-  void add_query(const std::string& id) {
-    const LabelledModels::Known& known = models_.at(id);
-    const auto own = columns_.find(models_.key(id));
-    ranked_.task.query_ids.push_back(id);
-    ranked_.task.retrieval.query_classes.push_back(known.query ? known.label : no_class);
-    ranked_.task.retrieval.own_column.push_back(own == columns_.end() ? -1 : own->second);
-  }
-
-  // Returns the labelled queries without an answer.
-  [[nodiscard]] std::vector<std::string> unanswered() const {
-    std::vector<std::string> missing;
-    std::ranges::copy_if(queries_, std::back_inserter(missing),
-                         [&](const std::string& id) { return !answered_.contains(models_.key(id)); });
-    return missing;
-  }
-
-  RankedTask task() && {
-    std::vector<std::string> targets;
-    for (const auto& [id, column] : columns_) targets.push_back(id);
-    set_subclasses(models_, ranked_.task.query_ids, targets, ranked_.task.retrieval);
-    return std::move(ranked_);
-  }
-
- private:
-  std::span<const std::string> queries_;
-  LabelledModels models_;
-  Columns columns_;
-  RankedTask ranked_;
-  std::set<std::string> answered_;
-};
-
 }  // namespace
 
-MatrixIds labelled_ids(const ModelLabels& labels, const MatrixSize& size, RowOrder order) {
-  MatrixIds ids{.rows = labels.queries, .columns = labels.targets};
+MatrixIds labelled_ids(const TaskLabels& labels, const MatrixSize& size, RowOrder order) {
+  MatrixIds ids{.rows = labels.queries.queries, .columns = labels.of_targets().targets};
   const bool queries_by_targets = static_cast<std::size_t>(size.rows) == ids.rows.size() &&
                                   static_cast<std::size_t>(size.columns) == ids.columns.size();
-  if (!queries_by_targets) ids.rows = ids.columns = labels.models;
-  if (order == RowOrder::natural || (order == RowOrder::usual && !labels.listed)) {
+  if (!queries_by_targets && !labels.targets) ids.rows = ids.columns = labels.queries.models;
+  const bool listed = labels.queries.listed && labels.of_targets().listed;
+  if (order == RowOrder::natural || (order == RowOrder::usual && !listed)) {
     std::ranges::sort(ids.rows, natural_less);
     std::ranges::sort(ids.columns, natural_less);
   }
   return ids;
 }
 
-EvaluationTask task_of_labels(const MatrixIds& ids, const ModelLabels& labels) {
-  const LabelledModels models(labels);
-  const Places rows = unique_places(ids.rows, labels);
-  const Places columns = unique_places(ids.columns, labels);
-  EvaluationTask task{.retrieval = {},
-                      .query_ids = ids.rows,
-                      .class_names = class_names_of(labels),
-                      .same_rows_and_columns = rows == columns,
-                      .warnings = {}};
-  for (const std::string& id : ids.rows) {
-    const LabelledModels::Known& known = models.at(id);
-    task.retrieval.query_classes.push_back(known.query ? known.label : no_class);
-    task.retrieval.own_column.push_back(place_or_none(id, columns));
-  }
-  for (const std::string& id : ids.columns) {
-    const LabelledModels::Known& known = models.at(id);
-    task.retrieval.target_classes.push_back(known.target ? known.label : no_class);
-  }
-  set_subclasses(models, ids.rows, ids.columns, task.retrieval);
-  check_all_there(labels.queries, rows, labels.source);
-  check_all_there(labels.targets, columns, labels.source);
+EvaluationTask task_of_labels(const MatrixIds& ids, const TaskLabels& labels) {
+  const Positions rows(ids.rows, labels.queries.keys);
+  const Positions columns(ids.columns, labels.of_targets().keys);
+  EvaluationTask task = labelled_task(ids, labels, rows, columns);
+  check_all_there(labels.queries.queries, rows, labels.queries.source);
+  check_all_there(labels.of_targets().targets, columns, labels.of_targets().source);
   return task;
 }
 
 EvaluationTask task_of_judgements(const MatrixIds& ids, const Judgements& judgements, const std::string& source) {
-  const Places rows = first_places(ids.rows);
-  const Places columns = first_places(ids.columns);
-  const auto place = [&](const std::string& id, const Places& places) {
-    const Eigen::Index found = place_or_none(id, places);
-    if (found >= 0) return found;
-    throw InputError(fmt::format("{}: {} is judged but is not in the matrix", source, quoted_word(id)));
-  };
-  EvaluationTask task{.retrieval = {},
-                      .query_ids = ids.rows,
-                      .class_names = ids.rows,
-                      .same_rows_and_columns = ids.rows == ids.columns,
-                      .warnings = {}};
-  task.retrieval.target_classes.assign(ids.columns.size(), 0);
-  task.retrieval.query_classes.assign(ids.rows.size(), no_class);
-  resize_judged(ids.rows.size(), task.retrieval);
-  for (const std::string& id : ids.rows) task.retrieval.own_column.push_back(place_or_none(id, columns));
-  for (const Judgements::Judged& judged : judgements.queries) {
-    const Eigen::Index row = place(judged.query, rows);
-    const auto i = static_cast<std::size_t>(row);
-    task.retrieval.query_classes[i] = static_cast<int>(row);
-    set_judged(
-        judged, i, [&](const std::string& model) { return place(model, columns); }, task.retrieval);
+  const Positions rows(ids.rows, ModelKeys(ids.rows));
+  const Positions columns(ids.columns, ModelKeys(ids.columns));
+  EvaluationTask task = judged_task(ids, judgements, rows, columns, source);
+  task.same_rows_and_columns = ids.rows == ids.columns;
+  for (std::size_t row = 0; row < ids.rows.size(); ++row) {
+    task.retrieval.own_column[row] = columns.find(ids.rows[row]);
   }
   return task;
 }
 
-RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labels, Unanswered unanswered) {
-  LabelledAnswers built(labels, answers.answers.size());
-  for (const RankedAnswers::Answer& answer : answers.answers) built.add(answer);
-  const std::vector<std::string> missing = built.unanswered();
-  if (unanswered == Unanswered::count) {
-    for (const std::string& id : missing) built.add_query(id);
+RankedTask task_of_answers(const RankedAnswers& answers, const TaskLabels& labels, Unanswered unanswered) {
+  MatrixIds ids;
+  for (const RankedAnswers::Answer& answer : answers.answers) ids.rows.push_back(answer.query);
+  const Positions answered(ids.rows, labels.queries.keys);
+  std::vector<std::string> missing;
+  for (const std::string& id : labels.queries.queries) {
+    if (answered.find(id) < 0) missing.push_back(id);
   }
-  return finished(std::move(built).task(), std::ssize(answers.answers), missing.size(), "queries", unanswered);
+  add_rows(missing, unanswered, ids);
+  ids.columns = labels.of_targets().targets;
+  std::ranges::sort(ids.columns, std::greater<>(),
+                    [&](const std::string& id) { return labels.of_targets().keys.of(id); });
+  const Positions columns(ids.columns, labels.of_targets().keys);
+  RankedTask ranked{.answers = {},
+                    .task = labelled_task(ids, labels, Positions(ids.rows, labels.queries.keys), columns)};
+  const LabelledModels known(labels.of_targets(), labels.targets.has_value());
+  for (const RankedAnswers::Answer& answer : answers.answers) {
+    for (const auto& [model, distance] : answer.models) static_cast<void>(known.at(model));  // or throws
+    add_answer(answer, columns, ranked.task.retrieval, ranked.answers);
+  }
+  return with_coverage(std::move(ranked), missing.size(), "queries", unanswered);
 }
 
 RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judgements, Unanswered unanswered) {
-  const Columns columns = columns_of(answers, judgements);
-  RankedTask ranked;
-  EvaluationTask& task = ranked.task;
-  task.retrieval.target_classes.assign(columns.size(), 0);
-  task.retrieval.lists_may_end_early = true;
-  ranked.distances = nothing_found(answers.answers.size(), columns.size());
-  std::unordered_map<std::string, const Judgements::Judged*> unanswered_queries;
-  for (const Judgements::Judged& judged : judgements.queries) unanswered_queries.emplace(judged.query, &judged);
-  std::size_t unjudged = 0;
+  std::set<std::string> unanswered_queries;
+  std::set<std::string, std::greater<>> models;
+  for (const Judgements::Judged& judged : judgements.queries) {
+    unanswered_queries.insert(judged.query);
+    for (const auto* judged_models : {&judged.relevant, &judged.irrelevant}) {
+      models.insert(judged_models->begin(), judged_models->end());
+    }
+  }
+  MatrixIds ids;
+  std::vector<const RankedAnswers::Answer*> judged_answers;
   for (const RankedAnswers::Answer& answer : answers.answers) {
-    const auto judged = unanswered_queries.find(answer.query);
-    if (judged == unanswered_queries.end()) {
-      ++unjudged;
-      continue;
-    }
-    const auto row = static_cast<Eigen::Index>(task.query_ids.size());
-    for (const auto& [model, distance] : answer.models) ranked.distances(row, columns.at(model)) = distance;
-    add_judged_query(*judged->second, columns, task);
-    unanswered_queries.erase(judged);
+    for (const auto& [model, distance] : answer.models) models.insert(model);
+    if (unanswered_queries.erase(answer.query) == 0) continue;
+    ids.rows.push_back(answer.query);
+    judged_answers.push_back(&answer);
   }
-  const auto answered_rows = std::ssize(task.query_ids);
-  if (unanswered == Unanswered::count) {
-    for (const Judgements::Judged& judged : judgements.queries) {
-      if (unanswered_queries.contains(judged.query)) add_judged_query(judged, columns, task);
-    }
+  Judgements counted = judgements;
+  std::vector<std::string> missing;
+  for (const Judgements::Judged& judged : judgements.queries) {
+    if (unanswered_queries.contains(judged.query)) missing.push_back(judged.query);
   }
-  warn_of_unjudged(unjudged, task);
-  return finished(std::move(ranked), answered_rows, unanswered_queries.size(), "judged queries", unanswered);
+  if (unanswered == Unanswered::left_out) {
+    std::erase_if(counted.queries, [&](const auto& judged) { return unanswered_queries.contains(judged.query); });
+  }
+  add_rows(missing, unanswered, ids);
+  ids.columns.assign(models.begin(), models.end());
+  const Positions columns(ids.columns, std::nullopt);
+  RankedTask ranked{.answers = {},
+                    .task = judged_task(ids, counted, Positions(ids.rows, std::nullopt), columns, "the judgements")};
+  for (const RankedAnswers::Answer* answer : judged_answers) {
+    add_answer(*answer, columns, ranked.task.retrieval, ranked.answers);
+  }
+  if (const auto unjudged = std::ssize(answers.answers) - std::ssize(judged_answers); unjudged > 0) {
+    ranked.task.warnings.push_back(count_text(unjudged, "query has", "queries have") +
+                                   " no judgements; omitted from all scores");
+  }
+  return with_coverage(std::move(ranked), missing.size(), "judged queries", unanswered);
 }
 
 bool is_fit_for_report(const EvaluationTask& task) {
   const RetrievalTask& retrieval = task.retrieval;
   const bool all_classified = std::ranges::find(retrieval.query_classes, no_class) == retrieval.query_classes.end() &&
                               retrieval.query_classes == retrieval.target_classes;
-  return task.same_rows_and_columns && all_classified && retrieval.judged.empty() && !retrieval.lists_may_end_early;
+  return task.same_rows_and_columns && all_classified && retrieval.judged.empty() && !task.coverage;
 }
 
 }  // namespace shapegauge

@@ -11,8 +11,8 @@
 #include "shapegauge/core/base/words.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/labels.h"
+#include "shapegauge/metrics/ranked_list.h"
 #include "shapegauge/metrics/retrieval_task.h"
-#include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
 
@@ -37,7 +37,7 @@ struct ListCoverage {
   std::size_t incomplete = 0;  ///< lists with fewer models than are relevant: even their best order scores below 1
 };
 
-/// Interpretation of the rows and columns of a matrix, with names for readers.
+/// One task of retrieval, whatever files it comes from, with names for readers.
 struct EvaluationTask {
   RetrievalTask retrieval;
   std::vector<std::string> query_ids;      ///< by row
@@ -58,27 +58,26 @@ inline constexpr std::array<std::string_view, 2> words_of<Unanswered>{"skip", "z
 
 /// Returns the models of a matrix without ids: the i-th row is the i-th labelled model, in that order. If queries and
 /// targets are separate sets: queries by targets if the matrix has that size, otherwise all models by all models.
-MatrixIds labelled_ids(const ModelLabels& labels, const MatrixSize& size, RowOrder order);
+MatrixIds labelled_ids(const TaskLabels& labels, const MatrixSize& size, RowOrder order);
 
 /// Makes the task of a matrix of these models with labels. Compares ids by ModelKeys. Throws InputError for
 /// a model without class, a repeated model of the rows or columns, a query without a row, and a target without a
 /// column.
-EvaluationTask task_of_labels(const MatrixIds& ids, const ModelLabels& labels);
+EvaluationTask task_of_labels(const MatrixIds& ids, const TaskLabels& labels);
 
 /// Makes the task of a matrix of these models with judgements. A row's own column is that of the same id, if any.
 /// Throws InputError if a judged query or model is not in the matrix; `source` names the judgements.
 EvaluationTask task_of_judgements(const MatrixIds& ids, const Judgements& judgements, const std::string& source);
 
-/// Ranked answers as a matrix: a row a query, a column a model, NaN if an answer lacks the model. Columns are in
-/// descending order of ids, like ties in trec_eval.
+/// Ranked answers with their task. Columns are in descending order of ids, like ties in trec_eval.
 struct RankedTask {
-  DistanceMatrix distances;
+  RankedAnswerLists answers;
   EvaluationTask task;
 };
 
 /// Makes the task of ranked answers with labels. Warns of labelled queries without an answer. Throws InputError for a
-/// model without class, a query with two spellings, and an answer with a model that is not a target.
-RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labels, Unanswered unanswered);
+/// model without class, a repeated query, and an answer with a model that is repeated or not a target.
+RankedTask task_of_answers(const RankedAnswers& answers, const TaskLabels& labels, Unanswered unanswered);
 
 /// Makes the task of ranked answers with judgements: all relevant models count, found or not, and a query is never one
 /// of the models. Ignores queries without judgements; warns of these and of judged queries without an answer.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -22,7 +23,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Cache version of evaluations; see docs/manual/cache.md.
-constexpr int judged_version = 2;
+constexpr int judged_version = 3;
 
 // Evaluation of one submission, independent of its JSON file.
 struct JudgedFile {
@@ -58,44 +59,58 @@ JudgedFile judged_from_record(const Json& record) {
           .warnings = record.at("warnings").get<std::vector<std::string>>()};
 }
 
-Json labels_json(const ModelLabels& labels) {
+// Keys of evaluations. They name every member of the inputs: a new member does not compile until its key has it.
+
+Json key_of(const ModelLabels& labels) {
+  const auto& [classification, queries, targets, models, subclasses, separate_sets, split, listed, without_ids, source,
+               keys] = labels;  // keys follow from the models
   Json classes = Json::array();
-  for (const ModelClass& one : labels.classification.classes) classes.push_back({one.name, one.models});
-  return {{"classes", std::move(classes)},
-          {"queries", labels.queries},
-          {"targets", labels.targets},
-          {"models", labels.models},
-          {"flags", {labels.separate_sets, labels.listed, labels.without_ids}}};
+  for (const auto& [name, parent, members] : classification.classes) classes.push_back({name, members});
+  return {std::move(classes), queries, targets, models,      std::map(subclasses.begin(), subclasses.end()),
+          separate_sets,      split,   listed,  without_ids, source};
+}
+
+Json key_of(const TaskLabels& labels) {
+  const auto& [queries, targets] = labels;
+  return {key_of(queries), targets ? key_of(*targets) : Json()};
+}
+
+Json key_of(const EvaluationOptions& options) {
+  const auto& [protocol, ties, measures, curve, minimum_class_size] = options;
+  Json names = Json::array();
+  for (const Measure& measure : measures) names.push_back(measure.name);
+  return {name_of(protocol), name_of(ties), std::move(names), curve ? name_of(*curve) : "", minimum_class_size};
+}
+
+Json key_of_file(const std::filesystem::path& path) {
+  return path.empty() ? Json() : Json{path.string(), sha256_of_file(path)};
 }
 
 // Returns the inputs shared by the evaluations of all submissions.
 Json common_key(const JudgingOptions& options) {
   const EvaluationFiles& files = options.files;
-  Json key{{"version", judged_version},
-           {"program", program_json()},
-           {"level", files.level},
-           {"order", static_cast<int>(files.order)},
-           {"protocol", name_of(options.evaluation.protocol)},
-           {"ties", name_of(options.evaluation.ties)},
-           {"curve", options.evaluation.curve ? name_of(*options.evaluation.curve) : ""},
-           {"minimum_class_size", options.evaluation.minimum_class_size}};
-  for (const Measure& measure : options.evaluation.measures) key["measures"].push_back(measure.name);
-  if (!files.labels.empty()) {
-    key["labels"] =
-        labels_json(files.targets.empty() ? read_labels(files.labels, files.level)
-                                          : read_query_and_target_labels(files.labels, files.targets, files.level));
-  }
-  if (!files.qrels.empty()) key["qrels"] = sha256_of_file(files.qrels);
-  return key;
+  return {judged_version, program_json(), key_of(options.evaluation),
+          files.labels.empty() ? Json() : key_of(read_task_labels(files))};
 }
 
-std::string key_of(Json common, const EvaluationFiles& files, const std::string& sha256_of_submission) {
-  common["file"] = sha256_of_submission;
-  common["name"] = files.matrix.filename().string();  // its extension is the format
-  if (!files.ids.empty()) common["ids"] = sha256_of_file(files.ids);
-  common["similarity"] = files.similarity;
-  common["distance"] = files.distance;
-  return sha256(common.dump(-1, ' ', false, Json::error_handler_t::replace));
+std::string key_of(const Json& common, const EvaluationFiles& files, const std::string& sha256_of_submission) {
+  const auto& [matrix, variable, labels, targets, qrels, ids, order, unanswered, level, shared_ids, similarity,
+               distance] = files;
+  const Json key{common,
+                 sha256_of_submission,
+                 matrix.filename().string(),  // its extension is the format
+                 variable,
+                 labels.string(),
+                 targets.string(),
+                 key_of_file(qrels),
+                 key_of_file(ids),
+                 static_cast<int>(order),
+                 static_cast<int>(unanswered),
+                 level,
+                 shared_ids,
+                 similarity,
+                 distance};
+  return sha256(key.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 // Returns the files of a submission.
@@ -162,7 +177,8 @@ class Judging {
   void add(const Submission& submission) {
     const EvaluationFiles files = files_of(submission, options_->files);
     const std::string bytes = sha256_of_file(files.matrix);
-    JudgedFile judged = through_cache(files, bytes);
+    const std::string key = key_of(common_, files, bytes);
+    JudgedFile judged = through_cache(files, key);
     if (!judged.wrong_kind.empty() && !submission.similarity) {
       throw InputError(fmt::format("{}: {}; set \"similarity\": true or false in {}", submission.file.string(),
                                    judged.wrong_kind, description_of(submission.file).filename().string()));
@@ -178,15 +194,16 @@ class Judging {
     board_->submissions.push_back({.submission = submission,
                                    .files = files,
                                    .sha256 = bytes,
+                                   .key = key,
                                    .evaluation = std::move(judged.evaluation),
                                    .query_ids = std::move(judged.query_ids),
                                    .fit_for_report = judged.fit_for_report,
                                    .warnings = std::move(judged.warnings)});
   }
 
-  JudgedFile through_cache(const EvaluationFiles& files, const std::string& bytes) {
-    const std::string key = cache_->folder().empty() ? "" : key_of(common_, files, bytes);
-    if (!key.empty()) {
+  JudgedFile through_cache(const EvaluationFiles& files, const std::string& key) {
+    const bool stored = !cache_->folder().empty();
+    if (stored) {
       if (auto judged = cache_->lookup(EntryKind::evaluation, key, judged_from_record)) {
         cache_->count(EntryKind::evaluation, true);
         return std::move(*judged);
@@ -194,7 +211,7 @@ class Judging {
     }
     JudgedFile judged = judge_file(files, options_->evaluation);
     cache_->count(EntryKind::evaluation, false);
-    if (!key.empty()) cache_->store(EntryKind::evaluation, key, to_record(judged));
+    if (stored) cache_->store(EntryKind::evaluation, key, to_record(judged));
     return judged;
   }
 

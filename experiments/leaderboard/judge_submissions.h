@@ -23,6 +23,7 @@ struct JudgingOptions {
   EvaluationOptions evaluation;
   StandingOptions standings;  ///< without the average, as both are computed
   std::string rank_by{};      ///< measure; if empty, mAP or, without it, the first one
+  bool hide_classes = false;  ///< omit from pages what tells the class of a model
 };
 
 /// Evaluated submission.
@@ -30,6 +31,7 @@ struct JudgedSubmission {
   Submission submission;  ///< with a unique name
   EvaluationFiles files;  ///< as evaluated
   std::string sha256;     ///< of the file
+  std::string key;        ///< of everything that the evaluation depends on
   Evaluation evaluation;
   std::vector<std::string> query_ids;  ///< by row
   bool fit_for_report = false;         ///< see is_fit_for_report()

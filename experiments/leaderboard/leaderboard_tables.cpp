@@ -1,6 +1,8 @@
 #include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
 
 #include <fmt/format.h>
+#include <functional>
+#include <set>
 
 #include "shapegauge/core/version.h"
 
@@ -30,7 +32,7 @@ BoardJson standing_json(const MethodStanding& standing) {
   return json;
 }
 
-BoardJson submission_json(const Leaderboard& board, std::size_t index) {
+BoardJson submission_json(const Leaderboard& board, std::size_t index, const EvaluationFiles& files) {
   const JudgedSubmission& judged = board.submissions[index];
   BoardJson json{{"name", judged.submission.name},
                  {"file", judged.submission.file.filename().string()},
@@ -44,7 +46,10 @@ BoardJson submission_json(const Leaderboard& board, std::size_t index) {
     json["micro"][board.measures[k]] = standing_json(board.micro[k][index]);
     json["macro"][board.measures[k]] = standing_json(board.macro[k][index]);
   }
-  json["warnings"] = judged.warnings;
+  json["warnings"] = BoardJson::array();
+  for (const std::string& warning : judged.warnings) {
+    json["warnings"].push_back(without_folders(warning, judged.submission.file, files));
+  }
   return json;
 }
 
@@ -92,6 +97,18 @@ TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& styl
   return table;
 }
 
+std::string without_folders(std::string text, const std::filesystem::path& submission, const EvaluationFiles& files) {
+  std::set<std::string, std::greater<>> folders;  // the longer one of two that begin alike comes first
+  for (const std::filesystem::path& file : {submission, files.labels, files.targets, files.qrels, files.ids}) {
+    if (file.has_parent_path()) folders.insert((file.parent_path() / "").string());
+  }
+  for (const std::string& folder : folders) {
+    for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
+      text.erase(at, folder.size());
+  }
+  return text;
+}
+
 BoardJson leaderboard_json(const Leaderboard& board, const JudgingOptions& options) {
   const Evaluation& evaluation = board.submissions.front().evaluation;
   BoardJson json{{"version", version()},
@@ -105,9 +122,12 @@ BoardJson leaderboard_json(const Leaderboard& board, const JudgingOptions& optio
                  {"seed", options.standings.resampling.seed},
                  {"submissions", BoardJson::array()},
                  {"refused", BoardJson::array()}};
-  for (std::size_t i = 0; i < board.submissions.size(); ++i) json["submissions"].push_back(submission_json(board, i));
+  for (std::size_t i = 0; i < board.submissions.size(); ++i) {
+    json["submissions"].push_back(submission_json(board, i, options.files));
+  }
   for (const RefusedSubmission& refused : board.refused) {
-    json["refused"].push_back({{"file", refused.file.filename().string()}, {"reason", refused.reason}});
+    json["refused"].push_back({{"file", refused.file.filename().string()},
+                               {"reason", without_folders(refused.reason, refused.file, options.files)}});
   }
   return json;
 }

@@ -16,6 +16,9 @@ TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, b
 /// NN_group, ...); percent.
 TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style = csv_style);
 
+/// Returns a text for readers: without the folders of the submission and of the files of labels.
+std::string without_folders(std::string text, const std::filesystem::path& submission, const EvaluationFiles& files);
+
 /// Formats the leaderboard, the refused submissions and the settings as JSON, in fractions.
 nlohmann::ordered_json leaderboard_json(const Leaderboard& board, const JudgingOptions& options);
 

@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/leaderboard/submissions.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -39,6 +40,12 @@ const std::vector<std::string> description_keys{"name", "authors", "paper", "url
 
 fs::path uncompressed_name(const fs::path& path) {
   return lower_case(path.extension().string()) == ".gz" ? fs::path(path).replace_extension() : path;
+}
+
+// Returns true for a text about the submissions, such as README.txt.
+bool is_about_submissions(const fs::path& file) {
+  static constexpr std::array<std::string_view, 5> names{"readme", "license", "licence", "copying", "changelog"};
+  return std::ranges::find(names, lower_case(uncompressed_name(file).stem().string())) != names.end();
 }
 
 // Returns true for a file of the folder or of its subfolders, with links followed.
@@ -162,7 +169,7 @@ void add_folder(const fs::path& folder, std::span<const fs::path> others, FoundS
   const std::size_t before = found.submissions.size() + found.refused.size();
   std::set<fs::path> described;
   for (const fs::path& file : files_in(folder)) {
-    if (!is_submission_file(file) || is_one_of(file, others)) continue;
+    if (!is_submission_file(file) || is_about_submissions(file) || is_one_of(file, others)) continue;
     described.insert(description_of(file));
     if (is_within(file, folder)) {
       add_submission(file, found);
@@ -175,7 +182,8 @@ void add_folder(const fs::path& folder, std::span<const fs::path> others, FoundS
                                  folder.string(), fmt::join(submission_extensions(), ", ")));
   }
   for (const fs::path& file : files_in(folder)) {
-    if (is_submission_file(file) || described.contains(file) || is_one_of(file, others)) continue;
+    if (described.contains(file) || is_one_of(file, others)) continue;
+    if (is_submission_file(file) && !is_about_submissions(file)) continue;
     if (lower_case(file.extension().string()) == ".json") {
       found.refused.push_back(
           {.file = file, .reason = "describes no submission: no matrix or list beside it has that name"});

@@ -29,7 +29,8 @@ constexpr std::string_view format_of_site = "shapegauge leaderboard 1";
 std::string significance_words(const StandingOptions& options) {
   return fmt::format(
       "{:g} % bootstrap intervals over {}. Methods that share a letter do not differ significantly (randomised Tukey "
-      "HSD over {}, p > {:.3g}).",
+      "HSD over {}, p > {:.3g}). The test compares all methods at once: one that is far worse than the others can hide "
+      "differences between these.",
       100 * options.confidence, name_of(options.blocks), name_of(options.blocks), 1 - options.confidence);
 }
 
@@ -49,29 +50,20 @@ std::map<std::string, std::string> earlier_pages(const fs::path& folder) {
   return keys;
 }
 
-// Returns the address of each submission's page; empty if it cannot have one.
-std::vector<std::string> page_names(const Leaderboard& board) {
+// Returns the address of each submission's page; empty if it has none.
+std::vector<std::string> page_names(const Leaderboard& board, bool hide_classes) {
   std::vector<std::string> names;
   for (const JudgedSubmission& judged : board.submissions) names.push_back(judged.submission.name);
   std::vector<std::string> pages = file_safe_names(names);
   for (std::size_t i = 0; i < pages.size(); ++i) {
-    pages[i] = board.submissions[i].fit_for_report ? fmt::format("{}/{}.html", site_methods, pages[i]) : "";
+    pages[i] =
+        board.submissions[i].fit_for_report && !hide_classes ? fmt::format("{}/{}.html", site_methods, pages[i]) : "";
   }
   return pages;
 }
 
 // Returns a key of the contents of a submission's page.
-std::string page_key(const JudgedSubmission& judged) {
-  const nlohmann::json shown{{"name", judged.submission.name},
-                             {"sha256", judged.sha256},
-                             {"similarity", judged.files.similarity},
-                             {"distance", judged.files.distance},
-                             {"ids", judged.query_ids},
-                             {"evaluation", to_record(judged.evaluation)},
-                             {"version", version()},
-                             {"commit", commit()}};
-  return sha256(shown.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-}
+std::string page_key(const JudgedSubmission& judged) { return sha256(judged.submission.name + judged.key); }
 
 void write_submission_page(const fs::path& file, const JudgedSubmission& judged) {
   const EvaluationData data = open_evaluation_files(judged.files);
@@ -98,8 +90,8 @@ std::string leaderboard_html(const std::string& title, const Leaderboard& board,
                        .facts = {{"queries", fmt::format("{}", first.queries.size())},
                                  {"protocol", name_of(first.protocol)},
                                  {"ties", name_of(first.ties)}},
-                       .classes = board.class_names,
-                       .labels = board.labels,
+                       .classes = options.hide_classes ? std::vector<std::string>() : board.class_names,
+                       .labels = options.hide_classes ? std::vector<int>() : board.labels,
                        .entries = {},
                        .micro = board.micro,
                        .macro = board.macro,
@@ -108,8 +100,13 @@ std::string leaderboard_html(const std::string& title, const Leaderboard& board,
                        .refused = {},
                        .csv = to_csv(leaderboard_csv_table(board)),
                        .latex = latex_of(board)};
+  const auto for_readers = [&](const std::string& text, const fs::path& file) {
+    return without_folders(text, file, options.files);
+  };
   for (std::size_t i = 0; i < board.submissions.size(); ++i) {
     const JudgedSubmission& judged = board.submissions[i];
+    std::vector<std::string> warnings;
+    for (const std::string& warning : judged.warnings) warnings.push_back(for_readers(warning, judged.submission.file));
     page.entries.push_back({.name = judged.submission.name,
                             .authors = judged.submission.authors,
                             .paper = judged.submission.paper,
@@ -117,10 +114,10 @@ std::string leaderboard_html(const std::string& title, const Leaderboard& board,
                             .file = judged.submission.file.filename().string(),
                             .page = i < pages.size() ? pages[i] : "",
                             .evaluation = &judged.evaluation,
-                            .warnings = judged.warnings});
+                            .warnings = std::move(warnings)});
   }
   for (const RefusedSubmission& refused : board.refused) {
-    page.refused.emplace_back(refused.file.filename().string(), refused.reason);
+    page.refused.emplace_back(refused.file.filename().string(), for_readers(refused.reason, refused.file));
   }
   return leaderboard_page(page);
 }
@@ -129,7 +126,10 @@ void check_site_folder(const fs::path& folder) {
   std::error_code unknown;
   if (!fs::exists(folder, unknown)) return;
   if (!is_folder(folder)) throw InputError(fmt::format("{}: is a file, not a folder for a site", folder.string()));
-  if (fs::is_empty(folder, unknown)) return;
+  const auto is_hidden = [](const fs::directory_entry& entry) {
+    return entry.path().filename().string().starts_with('.');
+  };
+  if (std::ranges::all_of(fs::directory_iterator(folder), is_hidden)) return;  // such as those of an interrupted call
   if (fs::exists(folder / site_data, unknown)) {
     const auto json = nlohmann::json::parse(read_file_bytes(folder / site_data), nullptr, false);
     if (json.is_object() && json.value("format", nlohmann::json()) == format_of_site) return;
@@ -144,33 +144,30 @@ SiteUpdate write_site(const fs::path& folder, const std::string& title, const Le
   check_site_folder(folder);
   const FolderLock lock(folder);
   const std::map<std::string, std::string> earlier = earlier_pages(folder);
-  const std::vector<std::string> pages = page_names(board);
-  std::error_code failure;
-  fs::create_directories(folder / site_methods, failure);
-  if (failure) {
-    throw InputError(fmt::format("cannot create {}: {}", (folder / site_methods).string(), failure.message()));
-  }
-  SiteUpdate update;
+  const std::vector<std::string> pages = page_names(board, options.hide_classes);
   std::map<std::string, std::string> keys;
+  std::map<std::string, std::string> begun = earlier;  // a page that is being written has no key
+  std::vector<std::size_t> changed;
   for (std::size_t i = 0; i < pages.size(); ++i) {
     if (pages[i].empty()) continue;
-    const std::string key = page_key(board.submissions[i]);
-    const auto known = earlier.find(pages[i]);
-    keys.emplace(pages[i], key);
+    const std::string& key = keys[pages[i]] = page_key(board.submissions[i]);
     std::error_code unknown;
-    if (known != earlier.end() && known->second == key && fs::exists(folder / pages[i], unknown)) {
-      ++update.unchanged;
-      continue;
-    }
-    write_submission_page(folder / pages[i], board.submissions[i]);
-    ++update.written;
+    if (begun[pages[i]] == key && fs::exists(folder / pages[i], unknown)) continue;
+    begun[pages[i]].clear();
+    changed.push_back(i);
   }
+  // Written first, it marks the folder as a site, which an interruption leaves to the next call.
+  write_file_atomically(folder / site_data, site_json(board, options, begun).dump(2) + "\n");
+  make_folder(folder / site_methods);
+  for (const std::size_t i : changed) write_submission_page(folder / pages[i], board.submissions[i]);
+  SiteUpdate update{.written = changed.size(), .unchanged = keys.size() - changed.size()};
   write_file_atomically(folder / site_index, leaderboard_html(title, board, options, pages));
   write_file_atomically(folder / site_csv, to_csv(leaderboard_csv_table(board)));
   write_file_atomically(folder / site_latex, latex_of(board));
   write_file_atomically(folder / site_data, site_json(board, options, keys).dump(2) + "\n");
+  std::error_code absent;
   for (const auto& [page, key] : earlier) {
-    if (!keys.contains(page) && fs::remove(folder / page, failure)) ++update.removed;
+    if (!keys.contains(page) && fs::remove(folder / page, absent)) ++update.removed;
   }
   return update;
 }

@@ -31,8 +31,8 @@ struct SiteUpdate {
 };
 
 /// Writes a static site: the leaderboard, its table as CSV, LaTeX and JSON, and the report of each submission that can
-/// have one (is_fit_for_report()). Rewrites only the pages of new or changed submissions. Throws InputError as
-/// check_site_folder() does, and if a file cannot be read or written.
+/// have one (is_fit_for_report()) unless classes are hidden. Rewrites only the pages of new or changed submissions.
+/// Throws InputError as check_site_folder() does, and if a file cannot be read or written.
 SiteUpdate write_site(const std::filesystem::path& folder, const std::string& title, const Leaderboard& board,
                       const JudgingOptions& options);
 

@@ -155,7 +155,7 @@ TextTable multi_dataset_summary(const MultiDatasetResults& results, const MultiD
     const double best = table.values.row(static_cast<Eigen::Index>(set)).maxCoeff();
     for (std::size_t row = 0; row < summary.rows.size(); ++row) {
       const auto method = static_cast<Eigen::Index>(table.ranks.order[row]);
-      if (table.values(static_cast<Eigen::Index>(set), method) != best) continue;
+      if (!are_equal_scores(table.values(static_cast<Eigen::Index>(set), method), best)) continue;
       summary.emphases.push_back({.row = row, .column = 1 + set, .bold = true, .mark = {}});
     }
   }

@@ -13,7 +13,7 @@ import { showDownloads, showStandings } from './standings.mjs';
 
 function drawHead({ title, facts, methods, refused, classes, version }) {
   byId('title').textContent = title;
-  const counts = [counted(methods.length, 'method'), counted(classes.length, 'class'),
+  const counts = [counted(methods.length, 'method'), ...(classes.length ? [counted(classes.length, 'class')] : []),
     ...(refused.length ? [`${refused.length} refused`] : [])];
   byId('facts').textContent = [...counts, ...facts.map(([name, value]) => `${name}: ${value}`)].join(' \u00b7 ');
   for (const section of document.querySelectorAll('main section')) {
@@ -30,14 +30,16 @@ function drawChoices(state) {
 }
 
 const state = new LeaderboardState(pageData('leaderboard-data'));
+const hidesClasses = state.report.classes.length === 0;
 followTheme();
+if (hidesClasses) byId('classes').remove();
 drawHead(state.report);
 drawChoices(state);
 showStandings(state);
 showDownloads(state.report, 'leaderboard');
 const drawIntervals = showIntervals(state);
 const drawCurves = showCurves(state);
-const drawClasses = showClasses(state, { choosesMeasure: false });
+const drawClasses = hidesClasses ? () => {} : showClasses(state, { choosesMeasure: false });
 drawChecks(state.report);
 followScrolling();
 followResizing(() => {

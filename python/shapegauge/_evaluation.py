@@ -228,8 +228,8 @@ def _class_numbers(labels: Any, models: int, missing_labels: str, noun: str = "l
 def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None, *, measures: Union[str, Iterable[str]] = (),
              ties: str = "index", minimum_class_size: int = 2, similarity: bool = False, missing_labels: str = "error",
              threads: int = 0, name: str = "method", distance: Optional[str] = None, targets: Any = None,
-             subclasses: Any = None, relevance: Any = None, curve: str = "", confidence: Optional[float] = None,
-             blocks: str = "classes", resamples: int = 10000, seed: int = 1) -> Scores:
+             subclasses: Any = None, relevance: Any = None, curve: str = "", evaluator: str = "",
+             confidence: Optional[float] = None, blocks: str = "classes", resamples: int = 10000, seed: int = 1) -> Scores:
     """Evaluates distances against the classes of the models: labels[i] is the class of row i and column i.
 
     distances: n x n floats; similarities with similarity=True; or, with distance="l2" or a descriptor's name, features,
@@ -238,17 +238,20 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
     "expected". missing_labels: "error", or "no_class": a model without a label is not a query, and relevant to none.
     targets: labels of the columns, if they are other models than the rows. subclasses: those of the models, which grade
     models of one class for nDCG@N; None, "" or the label of the model: no subclass. relevance: n x n grades instead of
-    labels, 0 for not relevant. curve: "psb", "paper", "trec" or "raw" (default: that of the protocol). confidence: level
-    of `intervals`, such as 0.95. blocks: unit of resampling, "classes" or "queries".
+    labels, 0 for not relevant. curve: "psb", "paper", "trec", "raw" or "trec_eval" (default: that of the protocol).
+    evaluator: program to reproduce, such as "shrec21", instead of protocol, measures, ties and minimum_class_size.
+    confidence: level of `intervals`, such as 0.95. blocks: unit of resampling, "classes" or "queries".
 
     >>> scores = sg.evaluate(distances, labels, protocol="psb")
     >>> scores["FT"]
     0.9144
     """
+    if evaluator and (protocol is not None or measures or ties != "index" or minimum_class_size != 2 or curve):
+        raise InputError("an evaluator determines protocol, measures, ties, minimum_class_size and curve; omit these")
     if protocol is None:
         protocol = "psb" if relevance is None else "trec"
     settings = _Settings(protocol, measures, ties, minimum_class_size, similarity, missing_labels, distance, threads,
-                         targets, subclasses, relevance, curve)
+                         targets, subclasses, relevance, curve, evaluator)
     scores = _evaluate(distances, labels, settings, word(name, "name"))
     if confidence is not None:
         low_and_high = _native.intervals(scores._native, _number(confidence, "confidence"), word(blocks, "blocks"),
@@ -271,10 +274,10 @@ def _distances_of(distances: Any, distance: Optional[str], rectangular: bool, th
     if distance is None:
         return matrix_of(distances, "distances") if rectangular else square_matrix(distances)
     features = matrix_of(distances, "features")
+    warning = _native.check_features(features)
     with _numpy.errstate(over="ignore"):  # infinite features are refused
         single = features.astype(_numpy.float32)
     found = _native.feature_distances(single, word(distance, "distance"), number_of_threads(threads))
-    warning = _native.feature_precision_warning(features)
     warn([] if warning is None else [warning], prefix)
     return found
 
@@ -328,6 +331,7 @@ class _Settings:
     subclasses: Any = None
     relevance: Any = None
     curve: str = ""
+    evaluator: str = ""
 
 
 def _check_arguments(distances: Any, labels: Any, settings: _Settings) -> None:
@@ -375,7 +379,7 @@ def _evaluate(distances: Any, labels: Any, settings: _Settings, name: str, prefi
         -matrix if settings.similarity else matrix, numbers, None if square else columns,
         _subclass_numbers(settings.subclasses, labels), grades, word(settings.protocol, "protocol"),
         word(settings.ties, "ties"), words(settings.measures, "measures"), word(settings.curve, "curve"), smallest,
-        settings.similarity, number_of_threads(settings.threads))
+        word(settings.evaluator, "evaluator"), settings.similarity, number_of_threads(settings.threads))
     warn(warnings, prefix)
     return Scores(native, names or ["all"], name)
 

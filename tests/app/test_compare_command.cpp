@@ -1,5 +1,6 @@
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -178,6 +179,24 @@ TEST_F(CompareCommand, WhatCannotBeComparedIsOneClearLine) {
       {compare_matrices("good.npy bad.npy", "--measures FT,XX"), "no measure \"XX\""},
       {compare_matrices("good.npy bad.npy", "--test u"), "--test"}};
   for (const auto& [outcome, words] : cases) expect_error_line(outcome, words);
+}
+
+TEST_F(CompareCommand, OptionsThatCannotActOnScoresAreErrors) {
+  std::string scores = "method,protocol,id,class,NN\n";
+  for (int i = 0; i < 60; ++i) scores += fmt::format("m,psb,{0},c{1},{2}\nn,psb,{0},c{1},0\n", i, i / 6, i % 2 * 100);
+  write_text(at("results/per_query.csv"), scores);
+  write_text(at("results/summary.json"), R"({"ties": "expected"})");
+  ASSERT_EQ(compare("results").status, 0);
+  for (const std::string option : {"--ties index", "--min-class-size 3", "--similarity", "--distance l1", "--level 1",
+                                   "--missing-queries zero", "--ids absent.txt", "--labels absent.csv"}) {
+    expect_error_line(compare("results", option), option.substr(0, option.find(' ')));
+  }
+  expect_error_line(compare("results", "--protocol paper"), "--protocol");
+  expect_error_line(compare_matrices("results good.npy", "--measures NN --ties index"), "--ties expected");
+  expect_error_line(
+      compare_matrices("results good.npy", "--measures NN --ties expected --report '" + at("r.html") + "'"),
+      "--report");
+  EXPECT_EQ(compare_matrices("results good.npy", "--measures NN --ties expected").status, 0);
 }
 
 TEST_F(CompareCommand, TooFewClassesAreTold) {

@@ -189,6 +189,7 @@ std::vector<std::string> measure_names() {
 std::vector<double> measures_of(const Matrix& distances, const std::vector<int>& labels, int query, Protocol protocol,
                                 const std::vector<int>& tie_order) {
   const std::vector<int> h = hits_without_query(distances, labels, query, tie_order);
+  if (length(h) == 0) return std::vector<double>(measure_names().size(), 0);  // no answer
   const int class_size = size_of_class(labels, query);
   const bool paper = protocol == Protocol::paper;
   const std::vector<int> judged = paper ? with_query_in_front(h) : h;
@@ -202,6 +203,7 @@ std::vector<double> measures_of(const Matrix& distances, const std::vector<int>&
 std::vector<double> precisions_of(const Matrix& distances, const std::vector<int>& labels, int query,
                                   Protocol protocol) {
   const std::vector<int> h = hits_without_query(distances, labels, query, {});
+  if (length(h) == 0) return std::vector<double>(protocol == Protocol::psb ? 20 : 11, 0);  // no answer
   const int class_size = size_of_class(labels, query);
   std::vector<double> precisions;
   if (protocol == Protocol::psb) {

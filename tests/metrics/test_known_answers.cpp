@@ -78,6 +78,7 @@ RC_GTEST_PROP(KnownAnswers, FirstTierConvertsBetweenTheProtocols, ()) {
     const int label = data.labels[static_cast<std::size_t>(psb.queries[i])];
     const auto size = static_cast<double>(std::ranges::count(data.labels, label));
     const auto row = static_cast<Eigen::Index>(i);
+    if (paper.per_query(row, 1) == 0) continue;  // no answer
     RC_ASSERT(std::abs(psb.per_query(row, 1) - (size * paper.per_query(row, 1) - 1) / (size - 1)) < 1e-12);
   }
 }

@@ -67,17 +67,14 @@ Evaluation evaluated(const Contest& contest) {
   std::vector<std::string> subclasses;
   for (const int subclass : contest.subclasses) subclasses.push_back(subclass_name(subclass));
   task.query_subclasses = task.target_subclasses = numbered_subclasses(subclasses);
-  task.lists_may_end_early = true;
-  const auto size = static_cast<Eigen::Index>(count);
-  DistanceMatrix distances = DistanceMatrix::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
+  RankedAnswerLists answers(count);
   for (std::size_t query = 0; query < count; ++query) {
     if (contest.lists[query].empty()) task.query_classes[query] = no_class;
-    for (std::size_t rank = 1; rank < contest.lists[query].size(); ++rank) {
-      const auto row = static_cast<Eigen::Index>(query);
-      distances(row, static_cast<Eigen::Index>(contest.lists[query][rank])) = static_cast<double>(rank);
+    for (const std::size_t model : contest.lists[query]) {
+      answers[query].push_back({static_cast<Eigen::Index>(model), static_cast<double>(answers[query].size())});
     }
   }
-  return evaluate(distances, task, {.protocol = Protocol::paper, .measures = measures_of(names)});
+  return evaluate(answers, task, {.protocol = Protocol::paper, .measures = measures_of(names)});
 }
 
 // Compares the means over queries, and over classes of the means over their queries.

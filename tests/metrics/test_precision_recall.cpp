@@ -96,7 +96,7 @@ TEST(PrecisionAtLevels, ModelsThatAreNotInTheListHaveNoPrecision) {
 }
 
 TEST(CurveKind, HasItsNamesBothWaysAndIsUsualForAProtocol) {
-  EXPECT_THAT(curve_kind_names(), ElementsAre("psb", "paper", "trec", "raw"));
+  EXPECT_THAT(curve_kind_names(), ElementsAre("psb", "paper", "trec", "raw", "trec_eval"));
   for (const std::string& name : curve_kind_names()) EXPECT_EQ(name_of(curve_kind_of(name).value()), name);
   EXPECT_FALSE(curve_kind_of("smooth"));
   for (const std::string& name : protocol_names()) {

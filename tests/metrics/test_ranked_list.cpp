@@ -1,11 +1,13 @@
-#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "shapegauge/metrics/measures.h"
+#include "shapegauge/metrics/precision_recall.h"
 #include "shapegauge/metrics/ranked_list.h"
 #include "tests/metrics/list_of_hits.h"
 
@@ -13,15 +15,9 @@ namespace shapegauge {
 
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using testing::ElementsAre;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Matrix every_row(const std::vector<double>& row) {
-  const auto count = static_cast<Eigen::Index>(row.size());
-  return Eigen::Map<const Eigen::RowVectorXd>(row.data(), count).replicate(count, 1);
-}
 
 TEST(FirstRanked, NearestFirstAndTiesByIndex) {
   EXPECT_THAT(first_ranked(std::vector<double>{0, 3, 1, 2, 1, 3}, 0, 9), ElementsAre(2, 4, 3, 1, 5));
@@ -46,9 +42,16 @@ TEST(FirstRanked, BothZerosAreEqual) {
   EXPECT_THAT(first_ranked(std::vector<double>{9, 0.0, -0.0, 0.0}, 0, 9), ElementsAre(1, 2, 3));
 }
 
+// The list of the query 2.
+template <typename Answer>
+RankedList list_of(const std::vector<Answer>& answer, const RetrievalTask& task,
+                   const ListConventions& conventions = {.protocol = Protocol::psb, .ties = Ties::index}) {
+  return ranked_list(std::span<const Answer>(answer), Relevance(task), 2, conventions);
+}
+
 RankedList ranked(const std::vector<double>& row, const std::vector<int>& alternating, Protocol protocol,
                   Ties ties = Ties::index) {
-  return ranked_list(every_row(row), leave_one_out(alternating), 2, protocol, ties);
+  return list_of(row, leave_one_out(alternating), {.protocol = protocol, .ties = ties});
 }
 
 const std::vector<int> alternating = {5, 8, 5, 8, 5};
@@ -94,41 +97,58 @@ TEST(RankedList, TargetsAndQueriesMayDiffer) {
   RetrievalTask task = leave_one_out(alternating);
   task.target_classes = {5, no_class, 5, 8, 5};
   task.own_column = {-1, -1, -1, -1, -1};
-  const RankedList list = ranked_list(every_row({0, 1, 2, 3, 4}), task, 2, Protocol::psb, Ties::index);
+  const RankedList list = list_of(std::vector<double>{0, 1, 2, 3, 4}, task);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{1, 0}, RankRun{1, 1}));
 }
 
 TEST(RankedList, JudgementsSayWhatIsRelevant) {
   RetrievalTask task = leave_one_out(alternating);
   task.judged = {{}, {}, {1, 3}, {}, {}};
-  const RankedList list = ranked_list(every_row({0, 1, 2, 3, 4}), task, 2, Protocol::psb, Ties::index);
+  const RankedList list = list_of(std::vector<double>{0, 1, 2, 3, 4}, task);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 0}, RankRun{2, 2}, RankRun{1, 0}));
 }
 
 TEST(RankedList, MayEndEarly) {
-  RetrievalTask task = leave_one_out(alternating);
-  task.lists_may_end_early = true;
-  const RankedList list =
-      ranked_list(every_row({0, 1, 2, std::nan(""), std::nan("")}), task, 2, Protocol::psb, Ties::index);
+  const RankedList list = list_of(std::vector<ListedModel>{{2, 2}, {1, 1}, {0, 0}}, leave_one_out(alternating));
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1}, RankRun{1, 0}));
   EXPECT_EQ(list.length, 2U);
   EXPECT_EQ(list.relevant, 2U);
   EXPECT_THAT(list.precision_at_hit, ElementsAre(1, 0));
 }
 
-TEST(RankedList, FindsNothingWhereAllTargetsAreInfinitelyFar) {
-  DistanceMatrix distances = DistanceMatrix::Constant(4, 4, infinity);
-  distances.diagonal().setZero();
-  const std::vector<int> labels{0, 0, 1, 1};
-  const RankedList nothing = ranked_list(distances, leave_one_out(labels), 0, Protocol::psb, Ties::optimistic);
-  EXPECT_EQ(nothing.length, 0U);
-  EXPECT_EQ(nothing.relevant, 1U);
-  EXPECT_EQ(nothing.precision_at_hit, std::vector<double>{0});
-  EXPECT_FALSE(nothing.tied);
-  distances(0, 3) = 5;  // one answer: the others are at the end, tied
-  const RankedList one = ranked_list(distances, leave_one_out(labels), 0, Protocol::psb, Ties::index);
-  EXPECT_EQ(one.length, 3U);
-  EXPECT_EQ(one.precision_at_hit, std::vector<double>{0.5});
+TEST(RankedList, IsEmptyWithoutAnswerUnderEveryProtocolAndScoresZero) {
+  const RetrievalTask task = leave_one_out(alternating);
+  for (const std::string& protocol : protocol_names()) {
+    const ListConventions conventions{.protocol = protocol_of(protocol).value(), .ties = Ties::optimistic};
+    for (const RankedList& list :
+         {list_of(std::vector<double>{infinity, infinity, 0, infinity, infinity}, task, conventions),
+          list_of(std::vector<ListedModel>(), task, conventions)}) {
+      EXPECT_EQ(list.length, 0U) << protocol;
+      EXPECT_EQ(list.relevant, protocol == "paper" ? 3U : 2U);
+      EXPECT_THAT(list.precision_at_hit, testing::Each(0.0));
+      EXPECT_FALSE(list.tied);
+      for (std::string name : measure_definitions().names()) {
+        if (name.ends_with("@k")) name.back() = '3';
+        EXPECT_EQ(measure_of(name).value(list), 0) << protocol << " " << name;
+      }
+      for (const std::string& curve : curve_kind_names()) {
+        EXPECT_EQ(precision_at_levels(list, curve_kind_of(curve).value(), 3).maxCoeff(), 0) << protocol << " " << curve;
+      }
+    }
+  }
+}
+
+TEST(RankedList, HasTheQueryAloneOnlyUnderPaper) {
+  const std::vector<ListedModel> itself{{2, 1}};
+  const RetrievalTask task = leave_one_out(alternating);
+  EXPECT_EQ(list_of(itself, task).length, 0U);
+  EXPECT_EQ(list_of(itself, task, {.protocol = Protocol::paper, .ties = Ties::index}).length, 1U);
+}
+
+TEST(RankedList, OneFiniteDistanceIsAnAnswer) {
+  const RankedList list = list_of(std::vector<double>{infinity, 5, 0, infinity, infinity}, leave_one_out(alternating));
+  EXPECT_EQ(list.length, 4U);
+  EXPECT_EQ(list.precision_at_hit, (std::vector<double>{0.5, 0.5}));
 }
 
 TEST(RankedList, CountsHits) {
@@ -185,7 +205,7 @@ RetrievalTask graded_task() {
 }
 
 TEST(RankedList, KnowsTheGradesOfItsHits) {
-  const RankedList list = ranked_list(every_row({0, 1, 9, 3, 2}), graded_task(), 2, Protocol::trec, Ties::index);
+  const RankedList list = list_of(std::vector<double>{0, 1, 9, 3, 2}, graded_task());
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1, 0, 1}, RankRun{1, 1, 0, 3}, RankRun{1, 0}, RankRun{1, 1, 0, 2}));
   EXPECT_THAT(list.grades, ElementsAre(3, 2, 1));
   EXPECT_EQ(list.judged_misses, 1U);
@@ -193,7 +213,7 @@ TEST(RankedList, KnowsTheGradesOfItsHits) {
 
 TEST(RankedList, TiedGradesAreDecidedAsAsked) {
   const auto runs = [&](Ties ties) {
-    return ranked_list(every_row({5, 5, 9, 5, 7}), graded_task(), 2, Protocol::trec, ties).runs;
+    return list_of(std::vector<double>{5, 5, 9, 5, 7}, graded_task(), {.protocol = Protocol::trec, .ties = ties}).runs;
   };
   const RankRun one{1, 1, 0, 1};
   const RankRun two{1, 1, 0, 2};
@@ -208,12 +228,11 @@ TEST(RankedList, CountsOnlyJudgedMisses) {
   RetrievalTask task = graded_task();
   task.judged = {{}, {}, {0}, {}, {}};
   task.grades = {{}, {}, {1}, {}, {}};
-  const RankedList list = ranked_list(every_row({4, 1, 9, 2, 3}), task, 2, Protocol::trec, Ties::index);
+  const RankedList list = list_of(std::vector<double>{4, 1, 9, 2, 3}, task);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{3, 0, 1}, RankRun{1, 1}));
   EXPECT_EQ(list.judged_misses, 1U);
   // A judged model that is not found counts as well.
-  task.lists_may_end_early = true;
-  const RankedList cut_off = ranked_list(every_row({4, 1, 9, 2, std::nan("")}), task, 2, Protocol::trec, Ties::index);
+  const RankedList cut_off = list_of(std::vector<ListedModel>{{0, 4}, {1, 1}, {3, 2}}, task);
   EXPECT_THAT(cut_off.runs, ElementsAre(RankRun{2, 0, 0}, RankRun{1, 1}));
   EXPECT_EQ(cut_off.judged_misses, 1U);
 }

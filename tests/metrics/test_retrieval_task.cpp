@@ -12,8 +12,8 @@ using testing::ElementsAre;
 TEST(RetrievalTask, LeaveOneOutCountsAllOthersOfTheClass) {
   const RetrievalTask task = leave_one_out(std::vector<int>{3, 5, 3, 3});
   EXPECT_THAT(relevant_counts(task), ElementsAre(2, 0, 2, 2));
-  EXPECT_TRUE(is_relevant(task, 0, 2));
-  EXPECT_FALSE(is_relevant(task, 0, 1));
+  EXPECT_TRUE(Relevance(task).is_relevant(0, 2));
+  EXPECT_FALSE(Relevance(task).is_relevant(0, 1));
 }
 
 TEST(RetrievalTask, QueriesThatAreNoTargetsCountTheWholeClass) {
@@ -28,7 +28,7 @@ TEST(RetrievalTask, JudgementsCountWithoutTheQuery) {
   RetrievalTask task = leave_one_out(std::vector<int>{0, 1, 2});
   task.judged = {{0, 2}, {0, 2}, {}};
   EXPECT_THAT(relevant_counts(task), ElementsAre(1, 2, 0));
-  EXPECT_TRUE(is_relevant(task, 1, 2));
+  EXPECT_TRUE(Relevance(task).is_relevant(1, 2));
 }
 
 }  // namespace

@@ -155,6 +155,11 @@ TEST(Npz, OtherwiseIsAnError) {
     return test::input_error_of([&] { array_in_npz(bytes, "m.npz"); });
   };
   EXPECT_THAT(error(zipped({{"a.npy", array}, {"b.npy", array}})), HasSubstr("m.npz: the archive has 2 arrays (a, b)"));
+  EXPECT_EQ(array_in_npz(zipped({{"a.npy", array}, {"b.npy", "other"}}), "m.npz", "b"), "other");
+  EXPECT_THAT(test::input_error_of([&] {
+                array_in_npz(zipped({{"a.npy", array}}), "m.npz", "c");
+              }),
+              HasSubstr("no array \"c\""));
   EXPECT_THAT(error(zipped({{"readme.txt", "hello"}})), HasSubstr("m.npz: the archive has no array"));
   EXPECT_THAT(error("PK nothing"), HasSubstr("m.npz"));
   EXPECT_THAT(error(zipped({{"a.npy", array}}).substr(0, 60)), HasSubstr("m.npz"));

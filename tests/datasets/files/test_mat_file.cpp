@@ -70,7 +70,9 @@ TEST(MatFile, OtherwiseIsAnError) {
     two.add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
     two.add<double>("E", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
   }
-  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "two.mat"); }), HasSubstr("several: D, E"));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "two.mat"); }), HasSubstr("several matrices: D, E"));
+  EXPECT_EQ(read_mat(folder.path() / "two.mat", "E")(0, 0), 1);
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "two.mat", "F"); }), HasSubstr("no matrix \"F\""));
   EXPECT_THAT(test::input_error_of([&] { read_mat(folder.file("x.mat", "no such file")); }), HasSubstr("x.mat"));
   EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "none.mat"); }), HasSubstr("none.mat"));
 }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <rapidcheck/gtest.h>
 #include <string>
+#include <string_view>
 
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
@@ -127,6 +128,68 @@ TEST(ReadDistanceMatrix, NanIsAnErrorInEveryFormat) {
     EXPECT_THAT(test::input_error_of([&] { read_matrix(path, TableShape::square); }),
                 AllOf(HasSubstr(path.string()), HasSubstr("row 2, column 1")));
   }
+}
+
+// Text as Excel saves it: UTF-16 with a byte order mark.
+std::string utf16(std::string_view ascii, bool big_endian) {
+  std::string text = big_endian ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : ascii) big_endian ? text.append({'\0', c}) : text.append({c, '\0'});
+  return text;
+}
+
+TEST(ReadDistanceMatrix, TextMayBeUtf16) {
+  const TemporaryFolder folder;
+  for (const bool big_endian : {false, true}) {
+    EXPECT_EQ(
+        read_matrix(folder.file("m.csv", utf16("0,1.5\r\n-2.25,inf\r\n", big_endian)), TableShape::square).numbers,
+        example());
+    EXPECT_EQ(read_matrix(folder.file("m.txt", utf16("0\t1.5\n-2.25\tinf\n", big_endian)), TableShape::square).numbers,
+              example());
+  }
+}
+
+TEST(ReadDistanceMatrix, NanOnTheDiagonalIsNoValue) {
+  const TemporaryFolder folder;
+  DistanceMatrix matrix{{1, 2}, {3, 4}};
+  matrix.diagonal().setConstant(std::numeric_limits<double>::quiet_NaN());
+  write_npy(folder.path() / "m.npy", matrix);
+  const DistanceMatrix expected{{0, 2}, {3, 0}};
+  for (const auto& path : {folder.path() / "m.npy", folder.file("m.txt", "nan 2\n3 NA\n"),
+                           folder.file("m.csv", "NA,2\n3,\n"), folder.file("n.csv", "id,a,b\na,,2\nb,3,nan\n")}) {
+    EXPECT_EQ(read_matrix(path, TableShape::square).numbers, expected) << path;
+  }
+}
+
+TEST(ReadDistanceMatrix, CondensedDistancesAreTheUpperTriangle) {
+  const TemporaryFolder folder;
+  const DistanceMatrix expected{{0, 1, 2, 3}, {1, 0, 4, 5}, {2, 4, 0, 6}, {3, 5, 6, 0}};
+  const Eigen::VectorXd condensed = Eigen::VectorXd::LinSpaced(6, 1, 6);
+  write_npy_vector(folder.path() / "m.npy", condensed);
+  write_npy(folder.path() / "row.npy", DistanceMatrix(condensed.transpose()));
+  for (const auto& path : {folder.path() / "m.npy", folder.path() / "row.npy", folder.file("row.txt", "1 2 3 4 5 6\n"),
+                           folder.file("column.txt", "# pdist\n1\n2\n3\n4\n5\n6\n")}) {
+    EXPECT_EQ(read_matrix(path, TableShape::square).numbers, expected) << path;
+    EXPECT_EQ(read_matrix(path, TableShape::any).numbers.size(), 6) << path;
+  }
+  write_npy_vector(folder.path() / "five.npy", condensed.head(5));
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "five.npy", TableShape::square); }),
+              HasSubstr("square"));
+}
+
+TEST(ReadDistanceMatrix, IntegersThatWouldBeRoundedAreAnError) {
+  const TemporaryFolder folder;
+  for (const char* text : {"0 9007199254740993\n1 0\n", "0 -123456789012345678901\n1 0\n"}) {
+    EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.file("m.txt", text), TableShape::square); }),
+                AllOf(HasSubstr("m.txt:1"), HasSubstr("2^53")));
+  }
+  EXPECT_EQ(read_matrix(folder.file("m.txt", "0 9007199254740992\n1e300 0\n"), TableShape::square).numbers(0, 1),
+            9007199254740992.0);
+}
+
+TEST(ReadDistanceMatrix, OnlyArchivesHaveVariables) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.file("m.txt", "0 1\n1 0\n"), TableShape::square, "D"); }),
+              HasSubstr("`variable`"));
 }
 
 TEST(ReadDistanceMatrix, AMissingFileOrAFolderIsAnInputError) {

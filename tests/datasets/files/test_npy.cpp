@@ -147,6 +147,14 @@ TEST(Npy, ReadsIntegersAndBooleans) {
   EXPECT_EQ(row_of("<u4", "\xFF\xFF\xFF\xFF"s, 1), (DistanceMatrix{{4294967295.0}}));
   EXPECT_EQ(row_of("<i8", "\xFD\xFF\xFF\xFF\xFF\xFF\xFF\xFF"s, 1), (DistanceMatrix{{-3}}));
   EXPECT_EQ(row_of("=i4", "\x07\x00\x00\x00"s, 1), (DistanceMatrix{{7}}));
+  EXPECT_EQ(row_of("<u8", "\x00\x00\x00\x00\x00\x00\x20\x00"s, 1), (DistanceMatrix{{9007199254740992.0}}));
+  for (const char* type : {"<i8", "<u8"}) {
+    EXPECT_THAT(test::input_error_of([&] { row_of(type, "\x01\x00\x00\x00\x00\x00\x20\x00"s, 1); }),
+                HasSubstr("9007199254740993 is beyond 2^53"))
+        << type;
+  }
+  EXPECT_THAT(test::input_error_of([&] { row_of("<i8", "\xFF\xFF\xFF\xFF\xFF\xFF\xDF\xFF"s, 1); }),
+              HasSubstr("-9007199254740993"));
 }
 
 // Values of IEEE 754 binary16: 1, -2, 65504 (the largest), 2^-24 (the smallest), 1/3 rounded, infinity.

@@ -57,6 +57,16 @@ TEST(OpenMatrix, RefusesNanInTheBlockThatHasIt) {
               AllOf(HasSubstr("m.npy"), HasSubstr("row 3, column 1")));
 }
 
+TEST(OpenMatrix, NanOnTheDiagonalIsNoValueInAnyBlock) {
+  const TemporaryFolder folder;
+  DistanceMatrix matrix = DistanceMatrix::Ones(5, 5);
+  matrix.diagonal().setConstant(std::numeric_limits<double>::quiet_NaN());
+  write_npy(folder.path() / "m.npy", matrix);
+  const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::square);
+  EXPECT_EQ(opened.read({.first_row = 2, .rows = 2, .first_column = 1, .columns = 2}),
+            (DistanceMatrix{{1, 0}, {1, 1}}));
+}
+
 TEST(OpenMatrix, RefusesFilesOfAnotherSizeAndFilesThatShrink) {
   const TemporaryFolder folder;
   write_npy(folder.path() / "m.npy", DistanceMatrix::Ones(40, 40));

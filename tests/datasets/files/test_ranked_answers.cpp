@@ -59,6 +59,15 @@ TEST(RankedAnswers, JudgementsKeepWhatIsRelevant) {
   EXPECT_TRUE(parse_qrels("q1 0 a 2\nq1 0 b 1\n", "j").graded);  // wherever a grade above 1 occurs
 }
 
+TEST(RankedAnswers, OfTrecMayHaveComments) {
+  const Judgements judgements = parse_qrels("# query iteration model\nq1 0 a 1\n#\n#1 0 b 1\n", "j");
+  ASSERT_EQ(judgements.queries.size(), 2U);
+  EXPECT_EQ(judgements.queries[1].query, "#1") << "four words are a judgement";
+  EXPECT_EQ(parse_trec_run("# made by mine\nq Q0 a 1 2 t\n", "r").answers.size(), 1U);
+  const test::TemporaryFolder folder;
+  EXPECT_TRUE(is_ranked_answers_file(folder.file("run.txt", "# made by mine\nq1 Q0 a 1 2 mine\n")));
+}
+
 TEST(RankedAnswers, FaultsAreOneErrorWithTheLine) {
   const auto run = [](const std::string& text) { return test::input_error_of([&] { parse_trec_run(text, "r"); }); };
   EXPECT_THAT(run("q Q0 a 1 0.5\n"), HasSubstr("r:1: found 5 words"));

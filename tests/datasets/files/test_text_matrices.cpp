@@ -56,6 +56,25 @@ TEST(CsvMatrix, TheCornerOfNumericIdsMayBeEmpty) {
   EXPECT_EQ(matrix.numbers, (Eigen::Matrix2d{{0, 1}, {2, 0}}));
 }
 
+TEST(CsvMatrix, RowsMayEndWithASeparator) {
+  EXPECT_EQ(read_csv("0,1.5,\n-2.25,inf,\n").numbers, text_example());
+  EXPECT_EQ(read_csv("id,a,b,\na,0,1.5,\nb,-2.25,inf,\n").numbers, text_example());
+  EXPECT_THAT(csv_error("0,1,\n1\n"), HasSubstr("m.csv:2"));
+}
+
+TEST(CsvMatrix, MayBeginWithTheSeparatorThatExcelWrites) {
+  EXPECT_EQ(read_csv("sep=;\r\n0;1.5\r\n-2.25;inf\r\n").numbers, text_example());
+  EXPECT_THAT(read_csv("sep=,\nid,a,b\na,0,1.5\nb,-2.25,inf\n").row_ids, ElementsAre("a", "b"));
+  EXPECT_THAT(csv_error("sep=;\n0;1\n1;x\n"), HasSubstr("m.csv:3"));
+}
+
+// The first row of distances, unless it may be the ids: whole numbers that differ.
+TEST(CsvMatrix, MayLackItsDiagonal) {
+  EXPECT_EQ(read_csv(",0.5,3\n0.5,,2\n3,2,\n").numbers, (DistanceMatrix{{0, 0.5, 3}, {0.5, 0, 2}, {3, 2, 0}}));
+  EXPECT_EQ(read_csv("NA,3,3\n3,NA,2\n3,2,NA\n").numbers, (DistanceMatrix{{0, 3, 3}, {3, 0, 2}, {3, 2, 0}}));
+  EXPECT_THAT(csv_error("0,1,2\n1,0,\n2,3,0\n"), HasSubstr("m.csv:2"));
+}
+
 TEST(CsvMatrix, MayHaveSemicolonsOrTabsForCommas) {
   for (const char* const text : {"0;1.5\n-2.25;inf\n", "0\t1.5\n-2.25\tinf\n", "0; 1.5\r\n-2.25; inf\r\n"}) {
     EXPECT_EQ(read_csv(text).numbers, text_example()) << text;

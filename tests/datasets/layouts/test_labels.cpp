@@ -30,6 +30,12 @@ class ModelLabelsTest : public testing::Test {
 
 const char* const hierarchy = "PSB 1\n4 3\nanimal 0 0\nbiped animal 0\nhuman biped 2\n1 2\nlamp 0 1\n3\n";
 
+std::vector<std::string> classes_of(const ModelLabels& labels) {
+  std::vector<std::string> names;
+  for (const ModelClass& known : labels.classification.classes) names.push_back(known.name);
+  return names;
+}
+
 TEST_F(ModelLabelsTest, OfAClassificationAreOfItsClasses) {
   const ModelLabels labels = read_labels(file("a.cla", hierarchy));
   EXPECT_THAT(labels.classification.classes[2].models, ElementsAre("1", "2"));
@@ -69,14 +75,20 @@ TEST_F(ModelLabelsTest, OfFoldersAreTheirNames) {
 
 TEST_F(ModelLabelsTest, OfQueriesAndTargetsShareClassesByName) {
   const auto queries = file("q.cla", "PSB 1\n2 2\nant 0 1\n1\nbee 0 1\n2\n");
-  const ModelLabels labels =
-      read_query_and_target_labels(queries, file("t.cla", "PSB 1\n2 3\nbee 0 2\n2 3\ncow 0 1\n4\n"));
+  const auto targets = file("t.cla", "PSB 1\n2 3\nbee 0 2\n2 3\ncow 0 1\n4\n");
+  const TaskLabels two = read_query_and_target_labels(queries, targets);
+  EXPECT_THAT(classes_of(two.queries), ElementsAre("ant", "bee", "cow"));
+  EXPECT_THAT(classes_of(two.of_targets()), ElementsAre("ant", "bee", "cow"));
+  EXPECT_THAT(two.queries.classification.classes[1].models, ElementsAre("2"));
+  EXPECT_THAT(two.of_targets().classification.classes[1].models, ElementsAre("2", "3"));
+  const ModelLabels labels = read_shared_labels(queries, targets);
   ASSERT_EQ(labels.classification.classes.size(), 3U);
   EXPECT_THAT(labels.classification.classes[1].models, ElementsAre("2", "3"));
   EXPECT_THAT(labels.queries, ElementsAre("1", "2"));
   EXPECT_THAT(labels.targets, ElementsAre("2", "3", "4"));
   const auto other = file("u.cla", "PSB 1\n1 1\nant 0 1\n2\n");
-  EXPECT_THAT(test::input_error_of([&] { read_query_and_target_labels(queries, other); }),
+  EXPECT_NO_THROW(read_query_and_target_labels(queries, other)) << "two models of the id 2";
+  EXPECT_THAT(test::input_error_of([&] { read_shared_labels(queries, other); }),
               AllOf(HasSubstr("u.cla: model \"2\""), HasSubstr("\"ant\""), HasSubstr("\"bee\"")));
 }
 
@@ -86,7 +98,7 @@ TEST_F(ModelLabelsTest, DistinguishFilesOfOneNameByTheirExtensions) {
   EXPECT_THAT(labels.models, ElementsAre("m0.off", "m0.obj", "m1.off"));
   EXPECT_EQ(labels.subclasses.at("m0.obj"), "y");
   EXPECT_EQ(labels.keys.of("m1"), labels.keys.of("m1.off"));
-  const ModelLabels both = read_query_and_target_labels(path, file("t.csv", "id,class,subclass\nm1.obj,a,z\nm2,b,\n"));
+  const ModelLabels both = read_shared_labels(path, file("t.csv", "id,class,subclass\nm1.obj,a,z\nm2,b,\n"));
   EXPECT_THAT(both.models, ElementsAre("m0.off", "m0.obj", "m1.off", "m2"));
   EXPECT_EQ(both.subclasses.at("m0.off"), "x");
   EXPECT_EQ(both.subclasses.at("m1"), "z");
@@ -103,12 +115,6 @@ TEST_F(ModelLabelsTest, FaultsAreOneErrorWithTheLine) {
   EXPECT_THAT(error_of("id,class,split\n1,a,left\n"), HasSubstr("labels.csv:2: the split is \"left\"; known are"));
   EXPECT_THAT(error_of("id,class\n"), HasSubstr("no models"));
   EXPECT_THAT(error_of("id,class\n1,a\n", 2), HasSubstr("no level 2"));
-}
-
-std::vector<std::string> classes_of(const ModelLabels& labels) {
-  std::vector<std::string> names;
-  for (const ModelClass& known : labels.classification.classes) names.push_back(known.name);
-  return names;
 }
 
 TEST_F(ModelLabelsTest, ColumnsMayHaveOtherNamesAndSeparators) {
@@ -153,12 +159,21 @@ TEST_F(ModelLabelsTest, AnArrayHasWholeNumbers) {
   EXPECT_THAT(test::input_error_of([&] { read_labels(folder() / "m.npy"); }), HasSubstr("one-dimensional"));
 }
 
-TEST_F(ModelLabelsTest, QueriesAndTargetsWithoutIdsAreDifferentModels) {
-  const ModelLabels labels = read_query_and_target_labels(file("q.txt", "bee\nant\n"), file("t.txt", "ant\nant\n"));
-  EXPECT_EQ(labels.queries.size(), 2U);
-  EXPECT_EQ(labels.targets.size(), 2U);
-  EXPECT_EQ(labels.models.size(), 4U);
-  EXPECT_EQ(labels.classification.classes[1].models.size(), 3U);
+TEST_F(ModelLabelsTest, WithoutIdsAreOfDifferentModelsAndShareNone) {
+  const auto queries = file("q.txt", "bee\nant\n");
+  const auto targets = file("t.txt", "ant\nant\n");
+  const TaskLabels labels = read_query_and_target_labels(queries, targets);
+  EXPECT_EQ(labels.queries.queries.size(), 2U);
+  EXPECT_EQ(labels.of_targets().targets.size(), 2U);
+  EXPECT_EQ(labels.of_targets().classification.classes[1].models.size(), 2U);
+  EXPECT_THAT(test::input_error_of([&] { read_shared_labels(queries, targets); }),
+              HasSubstr("q.txt: the file has no ids"));
+}
+
+TEST_F(ModelLabelsTest, OfQueriesAmongTheTargetsAreInTheOrderOfTheTargets) {
+  const auto queries = file("public.csv", "id,class\n3,a\n1,b\n");
+  const auto all = file("all.csv", "id,class\n1,b\n2,a\n3,a\n");
+  EXPECT_THAT(read_shared_labels(queries, all).models, ElementsAre("1", "2", "3"));
 }
 
 TEST_F(ModelLabelsTest, OfFilesOfOtherFormatsAreAnError) {

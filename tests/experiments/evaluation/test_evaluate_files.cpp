@@ -1,6 +1,8 @@
 #include <filesystem>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sstream>
 #include <string>
 
 #include "shapegauge/core/base/random_numbers.h"
@@ -19,6 +21,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 // Features of more models than one block of rows, with ties and duplicates.
 DistanceMatrix many_features(Eigen::Index models) {
@@ -181,6 +184,58 @@ TEST_F(MatrixWarnings, OfSimilaritiesSayNothingOfSignsAndTheDiagonal) {
   EXPECT_THAT(warnings_of("9 3 2 1\n3 9 2 1\n2 2 9 4\n1 1 4 9\n", true), IsEmpty());
   EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n", true),
               Contains(HasSubstr("matrix of distances, which take no `similarity=true`")));
+}
+
+TEST_F(MatrixWarnings, QueriesThatFindThemselvesAreTold) {
+  EXPECT_THAT(warnings_of("0 0 2 3\n0 0 4 5\n2 4 0 0\n3 5 0 0\n"), Contains(HasSubstr("a model at distance 0")));
+  EXPECT_THAT(warnings_of("0 0 2 3\n0 0 4 5\n2 4 0 6\n3 5 6 0\n"), Not(Contains(HasSubstr("at distance 0"))));
+}
+
+// Twenty models of two classes, in which each is nearest to one of the other class.
+TEST(ChanceWarning, NearestNeighboursFarBelowChanceAreTold) {
+  const test::TemporaryFolder folder;
+  std::string labels = "id,class\n";
+  std::string far;
+  std::string near;
+  for (int i = 0; i < 20; ++i) {
+    labels += fmt::format("{},c{}\n", i, i % 2);
+    for (int j = 0; j < 20; ++j) {
+      const int step = (j - i + 20) % 20;
+      far += fmt::format("{} ", i == j ? 0 : step % 2 == 0 ? 30 + step : step);
+      near += fmt::format("{} ", i == j ? 0 : step % 2 == 0 ? step : 30 + step);
+    }
+    far += "\n";
+    near += "\n";
+  }
+  const auto file = folder.file("labels.csv", labels);
+  const auto warnings = [&](const std::string& matrix) {
+    return evaluate_files({.matrix = folder.file("m.txt", matrix), .labels = file}, {}).warnings;
+  };
+  EXPECT_THAT(warnings(far), Contains(HasSubstr("NN is 0.0 %, far below the 47.4 % of a random order")));
+  EXPECT_THAT(warnings(near), Not(Contains(HasSubstr("random order"))));
+}
+
+TEST_F(EvaluateFiles, DistancesAreNoFeatures) {
+  test::write_text(at("three.csv"), "id,class\na,x\nb,x\nc,y\n");
+  test::write_text(at("d.csv"), "id,a,b,c\na,0,1,2\nb,1,0,3\nc,2,3,0\n");
+  EXPECT_THAT(test::input_error_of(
+                  [&] { open_evaluation_files({.matrix = at("d.csv"), .labels = at("three.csv"), .distance = "l1"}); }),
+              AllOf(HasSubstr("d.csv"), HasSubstr("not features")));
+}
+
+TEST_F(EvaluateFiles, IdsMatchTheEndsOfPaths) {
+  test::write_text(at("paths.csv"), "id,class\ncat/a,cat\ncat/b,cat\ndog/c,dog\n");
+  test::write_text(at("names.csv"), "id,class\na.obj,cat\nb.obj,cat\nc.obj,dog\n");
+  for (const auto& [ids, labels] : {std::pair{"a,b,c", "paths.csv"},
+                                    {"x/cat/a,x/cat/b,x/dog/c", "paths.csv"},
+                                    {"cat/a,cat/b,dog/c", "names.csv"}}) {
+    std::istringstream names(ids);
+    std::string matrix = std::string("id,") + ids + "\n";
+    for (std::string name; std::getline(names, name, ',');) matrix += name + ",1,2,3\n";
+    test::write_text(at("d.csv"), matrix);
+    const EvaluationData data = open_evaluation_files({.matrix = at("d.csv"), .labels = at(labels)});
+    EXPECT_THAT(data.task.retrieval.query_classes, ElementsAre(0, 0, 1)) << ids;
+  }
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ double measure(const EvaluationData& input, const std::string& name, Protocol pr
   EvaluationOptions options;
   options.protocol = protocol;
   options.measures = {measure_of(name)};
+  if (input.task.coverage) return evaluate(input.answers, input.task.retrieval, options).micro[0];
   return evaluate(whole_matrix(input.distances), input.task.retrieval, options).micro[0];
 }
 
@@ -80,6 +81,7 @@ TEST_F(EvaluationTaskTest, QueriesByTargetsOrAllByAll) {
   write_npy(at("all.npy"), DistanceMatrix::Ones(4, 4));
   const EvaluationData all = open_evaluation_files({.matrix = at("all.npy"), .labels = labels});
   EXPECT_THAT(all.task.retrieval.query_classes, ElementsAre(0, no_class, no_class, 1));
+  EXPECT_THAT(all.task.warnings, testing::Contains(HasSubstr("split makes 2 of 4 models queries, and 3 targets")));
   EXPECT_THAT(all.task.retrieval.target_classes, ElementsAre(no_class, 0, 1, 1));
   EXPECT_TRUE(all.task.same_rows_and_columns);
 }
@@ -190,7 +192,7 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = ids}), HasSubstr("model \"3\" is in no class"));
   const auto twice = file("twice.txt", "1\n2\nT2\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = twice}), HasSubstr("model \"T2\" occurs twice"));
-  for (const char* first : {"NA", "0%", ""}) {
+  for (const char* first : {"x", "0%"}) {
     const std::string text = std::string(first) + ",0.5,0.7,0.9\n0.5,0,1,1\n0.7,1,0,1\n0.9,1,1,0\n";
     for (const auto& of_four : {labels, file("classes.txt", "x\nx\ny\ny\n")}) {
       EXPECT_THAT(error({.matrix = file("na.csv", text), .labels = of_four}),
@@ -293,6 +295,52 @@ TEST_F(EvaluationTaskTest, AllLabelledQueriesCountWhereWanted) {
   EXPECT_DOUBLE_EQ(
       measure(open_evaluation_files({.matrix = lists, .labels = labels, .unanswered = Unanswered::count}), "MRR"),
       (1 + 0.5 + 0 + 0) / 4);
+}
+
+// One of six queries has an answer, which is perfect.
+TEST_F(EvaluationTaskTest, MissingQueriesScoreZeroUnderEveryProtocolAndMeasure) {
+  const auto labels = file("six.csv", "id,class\na1,a\na2,a\na3,a\nb1,b\nb2,b\nb3,b\n");
+  const auto lists = file("one.lists", "a1 a2 a3\n");
+  const EvaluationData input =
+      open_evaluation_files({.matrix = lists, .labels = labels, .unanswered = Unanswered::count});
+  for (const std::string& protocol : protocol_names()) {
+    for (const char* name :
+         {"NN", "FT", "mAP", "MRR", "BEP", "DCG", "nDCG", "bpref", "AUC-PR", "P@N", "R@N", "nDCG@N"}) {
+      EXPECT_DOUBLE_EQ(measure(input, name, protocol_of(protocol).value()), 1.0 / 6) << protocol << " " << name;
+    }
+  }
+}
+
+// Ids of the two files are names of two sets: the nearest target of query i is target i, which is another model.
+TEST_F(EvaluationTaskTest, TwoFilesOfLabelsAreTwoSetsOfModels) {
+  const auto queries = file("q.cla", "PSB 1\n3 3\n\na 0 1\n0\n\nb 0 1\n1\n\nc 0 1\n2\n");
+  const auto targets = file("t.cla", "PSB 1\n3 5\n\na 0 2\n0\n3\n\nb 0 2\n1\n4\n\nc 0 1\n2\n");
+  const auto matrix = file("d.txt", "0.1 2 2 2 2\n2 0.1 2 2 2\n2 2 0.1 2 2\n");
+  const EvaluationData two = open_evaluation_files({.matrix = matrix, .labels = queries, .targets = targets});
+  EXPECT_EQ(measure(two, "NN"), 1);
+  EXPECT_THAT(two.task.retrieval.own_column, testing::Each(-1));
+  EXPECT_THAT(two.task.warnings, ElementsAre(AllOf(HasSubstr("3 ids are in both"), HasSubstr("`shared_ids`"))));
+  const auto other = file("u.cla", "PSB 1\n3 5\n\na 0 1\n1\n\nb 0 2\n0\n4\n\nc 0 2\n2\n3\n");
+  EXPECT_NO_THROW(open_evaluation_files({.matrix = matrix, .labels = queries, .targets = other}));
+
+  const EvaluationData shared =
+      open_evaluation_files({.matrix = matrix, .labels = queries, .targets = targets, .shared_ids = true});
+  EXPECT_THAT(shared.task.retrieval.own_column, ElementsAre(0, 1, 2));
+  EXPECT_EQ(measure(shared, "NN"), 0) << "each query is left out of its answer";
+  EXPECT_THAT(shared.task.warnings, testing::IsEmpty());
+}
+
+TEST_F(EvaluationTaskTest, ThePublicPartOfAllModelsNeedsSharedIds) {
+  const auto all = file("all.csv", "id,class\n1,a\n2,b\n3,a\n4,b\n");
+  const auto part = file("public.csv", "id,class\n4,b\n3,a\n");
+  const auto matrix = file("d.txt", "0 9 1 9\n9 0 9 1\n1 9 0 9\n9 1 9 0\n");
+  EXPECT_THAT(test::input_error_of([&] { open_evaluation_files({.matrix = matrix, .labels = part, .targets = all}); }),
+              AllOf(HasSubstr("d.txt has 4 rows"), HasSubstr("`shared_ids`")));
+  const EvaluationData shared =
+      open_evaluation_files({.matrix = matrix, .labels = part, .targets = all, .shared_ids = true});
+  EXPECT_THAT(shared.task.query_ids, ElementsAre("1", "2", "3", "4"));
+  EXPECT_THAT(shared.task.retrieval.query_classes, ElementsAre(no_class, no_class, 1, 0));
+  EXPECT_EQ(measure(shared, "NN"), 1);
 }
 
 }  // namespace

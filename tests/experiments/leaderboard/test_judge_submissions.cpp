@@ -1,3 +1,4 @@
+#include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tuple>
@@ -185,6 +186,139 @@ TEST(JudgeSubmissions, JudgesOnlyWhatChangedAgain) {
   EXPECT_EQ(used(paper), std::pair(std::size_t{0}, std::size_t{3}));
   test::write_text(small.labels(), test_board::small_labels() + "m12,a\n");
   EXPECT_EQ(test::input_error_of([&] { used(small.options()); }).substr(0, 4), "none") << "other labels, other answers";
+}
+
+/// Labels of the small board whose second line, for m1, is another one.
+std::string labels_with(const std::string& header, const std::string& of_m1, const std::string& of_others) {
+  std::string text = header + "\n";
+  for (int i = 0; i < test_board::models; ++i) {
+    text += fmt::format("m{},{}{}\n", i, std::string(1, static_cast<char>('a' + i % 3)), i == 1 ? of_m1 : of_others);
+  }
+  return text;
+}
+
+TEST(JudgeSubmissions, EveryInputOfAnEvaluationIsInItsKey) {
+  const SmallBoard small;
+  const test::TemporaryFolder folder;
+  const auto computed = [&](const JudgingOptions& options) {
+    Cache cache(folder.path() / "cache");
+    judge_submissions(small.found(), options, cache);
+    const CacheUse use = cache.report().uses[static_cast<std::size_t>(EntryKind::evaluation)];
+    EXPECT_EQ(use.hits + use.computed, 2U);
+    return use.computed;
+  };
+  const auto labels = [&](const std::string& name, const std::string& text) { return folder.file(name, text); };
+  std::string other_order = test_board::small_labels();
+  other_order.replace(other_order.find("m1,b\nm2,c\n"), 10, "m2,c\nm1,b\n");
+  std::string ids;
+  std::string qrels;
+  for (int i = 0; i < test_board::models; ++i) {
+    ids += fmt::format("m{}\n", i);
+    qrels += fmt::format("m{} 0 m{} 1\n", i, (i + 3) % test_board::models);
+  }
+  using Change = std::function<void(JudgingOptions&)>;
+  const std::vector<std::pair<std::string, Change>> changes{
+      {"protocol", [&](JudgingOptions& o) { o.evaluation.protocol = Protocol::paper; }},
+      {"ties", [&](JudgingOptions& o) { o.evaluation.ties = Ties::expected; }},
+      {"measures", [&](JudgingOptions& o) { o.evaluation.measures = {measure_of("NN")}; }},
+      {"order of measures",
+       [&](JudgingOptions& o) {
+         o.evaluation.measures = {measure_of("FT"), measure_of("NN")};
+       }},
+      {"curve", [&](JudgingOptions& o) { o.evaluation.curve = CurveKind::trec; }},
+      {"minimum class size", [&](JudgingOptions& o) { o.evaluation.minimum_class_size = 3; }},
+      {"order", [&](JudgingOptions& o) { o.files.order = RowOrder::file; }},
+      {"similarity", [&](JudgingOptions& o) { o.files.similarity = true; }},
+      {"ids", [&](JudgingOptions& o) { o.files.ids = labels("ids.txt", ids); }},
+      {"qrels",
+       [&](JudgingOptions& o) {
+         o.files.labels.clear();
+         o.files.ids = labels("ids.txt", ids);
+         o.files.qrels = labels("q.qrels", qrels);
+       }},
+      {"class of a model",
+       [&](JudgingOptions& o) {
+         std::string text = test_board::small_labels();
+         o.files.labels = labels("class.csv", text.replace(text.find("m1,b"), 4, "m1,a"));
+       }},
+      {"name of a class",
+       [&](JudgingOptions& o) {
+         std::string text = test_board::small_labels();
+         for (char& c : text) c = c == 'b' ? 'B' : c;
+         o.files.labels = labels("name.csv", text);
+       }},
+      {"order of labels", [&](JudgingOptions& o) { o.files.labels = labels("order.csv", other_order); }},
+      {"subclasses",
+       [&](JudgingOptions& o) { o.files.labels = labels("sub.csv", labels_with("id,class,subclass", ",x", ",y")); }},
+      {"one subclass",
+       [&](JudgingOptions& o) { o.files.labels = labels("sub.csv", labels_with("id,class,subclass", ",y", ",y")); }},
+      {"queries",
+       [&](JudgingOptions& o) {
+         o.files.labels = labels("split.csv", labels_with("id,class,split", ",target", ",both"));
+       }},
+      {"targets",
+       [&](JudgingOptions& o) {
+         o.files.labels = labels("split.csv", labels_with("id,class,split", ",query", ",both"));
+       }},
+      {"file of targets", [&](JudgingOptions& o) { o.files.targets = small.labels(); }},
+      {"shared ids",
+       [&](JudgingOptions& o) {
+         o.files.targets = small.labels();
+         o.files.shared_ids = true;
+       }},
+  };
+  EXPECT_EQ(computed(small.options()), 2U);
+  for (const auto& [name, change] : changes) {
+    JudgingOptions options = small.options();
+    change(options);
+    EXPECT_EQ(computed(options), 2U) << name;
+    EXPECT_EQ(computed(options), 0U) << name;
+  }
+  EXPECT_EQ(computed(small.options()), 0U);
+}
+
+TEST(JudgeSubmissions, DistancesOfFeaturesAreInTheKey) {
+  const SmallBoard small;
+  std::filesystem::remove(small.submissions() / "good.csv");  // a matrix of distances
+  const test::TemporaryFolder folder;
+  for (const char* distance : {"l1", "l2"}) {
+    JudgingOptions options = small.options();
+    options.files.distance = distance;
+    Cache cache(folder.path() / "cache");
+    judge_submissions(small.found(), options, cache);
+    EXPECT_EQ(cache.report().uses[static_cast<std::size_t>(EntryKind::evaluation)].computed, 1U) << distance;
+  }
+}
+
+// Seven of eighteen queries are found by both, each other ones: equal scores, whatever the rounding of their sums.
+TEST(JudgeSubmissions, EqualScoresHaveOneRank) {
+  const test::TemporaryFolder folder;
+  std::string labels = "id,class\n";
+  for (int i = 0; i < 18; ++i) labels += fmt::format("{},{}\n", i, i / 6);
+  JudgingOptions options;
+  options.files.labels = folder.file("labels.csv", labels);
+  options.evaluation.measures = {measure_of("NN")};
+  options.standings.resampling.resamples = 10;
+  FoundSubmissions found;
+  for (const int shift : {0, 1, 2, 3, 4, 5}) {
+    std::string matrix;
+    for (int i = 0; i < 18; ++i) {
+      const bool hit = (5 * i + shift) % 18 < 7;
+      for (int j = 0; j < 18; ++j) {
+        const bool near = i != j && (i / 6 == j / 6) == hit;
+        matrix += fmt::format("{} ", i == j ? 0 : near ? 1 + j : 100 + j);
+      }
+      matrix += "\n";
+    }
+    found.submissions.push_back({.file = folder.file(fmt::format("{}.txt", shift), matrix)});
+  }
+  Cache none;
+  const Leaderboard board = judge_submissions(found, options, none);
+  ASSERT_EQ(board.submissions.size(), 6U);
+  for (const MethodStanding& standing : board.micro[0]) {
+    EXPECT_NEAR(standing.average, 7.0 / 18, 1e-15);
+    EXPECT_EQ(standing.rank, 1U);
+  }
 }
 
 TEST(JudgeSubmissions, TheCacheChangesNothing) {

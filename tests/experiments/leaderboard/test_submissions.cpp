@@ -118,6 +118,16 @@ TEST_F(SubmissionFolder, LeavesOutTheLabels) {
   EXPECT_EQ(find().submissions.size(), 2U);
 }
 
+TEST_F(SubmissionFolder, SkipsTextsAboutIt) {
+  add("x.npy");
+  add("README.txt");
+  add("License.csv");
+  const FoundSubmissions found = find();
+  EXPECT_EQ(found.submissions.size(), 1U);
+  EXPECT_TRUE(found.refused.empty());
+  EXPECT_EQ(found.skipped.size(), 2U);
+}
+
 TEST_F(SubmissionFolder, WithoutSubmissionsIsAnError) {
   add("README.md");
   EXPECT_THAT(test::input_error_of([&] { find(); }), HasSubstr("no submissions"));

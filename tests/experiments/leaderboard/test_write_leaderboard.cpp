@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
 #include "shapegauge/experiments/leaderboard/write_leaderboard.h"
 #include "tests/experiments/leaderboard/small_board.h"
 
@@ -50,6 +51,78 @@ TEST(WriteSite, WritesOnlyPagesOfSubmissionsThatChanged) {
   EXPECT_EQ(third.removed, 1U);
   EXPECT_FALSE(fs::exists(site / "methods/poor.html"));
   EXPECT_NE(test::text_of(site / "methods/good.html"), "as it was");
+}
+
+TEST(WriteSite, RewritesPagesWhenClassesAreRenamed) {
+  const test_board::SmallBoard small;
+  const fs::path site = small.folder.path() / "site";
+  update(small, site);
+  std::string labels = test_board::small_labels();
+  for (std::size_t at = labels.find(",b\n"); at != std::string::npos; at = labels.find(",b\n")) {
+    labels.replace(at, 3, ",renamed\n");
+  }
+  test::write_text(small.labels(), labels);
+  EXPECT_EQ(update(small, site).written, 2U);
+  EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("renamed"));
+}
+
+TEST(WriteSite, CompletesWhatAnInterruptedCallLeft) {
+  const test_board::SmallBoard small;
+  const fs::path site = small.folder.path() / "site";
+  // A page that cannot be written: its place is taken by a folder.
+  fs::create_directories(site / "methods" / "good.html" / "in the way");
+  EXPECT_ANY_THROW(check_site_folder(site)) << "no site yet";
+  fs::rename(site / "methods", small.folder.path() / "aside");
+  test::write_text(site / ".shapegauge-lock", "");
+  update(small, site);
+
+  const std::string whole = test::text_of(site / "methods/good.html");
+  small.add("good.csv", test_board::small_matrix(0.1));
+  fs::remove(site / "methods/good.html");
+  fs::rename(small.folder.path() / "aside" / "good.html", site / "methods" / "good.html");
+  EXPECT_ANY_THROW(update(small, site));
+  fs::remove_all(site / "methods" / "good.html");
+  test::write_text(site / "methods/good.html", "half");
+  update(small, site);
+  EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("report-data"));
+
+  // The earlier submission again: its page is not taken for the one of before the interruption.
+  small.add("good.csv", test_board::small_matrix(0));
+  update(small, site);
+  EXPECT_EQ(test::text_of(site / "methods/good.html"), whole);
+}
+
+TEST(WriteSite, ShowsNoFolders) {
+  const test_board::SmallBoard small;
+  small.add("broken.npy", "no numbers");
+  small.add("few.lists", "m0 m3 m6\n");
+  const fs::path site = small.folder.path() / "site";
+  update(small, site);
+  for (const char* name : {"index.html", "leaderboard.json", "leaderboard.csv", "methods/good.html"}) {
+    EXPECT_THAT(test::text_of(site / name), testing::Not(HasSubstr(small.folder.path().string()))) << name;
+  }
+  const fs::path elsewhere = "/a/b/m.npy";
+  EXPECT_EQ(without_folders("/a/b/m.npy: row 3 of /a/labels.csv", elsewhere, {.matrix = {}, .labels = "/a/labels.csv"}),
+            "m.npy: row 3 of labels.csv");
+}
+
+TEST(WriteSite, HidesClassesWhereTold) {
+  const test_board::SmallBoard small;
+  const fs::path site = small.folder.path() / "site";
+  update(small, site);
+  JudgingOptions options = small.options();
+  std::string labels = test_board::small_labels();
+  for (std::size_t at = labels.find(",b\n"); at != std::string::npos; at = labels.find(",b\n")) {
+    labels.replace(at, 3, ",secret\n");
+  }
+  test::write_text(small.labels(), labels);
+  options.hide_classes = true;
+  EXPECT_EQ(write_site(site, "Title", small.judged(), options).removed, 2U);
+  EXPECT_TRUE(fs::is_empty(site / "methods"));
+  for (const char* name : {"index.html", "leaderboard.json", "leaderboard.csv"}) {
+    EXPECT_THAT(test::text_of(site / name), testing::Not(HasSubstr("secret"))) << name;
+  }
+  EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("\"per_class\":[]"));
 }
 
 TEST(WriteSite, GivesTheSameBytesWhereverItComesFrom) {

@@ -1,0 +1,242 @@
+#include "shapegauge/experiments/results/protocol_audit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
+#include "shapegauge/metrics/equal_scores.h"
+#include "shapegauge/metrics/evaluators.h"
+
+namespace shapegauge {
+
+namespace {
+
+const std::string baseline = "shapegauge";
+
+// An evaluator with the options of its evaluations.
+struct Column {
+  std::string evaluator;
+  std::vector<EvaluatorScore> scores;
+  EvaluationOptions options;
+};
+
+std::vector<Column> columns_of_audit() {
+  const std::vector<std::string> measures{"NN", "FT", "ST", "mAP", "nDCG"};
+  Column own{.evaluator = baseline,
+             .scores = {},
+             .options = {.protocol = Protocol::psb, .ties = Ties::expected, .measures = measures_of(measures)}};
+  for (const std::string& measure : measures) own.scores.push_back({measure, measure});
+  std::vector<Column> columns{own};
+  for (const Evaluator& evaluator : evaluators()) {
+    columns.push_back({evaluator.name, evaluator.scores, options_of_evaluator(evaluator.name)});
+  }
+  return columns;
+}
+
+std::vector<std::size_t> ranks_of_scores(const Eigen::VectorXd& values) {
+  std::vector<std::size_t> ranks(static_cast<std::size_t>(values.size()));
+  std::size_t better = 0;
+  for (const std::vector<std::size_t>& group : groups_of_equal_scores(values)) {
+    for (const std::size_t method : group) ranks[method] = better + 1;
+    better += group.size();
+  }
+  return ranks;
+}
+
+// Evaluations of all files by one evaluator; nothing if it has no queries.
+std::optional<std::vector<EvaluatedFiles>> evaluate_all(std::span<const std::filesystem::path> matrices,
+                                                        EvaluationFiles files, const Column& column,
+                                                        ProtocolAudit& audit) {
+  std::vector<EvaluatedFiles> evaluated;
+  for (const std::filesystem::path& matrix : matrices) {
+    files.matrix = matrix;
+    try {
+      evaluated.push_back(evaluate_files(files, column.options));
+    } catch (const InputError& error) {
+      if (column.evaluator == baseline) throw;
+      audit.warnings.push_back(fmt::format("{} is omitted: {}", column.evaluator, error.what()));
+      return std::nullopt;
+    }
+  }
+  return evaluated;
+}
+
+void add_standings(const std::vector<EvaluatedFiles>& evaluated, const StandingOptions& options, ProtocolAudit& audit) {
+  const Evaluation& first = evaluated.front().evaluation;
+  for (Eigen::Index score = 0; score < first.per_query.cols(); ++score) {
+    Eigen::MatrixXd values(first.per_query.rows(), std::ssize(evaluated));
+    for (std::size_t method = 0; method < evaluated.size(); ++method) {
+      const Eigen::MatrixXd& per_query = evaluated[method].evaluation.per_query;
+      if (per_query.rows() != values.rows()) throw InputError("the files have different queries");
+      values.col(static_cast<Eigen::Index>(method)) = per_query.col(score);
+    }
+    audit.standings.push_back(standings_of(values, first.query_classes, options));
+  }
+}
+
+void add_scores(const Column& column, const std::vector<EvaluatedFiles>& evaluated, ProtocolAudit& audit) {
+  for (std::size_t i = 0; i < column.scores.size(); ++i) {
+    AuditedScore score{.evaluator = column.evaluator,
+                       .quantity = column.scores[i].quantity,
+                       .measure = column.scores[i].measure,
+                       .values = Eigen::VectorXd(std::ssize(evaluated)),
+                       .ranks = {}};
+    for (std::size_t method = 0; method < evaluated.size(); ++method) {
+      score.values[static_cast<Eigen::Index>(method)] =
+          evaluated[method].evaluation.micro[static_cast<Eigen::Index>(i)];
+    }
+    score.ranks = ranks_of_scores(score.values);
+    audit.scores.push_back(std::move(score));
+  }
+}
+
+std::vector<const AuditedScore*> scores_of_quantity(const ProtocolAudit& audit, const std::string& quantity) {
+  std::vector<const AuditedScore*> scores;
+  for (const AuditedScore& score : audit.scores) {
+    if (score.quantity == quantity) scores.push_back(&score);
+  }
+  return scores;
+}
+
+// Kendall's tau-b of two scores: 1 for the same ranking, -1 for the reverse.
+double rank_correlation(const AuditedScore& a, const AuditedScore& b) {
+  double agreement = 0;
+  double untied_a = 0;
+  double untied_b = 0;
+  for (std::size_t i = 0; i < a.ranks.size(); ++i) {
+    for (std::size_t j = i + 1; j < a.ranks.size(); ++j) {
+      const auto sign = [&](const AuditedScore& score) {
+        return score.ranks[i] < score.ranks[j] ? 1 : score.ranks[i] > score.ranks[j] ? -1 : 0;
+      };
+      agreement += sign(a) * sign(b);
+      untied_a += std::abs(sign(a));
+      untied_b += std::abs(sign(b));
+    }
+  }
+  return untied_a > 0 && untied_b > 0 ? agreement / std::sqrt(untied_a * untied_b) : 1;
+}
+
+std::string heading(const AuditedScore& score) {
+  return score.measure == score.quantity ? score.evaluator : fmt::format("{} {}", score.evaluator, score.measure);
+}
+
+std::size_t index_of_baseline(const ProtocolAudit& audit, const std::string& quantity) {
+  const auto found = std::ranges::find(audit.scores, quantity, &AuditedScore::quantity);
+  return static_cast<std::size_t>(found - audit.scores.begin());
+}
+
+}  // namespace
+
+ProtocolAudit audit_protocols(std::span<const std::filesystem::path> matrices, const EvaluationFiles& files,
+                              const StandingOptions& standings, const AuditProgress& progress) {
+  ProtocolAudit audit;
+  const std::vector<Column> columns = columns_of_audit();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (progress) progress(columns[i].evaluator, i, columns.size());
+    const auto evaluated = evaluate_all(matrices, files, columns[i], audit);
+    if (!evaluated) continue;
+    if (i == 0) {
+      std::vector<MethodScores> scores;
+      for (std::size_t method = 0; method < matrices.size(); ++method) {
+        const EvaluatedFiles& one = (*evaluated)[method];
+        const std::string source = matrices[method].string();
+        scores.push_back(method_scores(method_name(matrices[method], one.data), source, one.data.task, one.evaluation));
+        for (const std::string& warning : one.warnings) {
+          audit.warnings.push_back(fmt::format("{}: {}", source, warning));
+        }
+      }
+      audit.methods = scores.size() > 1 ? align_methods(scores, {}).methods : std::vector{scores.front().method};
+      add_standings(*evaluated, standings, audit);
+    }
+    add_scores(columns[i], *evaluated, audit);
+  }
+  return audit;
+}
+
+std::vector<std::string> audited_quantities(const ProtocolAudit& audit) {
+  std::vector<std::string> quantities;
+  for (const AuditedScore& score : audit.scores) {
+    if (score.evaluator == baseline) quantities.push_back(score.quantity);
+  }
+  std::erase_if(quantities,
+                [&](const std::string& quantity) { return scores_of_quantity(audit, quantity).size() < 2; });
+  return quantities;
+}
+
+TextTable audit_table(const ProtocolAudit& audit, const std::string& quantity, const ScoreStyle& style) {
+  const std::vector<const AuditedScore*> scores = scores_of_quantity(audit, quantity);
+  const std::vector<MethodStanding>& standings = audit.standings[index_of_baseline(audit, quantity)];
+  TextTable table{.header = {"method", baseline, "low", "high", "ranks"}, .rows = {}};
+  for (std::size_t k = 1; k < scores.size(); ++k) {
+    table.header.push_back(heading(*scores[k]));
+    table.header.emplace_back("rank");
+  }
+  for (const std::vector<std::size_t>& group : groups_of_equal_scores(scores.front()->values)) {
+    for (const std::size_t method : group) {
+      const MethodStanding& own = standings[method];
+      const auto value = [&](const AuditedScore& score) { return score.values[static_cast<Eigen::Index>(method)]; };
+      std::vector<std::string> row{audit.methods[method], score_text(value(*scores.front()), style),
+                                   own.interval ? score_text(own.interval->low, style) : "",
+                                   own.interval ? score_text(own.interval->high, style) : "",
+                                   fmt::format("{} ({}-{})", own.rank, own.best_rank, own.worst_rank)};
+      for (std::size_t k = 1; k < scores.size(); ++k) {
+        row.push_back(score_text(value(*scores[k]), style));
+        row.push_back(fmt::format("{}", scores[k]->ranks[method]));
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+TextTable audit_summary(const ProtocolAudit& audit, const ScoreStyle& style) {
+  TextTable table{
+      .header = {"score", "evaluator", "definition", "least change", "largest change", "other ranks", "tau"},
+      .rows = {},
+      .text_columns = 3};
+  for (const std::string& quantity : audited_quantities(audit)) {
+    const std::vector<const AuditedScore*> scores = scores_of_quantity(audit, quantity);
+    for (std::size_t k = 1; k < scores.size(); ++k) {
+      const Eigen::VectorXd change = score_differences(scores[k]->values, scores.front()->values);
+      std::size_t moved = 0;
+      for (std::size_t method = 0; method < audit.methods.size(); ++method) {
+        if (scores[k]->ranks[method] != scores.front()->ranks[method]) ++moved;
+      }
+      table.rows.push_back({quantity, scores[k]->evaluator, scores[k]->measure, score_text(change.minCoeff(), style),
+                            score_text(change.maxCoeff(), style), fmt::format("{}", moved),
+                            decimal_text(rank_correlation(*scores.front(), *scores[k]), 3)});
+    }
+  }
+  return table;
+}
+
+TextTable audit_csv_table(const ProtocolAudit& audit) {
+  TextTable table{
+      .header = {"score", "evaluator", "definition", "method", "value", "rank"}, .rows = {}, .text_columns = 4};
+  for (const AuditedScore& score : audit.scores) {
+    for (std::size_t method = 0; method < audit.methods.size(); ++method) {
+      table.rows.push_back({score.quantity, score.evaluator, score.measure, audit.methods[method],
+                            score_text(score.values[static_cast<Eigen::Index>(method)], csv_style),
+                            fmt::format("{}", score.ranks[method])});
+    }
+  }
+  return table;
+}
+
+nlohmann::ordered_json audit_json(const ProtocolAudit& audit) {
+  nlohmann::ordered_json json{{"methods", audit.methods}, {"scores", nlohmann::ordered_json::array()}};
+  for (const AuditedScore& score : audit.scores) {
+    json["scores"].push_back({{"score", score.quantity},
+                              {"evaluator", score.evaluator},
+                              {"definition", score.measure},
+                              {"values", std::vector<double>(score.values.begin(), score.values.end())},
+                              {"ranks", score.ranks}});
+  }
+  return json;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,62 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/experiments/results/protocol_audit.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::ElementsAre;
+
+// Two queries of a class and four targets, two of them relevant. `good` finds these first, `late` at ranks 1 and 4.
+class ProtocolAuditTest : public testing::Test {
+ protected:
+  [[nodiscard]] ProtocolAudit audit() const {
+    return audit_protocols(std::vector{late_, good_}, files_, {.resampling = {.resamples = 20}});
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+  std::filesystem::path good_ = folder_.file("good.txt", "1 2 3 4\n4 3 2 1\n");
+  std::filesystem::path late_ = folder_.file("late.txt", "1 4 2 3\n3 2 4 1\n");
+  EvaluationFiles files_{.matrix = {},
+                         .labels = folder_.file("q.csv", "id,class\n0,a\n1,b\n"),
+                         .targets = folder_.file("t.csv", "id,class\n5,a\n6,a\n7,b\n8,b\n")};
+};
+
+const AuditedScore& score_of(const ProtocolAudit& audit, const std::string& evaluator, const std::string& measure) {
+  for (const AuditedScore& score : audit.scores) {
+    if (score.evaluator == evaluator && score.measure == measure) return score;
+  }
+  throw std::runtime_error(evaluator + " has no " + measure);
+}
+
+TEST_F(ProtocolAuditTest, HasTheScoresOfEachProgram) {
+  const ProtocolAudit found = audit();
+  EXPECT_THAT(found.methods, ElementsAre("late", "good"));
+  EXPECT_EQ(score_of(found, "shapegauge", "FT").values, Eigen::Vector2d(0.5, 1));
+  EXPECT_EQ(score_of(found, "shrec21", "shrec21.FT").values, Eigen::Vector2d(1, 1.5));
+  EXPECT_EQ(score_of(found, "shrec21", "shrec21.ST").values, Eigen::Vector2d(0.75, 1));
+  EXPECT_EQ(score_of(found, "pytorch_metric_learning", "pytorch_metric_learning.MAP@R").values,
+            Eigen::Vector2d(0.5, 1));
+  EXPECT_THAT(score_of(found, "shrec21", "shrec21.FT").ranks, ElementsAre(2U, 1U));
+  EXPECT_THAT(score_of(found, "shrec21", "NN").ranks, ElementsAre(1U, 1U));
+}
+
+TEST_F(ProtocolAuditTest, TablesCompareScoresOfOneQuantity) {
+  const ProtocolAudit found = audit();
+  EXPECT_THAT(audited_quantities(found), ElementsAre("NN", "FT", "ST", "mAP", "nDCG"));
+  const TextTable table = audit_table(found, "FT", {.percent = true, .decimals = 0});
+  EXPECT_THAT(table.rows[0], testing::IsSupersetOf({"good", "100", "150", "1"}));
+  EXPECT_THAT(table.rows[1], testing::IsSupersetOf({"late", "50", "100", "2"}));
+  for (const std::vector<std::string>& row : audit_summary(found).rows) EXPECT_EQ(row[5], "0") << row[1];
+  EXPECT_EQ(audit_csv_table(found).rows.size(), 2 * found.scores.size());
+  EXPECT_EQ(audit_json(found)["scores"][1]["values"][1], 1);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,38 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/retrieval/feature_checks.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::HasSubstr;
+
+DistanceMatrix features_with_offset(double offset) {
+  return DistanceMatrix{{0, 1.25, 3}, {1, 4.5, 2}, {5, 9.75, 6}, {2, 3, 3.5}}.array() + offset;
+}
+
+TEST(CheckFeatures, SayNothingOfUsualFeatures) {
+  EXPECT_FALSE(check_features(features_with_offset(0)));
+  EXPECT_FALSE(check_features(features_with_offset(0.1)));
+}
+
+// At 1e7 + 0.1 the spacing of single precision is 1.
+TEST(CheckFeatures, WarnOfDifferencesThatSinglePrecisionChanges) {
+  EXPECT_THAT(check_features(features_with_offset(1e7 + 0.1)).value(), HasSubstr("% of the spread"));
+  EXPECT_THAT(check_features(features_with_offset(1e9)).value(), HasSubstr("equal others"));
+}
+
+TEST(CheckFeatures, RefuseDistances) {
+  DistanceMatrix distances{{0, 1, 2}, {1, 0, 3}, {2, 3, 0}};
+  EXPECT_THROW(check_features(distances), InputError);
+  distances(0, 2) = 2.5;
+  EXPECT_FALSE(check_features(distances));
+  EXPECT_FALSE(check_features(DistanceMatrix{{0, 1}, {1, 0}})) << "two models of two features";
+}
+
+}  // namespace
+
+}  // namespace shapegauge
