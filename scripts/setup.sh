@@ -31,7 +31,7 @@ missing_packages() {
 # install_packages PACKAGE...: installs missing Debian packages without asking.
 install_packages() {
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    say "not a Debian system: taking it that the counterparts of these packages are installed: $*"
+    say "not a Debian system: the counterparts of these packages must be installed (docs/install.md): $*"
     return
   fi
   local missing as_root=()

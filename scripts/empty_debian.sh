@@ -1,0 +1,51 @@
+# shellcheck shell=bash
+# An empty Debian in a folder, in which to try what a new user does. Sourced after scripts/setup.sh; root only.
+
+# can_make_debian: whether this machine can make one; prints the reason if not.
+can_make_debian() {
+  [[ $EUID -eq 0 ]] || { echo "only root can make one"; return 1; }
+  command -v debootstrap >/dev/null || install_packages debootstrap || true
+  command -v debootstrap >/dev/null || { echo "there is no debootstrap"; return 1; }
+}
+
+# debian_mirror: prints the address that this machine's packages of Debian come from.
+debian_mirror() {
+  apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(RELEASE)' "Created-By: Packages" |
+    awk -v release="$(. /etc/os-release && echo "$VERSION_CODENAME")" '$2 == "Debian" && $3 == release { print $1; exit }'
+}
+
+# make_empty_debian RELEASE ROOT: makes it, with git and certificates only, in a folder that does not exist. A packed copy
+# beside the build is used for a day. Packages that this machine has downloaded are shared.
+make_empty_debian() {
+  local release=$1 root=$2 packed=build/empty-$1.tar
+  mkdir -p build "$root"
+  if [[ -z $(find "$packed" -mmin -1440 2>/dev/null) ]]; then
+    say "making an empty Debian ($release)"
+    debootstrap --variant=minbase --include=git,ca-certificates "$release" "$root" "$(debian_mirror)" >&2 || return 1
+    # Packages are written without waiting for the disk: a crash would end the trial anyway.
+    echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
+    tar --create --file "$packed.part" --directory "$root" .
+    mv "$packed.part" "$packed" || return 1
+  else
+    tar --extract --file "$packed" --directory "$root" || return 1
+  fi
+  cp -L /etc/resolv.conf "$root/etc/resolv.conf"
+  mount -t proc proc "$root/proc" || return 1
+  mount --bind /dev "$root/dev" || return 1
+  mount -t devpts devpts "$root/dev/pts" || return 1
+  mount --bind /var/cache/apt/archives "$root/var/cache/apt/archives"
+}
+
+# remove_empty_debian ROOT: unmounts what was mounted, and removes the folder.
+remove_empty_debian() {
+  local mounted
+  for mounted in var/cache/apt/archives dev/pts dev proc; do umount --lazy "$1/$mounted" 2>/dev/null || true; done
+  rm -rf --one-file-system "$1"
+}
+
+# inside ROOT COMMAND...: runs a command in it, with an empty environment.
+inside() {
+  local root=$1
+  shift
+  chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 HOME=/root "$@"
+}
