@@ -14,84 +14,39 @@
 #include <limits>
 #include <span>
 
-#include "shapegauge/core/offset/half_space_projection-inl.h"
+#include "shapegauge/core/offset/offset_step-inl.h"
 #include "shapegauge/core/offset/point_search.h"
-#include "shapegauge/core/offset/triangle_lanes-inl.h"
+#include "shapegauge/core/offset/search_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 namespace {
 
-/// Features of triangles.
-struct Features {
-  Mask is_face;
-  Vectors edge;  ///< unit direction of the edge; zero at corners
+/// Triangle, -1 if there is none, with the half-space that its ball of radius r leaves free: normal . x >= height.
+struct Contact {
+  IntegerLanes triangle;
+  VectorLanes normal;
+  RealLanes height;
+  VectorLanes point;  ///< centre of the ball, on the triangle
+  LaneBits kept = 0;  ///< retained after the last step
 };
 
-/// Returns the features that contain points of triangles.
-HWY_INLINE Features features_at(const float* records, Integers triangle, const Vectors& point) {
-  IntegerLanes numbers;
-  store(hn::Max(triangle, integer(0)), numbers);
-  Reals field[16];
-  load_transposed(D(), records, numbers.data(), field);
-  const Reals inside = real(1e-3F);
-  const Vectors from_a = difference(point, {field[0], field[1], field[2]});
-  const Vectors ab{field[3], field[4], field[5]};
-  const Vectors ac{field[6], field[7], field[8]};
-  const Reals v = dot<D>(from_a, {field[9], field[10], field[11]});
-  const Reals w = dot<D>(from_a, {field[12], field[13], field[14]});
-  // NaN, for a degenerate triangle, counts as on all three edges.
-  const Mask off_ab = hn::Gt(w, inside);
-  const Mask off_ac = hn::Gt(v, inside);
-  const Mask off_bc = hn::Gt(hn::Sub(real(1), hn::Add(v, w)), inside);
-  const Mask is_on_edge = hn::Or(hn::And(off_ab, hn::Or(off_ac, off_bc)), hn::And(off_ac, off_bc));
-  const Vectors edge = select<D>(off_ab, select<D>(off_ac, difference(ac, ab), ac), ab);
-  const Vectors direction = product(hn::Div(real(1), length_of(edge)), edge);
-  return {hn::And(off_ab, hn::And(off_ac, off_bc)), select<D>(is_on_edge, direction, no_vector())};
-}
-
-/// Searches in the lanes of vectors. A lane whose search ends takes the next one.
+/// Searches in the lanes of vectors.
 class OffsetPointLanes {
  public:
-  OffsetPointLanes(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetPointTask> tasks)
+  OffsetPointLanes(const ExteriorGrid& exterior, ClosestTriangles& closest)
       : exterior_(exterior),
         closest_(closest),
         records_(exterior.surface().triangles.records()),
-        r_(static_cast<float>(exterior.grid().r)),
-        tasks_(tasks) {
+        r_(static_cast<float>(exterior.grid().r)) {
     for (Contact& contact : contacts_) remove(contact, mask_of(all_lanes()));
     for (VectorLanes* vectors : {&origin_, &x_, &last_step_, &known_}) store(no_vector(), *vectors);
     store(real(infinity), step_length_);
     store(real(0), trust_radius_);
   }
 
-  void run() {
-    while (start() || active_ != 0) {
-      const LaneBits moving = active_ & advance();
-      collect_triangles(moving);
-      finish(active_ & ~(moving & evaluate(moving)));
-    }
-  }
-
- private:
-  /// Starts waiting tasks in idle lanes. Returns false if there is none.
-  bool start() {
-    LaneBits started = 0;
-    for (std::size_t lane = 0; lane < hn::Lanes(D()) && next_task_ < tasks_.size(); ++lane) {
-      const LaneBits bit = LaneBits{1} << lane;
-      if ((active_ & bit) != 0) continue;
-      start(lane, next_task_++);
-      started |= bit;
-    }
-    if (started == 0) return false;
-    active_ |= started;
-    measure(records_, sum(load(origin_), load(x_)), at_contacts_[0]);
-    set(contacts_[0], mask_of(started), at_contacts_[0]);
-    return true;
-  }
-
-  void start(std::size_t lane, std::size_t number) {
-    const OffsetPointTask& task = tasks_[number];
+  /// Prepares a lane for a task.
+  void begin(std::size_t lane, OffsetPointTask& task) {
     const Eigen::Vector3f origin = task.p.cast<float>();
     origin_.set(lane, origin);
     x_.set(lane, (task.start - origin.cast<double>()).cast<float>());
@@ -100,27 +55,38 @@ class OffsetPointLanes {
     step_length_[lane] = infinity;
     trust_radius_[lane] = 0.1F;
     steps_[lane] = 0;
-    task_[lane] = number;
+    task_[lane] = &task;
     is_found_ &= ~(LaneBits{1} << lane);
     at_contacts_[0].triangle[lane] = task.triangle;
   }
 
-  /// Ends searches.
+  /// Makes one step of each running search. Returns those that have ended.
+  LaneBits step(LaneBits running, LaneBits started) {
+    if (started != 0) {
+      measure(records_, sum(load(origin_), load(x_)), at_contacts_[0]);
+      set(contacts_[0], mask_of(started), at_contacts_[0]);
+    }
+    const LaneBits moving = running & advance();
+    collect_triangles(moving);
+    const LaneBits ended = running & ~(moving & evaluate(moving));
+    if (ended != 0) finish(ended);
+    return ended;
+  }
+
+ private:
   void finish(LaneBits lanes) {
     for_each_lane(lanes, [&](std::size_t lane) {
-      OffsetPointTask& task = tasks_[task_[lane]];
+      OffsetPointTask& task = *task_[lane];
       task.found.reset();
       if ((is_found_ >> lane & 1U) != 0) task.found = origin_.at(lane) + found_.at(lane);
     });
-    if (lanes == 0) return;
     for (Contact& contact : contacts_) remove(contact, mask_of(lanes));
-    active_ &= ~lanes;
   }
 
   /// Moves x towards the projection of p onto the contacts' half-spaces. Returns the lanes in which there is one.
   LaneBits advance() {
     const Reals max_step = real(0.4F * r_);  // walls are thicker
-    const Projections to = Projector(contacts_).find();
+    const Projection<Reals> to = Projector<Reals>(half_spaces()).find();
     const Vectors x = load(x_);
     const Vectors step = corrected(to, difference(to.x, x));
     const Reals length = length_of(step);
@@ -128,12 +94,12 @@ class OffsetPointLanes {
     const Vectors moved = plus_product(x, hn::IfThenElse(is_long, hn::Div(max_step, length), real(1)), step);
     is_truncated_ = bits_of(is_long);
     for (Contact& contact : contacts_) {
-      const Reals excess = hn::Sub(dot<D>(load(contact.normal), moved), load(contact.height));
+      const Reals excess = hn::Sub(dot(load(contact.normal), moved), load(contact.height));
       const Mask is_touched = hn::Or(is_long, hn::Le(excess, real(tolerance)));
       contact.kept = bits_of(hn::And(is_touched, is_triangle(load(contact.triangle))));
     }
-    const Mask oscillates = hn::And(hn::Lt(dot<D>(step, load(last_step_)), real(0)),
-                                    hn::Gt(length, hn::Mul(real(0.5F), load(step_length_))));
+    const Mask oscillates =
+        hn::And(hn::Lt(dot(step, load(last_step_)), real(0)), hn::Gt(length, hn::Mul(real(0.5F), load(step_length_))));
     const Reals trust_radius = load(trust_radius_);
     store(hn::IfThenElse(oscillates, hn::Mul(real(0.5F), trust_radius), trust_radius), trust_radius_);
     store(moved, x_);
@@ -143,56 +109,38 @@ class OffsetPointLanes {
   }
 
   /// Returns the step with its curvature correction, shortened if the whole exceeds the trust radius.
-  HWY_INLINE Vectors corrected(const Projections& to, const Vectors& step) const {
+  HWY_INLINE Vectors corrected(const Projection<Reals>& to, const Vectors& step) const {
     const Reals available = hn::Sub(hn::Mul(load(trust_radius_), real(r_)), length_of(step));
     const Mask may_grow = hn::Gt(available, real(0));
     if (hn::AllFalse(D(), may_grow)) return step;
-    const Vectors more = curvature_correction(to, step);
+    const Vectors more = curvature_correction<Reals>(to, {active_contact(to, 0), active_contact(to, 1)}, step, r_);
     const Reals length = length_of(more);
     const Reals part = hn::IfThenElse(hn::Gt(length, available), hn::Div(available, length), real(1));
-    return select<D>(may_grow, plus_product(step, part, more), step);
+    return select(may_grow, plus_product(step, part, more), step);
   }
 
-  /// Returns the curvature correction of a step. Balls about edges and corners curve away from their half-spaces:
-  /// tangentially to the active contacts, where the curvature is 1 / r, the step is too short by the factor 1 -
-  /// multiplier / r (docs/methods/offset_sdf.md#the-steps-to-q).
-  HWY_INLINE Vectors curvature_correction(const Projections& to, const Vectors& step) const {
-    std::array<Vectors, 2> normals;
-    std::array<Features, 2> features;
-    std::array<Reals, 2> bends;
-    for (std::size_t k = 0; k < 2; ++k) {
-      Integers triangle = integer(-1);
-      normals[k] = no_vector();
-      Vectors point = no_vector();
-      for (std::size_t i = 0; i < max_contacts; ++i) {
-        const hn::Mask<DI> is_active = hn::Eq(to.contacts[k], integer(static_cast<std::int32_t>(i)));
-        triangle = hn::IfThenElse(is_active, load(contacts_[i].triangle), triangle);
-        normals[k] = select<D>(of_reals(is_active), load(contacts_[i].normal), normals[k]);
-        point = select<D>(of_reals(is_active), load(contacts_[i].point), point);
-      }
-      features[k] = features_at(records_, triangle, sum(load(origin_), point));
-      bends[k] = hn::IfThenZeroElse(features[k].is_face, hn::Mul(to.multipliers[k], real(1 / r_)));
+  HWY_INLINE std::array<HalfSpace<Reals>, max_contacts> half_spaces() const {
+    std::array<HalfSpace<Reals>, max_contacts> all;
+    for (std::size_t i = 0; i < max_contacts; ++i) all[i] = {load(contacts_[i].normal), load(contacts_[i].height)};
+    return all;
+  }
+
+  /// Returns the k-th active contact of a projection.
+  HWY_INLINE ActiveContact<Reals> active_contact(const Projection<Reals>& to, std::size_t k) const {
+    Integers triangle = integer(-1);
+    Vectors normal = no_vector();
+    Vectors point = no_vector();
+    for (std::size_t i = 0; i < max_contacts; ++i) {
+      const hn::Mask<DI> is_active = hn::Eq(to.contacts[k], integer(static_cast<std::int32_t>(i)));
+      triangle = hn::IfThenElse(is_active, load(contacts_[i].triangle), triangle);
+      normal = select(of_reals(is_active), load(contacts_[i].normal), normal);
+      point = select(of_reals(is_active), load(contacts_[i].point), point);
     }
-    const auto growth = [](Reals bend) HWY_ATTR {
-      constexpr float max_bend = 0.85F;
-      return hn::Sub(hn::Div(real(1), hn::Sub(real(1), hn::Min(bend, real(max_bend)))), real(1));
-    };
-    // One contact: across the edge, or around the corner.
-    const Vectors tangential = minus_product<D>(step, dot<D>(normals[0], step), normals[0]);
-    const Vectors across = minus_product<D>(tangential, dot<D>(features[0].edge, tangential), features[0].edge);
-    const Vectors of_one = product(growth(bends[0]), across);
-    // Two: along their crease.
-    const Vectors crease = cross(normals[0], normals[1]);
-    const Vectors along = product(hn::Div(real(1), hn::Max(length_of(crease), real(1e-20F))), crease);
-    Reals bend = real(0);
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Reals cosine = dot<D>(features[k].edge, along);
-      bend = hn::MulAdd(bends[k], hn::NegMulAdd(cosine, cosine, real(1)), bend);
-    }
-    const Vectors of_two = product(hn::Mul(growth(bend), dot<D>(along, step)), along);
-    const Mask has_one = of_reals(hn::Eq(to.count, integer(1)));
-    const Mask has_two = of_reals(hn::Eq(to.count, integer(2)));
-    return select<D>(has_one, of_one, select<D>(has_two, of_two, no_vector()));
+    IntegerLanes numbers;
+    store(hn::Max(triangle, integer(0)), numbers);
+    Reals record[16];
+    load_transposed(D(), records_, numbers.data(), record);
+    return {normal, feature_at(record, sum(load(origin_), point))};
   }
 
   /// Collects the triangles around x and, close to convergence, those nearest to the contacts.
@@ -205,7 +153,7 @@ class OffsetPointLanes {
     const LaneBits close = moving & bits_of(hn::Lt(load(step_length_), real(nearly_settled * r_)));
     std::array<VectorLanes, max_contacts> places;
     for (std::size_t i = 0; i < max_contacts; ++i) {
-      if ((close & contacts_[i].kept) != 0) store(minus_product<D>(x, real(r_), load(contacts_[i].normal)), places[i]);
+      if ((close & contacts_[i].kept) != 0) store(minus_product(x, real(r_), load(contacts_[i].normal)), places[i]);
     }
     for_each_lane(close, [&](std::size_t lane) { collect_near_contacts(lane, places); });
   }
@@ -237,10 +185,10 @@ class OffsetPointLanes {
     for_each_lane(free & ~touches_exterior_, [&](std::size_t lane) {
       // x is free but enclosed, and no further step can leave the enclosure.
       const Eigen::Vector3d x = origin_.at(lane) + x_.at(lane);
-      if (!is_connected_to(exterior_, x, tasks_[task_[lane]].start)) going &= ~(LaneBits{1} << lane);
+      if (!is_connected_to(exterior_, x, task_[lane]->start)) going &= ~(LaneBits{1} << lane);
     });
     const LaneBits found = free & going;
-    store(select<D>(mask_of(found), load(x_), load(found_)), found_);
+    store(select(mask_of(found), load(x_), load(found_)), found_);
     is_found_ |= found;
     const LaneBits is_settled = found & bits_of(hn::Lt(load(step_length_), real(settled * r_)));
     const Vectors apart = difference(load(known_), load(x_));
@@ -310,10 +258,10 @@ class OffsetPointLanes {
     for (std::size_t s = 0; s < others_count_; ++s) {
       const Reals squared = load(others_[s].squared);
       const Vectors vector = load(others_[s].vector);
-      const Mask is_apart = hn::Le(dot<D>(vector, direction), hn::Mul(real(max_cosine), hn::Sqrt(squared)));
+      const Mask is_apart = hn::Le(dot(vector, direction), hn::Mul(real(max_cosine), hn::Sqrt(squared)));
       const Mask is_closer = hn::And(hn::Lt(squared, least), is_apart);
       least = hn::IfThenElse(is_closer, squared, least);
-      closest = select<D>(is_closer, vector, closest);
+      closest = select(is_closer, vector, closest);
       number = hn::IfThenElse(of_integers(is_closer), load(others_[s].triangle), number);
     }
     Surrounding result;
@@ -336,18 +284,16 @@ class OffsetPointLanes {
   HWY_INLINE void set(Contact& contact, Mask where, const Surrounding& surrounding) const {
     const Vectors x = load(x_);
     const Vectors vector = load(surrounding.vector);
-    const Reals distance = hn::Sqrt(load(surrounding.squared));
-    const Vectors normal = product(hn::Div(real(1), distance), vector);
-    const Reals height = hn::Add(hn::Sub(dot<D>(normal, x), distance), real(r_));
-    store(select<D>(where, normal, load(contact.normal)), contact.normal);
-    store(select<D>(where, difference(x, vector), load(contact.point)), contact.point);
-    store(hn::IfThenElse(where, height, load(contact.height)), contact.height);
+    const HalfSpace<Reals> free = tangent_half_space(x, vector, hn::Sqrt(load(surrounding.squared)), r_);
+    store(select(where, free.normal, load(contact.normal)), contact.normal);
+    store(select(where, difference(x, vector), load(contact.point)), contact.point);
+    store(hn::IfThenElse(where, free.height, load(contact.height)), contact.height);
     store(hn::IfThenElse(of_integers(where), load(surrounding.triangle), load(contact.triangle)), contact.triangle);
   }
 
   HWY_INLINE static void remove(Contact& contact, Mask where) {
-    store(select<D>(where, no_vector(), load(contact.normal)), contact.normal);
-    store(select<D>(where, no_vector(), load(contact.point)), contact.point);
+    store(select(where, no_vector(), load(contact.normal)), contact.normal);
+    store(select(where, no_vector(), load(contact.point)), contact.point);
     store(hn::IfThenElse(where, real(no_height), load(contact.height)), contact.height);
     store(hn::IfThenElse(of_integers(where), integer(-1), load(contact.triangle)), contact.triangle);
   }
@@ -362,11 +308,8 @@ class OffsetPointLanes {
   ClosestTriangles& closest_;
   const float* records_;
   float r_;
-  std::span<OffsetPointTask> tasks_;
-  std::size_t next_task_ = 0;
-  std::array<std::size_t, max_lanes> task_{};
+  std::array<OffsetPointTask*, max_lanes> task_{};
   std::array<int, max_lanes> steps_{};
-  LaneBits active_ = 0;
   LaneBits is_found_ = 0;
   LaneBits is_truncated_ = 0;  ///< the last step was shortened
   LaneBits touches_exterior_ = 0;
@@ -381,7 +324,10 @@ class OffsetPointLanes {
 };
 
 void find_points(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetPointTask> tasks) {
-  OffsetPointLanes(exterior, closest, tasks).run();
+  OffsetPointLanes lanes(exterior, closest);
+  run_in_lanes(
+      tasks, [&](std::size_t lane, OffsetPointTask& task) { lanes.begin(lane, task); },
+      [&](LaneBits running, LaneBits started) { return lanes.step(running, started); });
 }
 
 }  // namespace

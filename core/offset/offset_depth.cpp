@@ -37,7 +37,7 @@ ClosestLanes closest_around(const ExteriorGrid& exterior, const VectorLanes& pla
   for (Surrounding& cell : cells) {
     measure(exterior.surface().triangles.records(), x, cell);
     const Reals squared = load(cell.squared);
-    closest = select<D>(hn::Lt(squared, least), load(cell.vector), closest);
+    closest = select(hn::Lt(squared, least), load(cell.vector), closest);
     least = hn::Min(squared, least);
   }
   store(closest, result.vector);
@@ -66,15 +66,19 @@ void set_depth(const ExteriorGrid& exterior, ClosestTriangles& triangles, const 
 }
 
 void find_depths(const ExteriorGrid& exterior, ClosestTriangles& triangles, std::span<OffsetDepthTask> tasks) {
-  const std::size_t lanes = hn::Lanes(D());
   VectorLanes places;
   store(no_vector(), places);
-  for (std::size_t first = 0; first < tasks.size(); first += lanes) {
-    const std::size_t count = std::min(lanes, tasks.size() - first);
-    for (std::size_t lane = 0; lane < count; ++lane) places.set(lane, tasks[first + lane].x.cast<float>());
+  std::array<OffsetDepthTask*, max_lanes> task_of{};
+  const auto begin = [&](std::size_t lane, OffsetDepthTask& task) {
+    places.set(lane, task.x.cast<float>());
+    task_of[lane] = &task;
+  };
+  const auto step = [&](LaneBits running, LaneBits /*started*/) {
     const ClosestLanes closest = closest_around(exterior, places);
-    for (std::size_t lane = 0; lane < count; ++lane) set_depth(exterior, triangles, closest, lane, tasks[first + lane]);
-  }
+    for_each_lane(running, [&](std::size_t lane) { set_depth(exterior, triangles, closest, lane, *task_of[lane]); });
+    return running;
+  };
+  run_in_lanes(tasks, begin, step);
 }
 
 }  // namespace

@@ -63,50 +63,35 @@ struct RayBox {
   }
 };
 
-/// Rays in the lanes of vectors. A lane whose ray ends takes the next one.
+/// Rays in the lanes of vectors.
 class OffsetExitLanes {
  public:
-  OffsetExitLanes(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks)
+  OffsetExitLanes(const ExteriorGrid& exterior, ClosestTriangles& closest)
       : exterior_(exterior),
         closest_(closest),
         records_(exterior.surface().triangles.records()),
-        r_(static_cast<float>(exterior.grid().r)),
-        tasks_(tasks) {
+        r_(static_cast<float>(exterior.grid().r)) {
     for (VectorLanes* vectors : {&origin_, &direction_}) store(no_vector(), *vectors);
     store(real(0), t_);
   }
 
-  void run() {
-    while (start() || active_ != 0) {
-      const LaneBits arrived = walk();
-      finish(advance(arrived));
-    }
+  /// Prepares a lane for a ray, from which the first r is known to be covered.
+  void begin(std::size_t lane, OffsetExitTask& task) {
+    origin_.set(lane, task.origin.cast<float>());
+    direction_.set(lane, task.direction.cast<float>());
+    t_[lane] = r_;
+    task_[lane] = &task;
+  }
+
+  /// Advances the running rays. Returns those that have ended.
+  LaneBits step(LaneBits running, LaneBits started) {
+    entering_ |= started;
+    const LaneBits ended = advance(walk(running));
+    for_each_lane(ended, [&](std::size_t lane) { task_[lane]->exit = static_cast<double>(t_[lane]); });
+    return ended;
   }
 
  private:
-  /// Starts waiting tasks in idle lanes. Returns false if there is none.
-  bool start() {
-    bool is_any = false;
-    for (LaneBits idle = all_lanes() & ~active_; idle != 0 && next_task_ < tasks_.size(); idle &= idle - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(idle));
-      const OffsetExitTask& task = tasks_[next_task_];
-      origin_.set(lane, task.origin.cast<float>());
-      direction_.set(lane, task.direction.cast<float>());
-      t_[lane] = r_;
-      task_[lane] = next_task_++;
-      active_ |= LaneBits{1} << lane;
-      entering_ |= LaneBits{1} << lane;
-      is_any = true;
-    }
-    return is_any;
-  }
-
-  /// Ends rays.
-  void finish(LaneBits lanes) {
-    for_each_lane(lanes, [&](std::size_t lane) { tasks_[task_[lane]].exit = static_cast<double>(t_[lane]); });
-    active_ &= ~lanes;
-  }
-
   HWY_INLINE RayAxis axis(const RealLanes& origin, const RealLanes& direction, const IntegerLanes& cube, int k) const {
     constexpr float least = 1e-12F;  // of directions
     const Reals along = load(direction);
@@ -126,7 +111,7 @@ class OffsetExitLanes {
 
   /// Advances rays to the next cube with an exterior corner or out of the grid, until most of them are there. Returns
   /// those.
-  LaneBits walk() {
+  LaneBits walk(LaneBits running) {
     constexpr int arrivals_to_stop = std::max(1, 3 * static_cast<int>(hn::MaxLanes(D())) / 4);
     RayAxis x = axis(origin_.x, direction_.x, cube_[0], 0);
     RayAxis y = axis(origin_.y, direction_.y, cube_[1], 1);
@@ -139,13 +124,13 @@ class OffsetExitLanes {
       const hn::Mask<DI> is_in_grid = hn::And(x.is_in_grid(), hn::And(y.is_in_grid(), z.is_in_grid()));
       const Integers block = hn::IfThenElseZero(is_in_grid, hn::Add(hn::Add(x.block(), y.block()), z.block()));
       const Integers state = hn::GatherIndex(DI(), exterior_.blocks(), block);
-      arrived |= active_ & ~bits_of(of_reals(hn::AndNot(has_exterior_corner(x, y, z, state), is_in_grid)));
-      if (arrived == active_ || std::popcount(arrived) >= arrivals_to_stop) break;
+      arrived |= running & ~bits_of(of_reals(hn::AndNot(has_exterior_corner(x, y, z, state), is_in_grid)));
+      if (arrived == running || std::popcount(arrived) >= arrivals_to_stop) break;
       const hn::Mask<DI> is_block = hn::Eq(state, integer(ExteriorGrid::none_exterior));
       const RayBox along_x(x, is_block);
       const RayBox along_y(y, is_block);
       const RayBox along_z(z, is_block);
-      const Mask moves = mask_of(active_ & ~arrived);
+      const Mask moves = mask_of(running & ~arrived);
       const Reals end = hn::Max(hn::Min(along_x.end, hn::Min(along_y.end, along_z.end)), t);
       t = hn::IfThenElse(moves, end, t);
       x.cube = hn::IfThenElse(of_integers(moves), along_x.next(x, t), x.cube);
@@ -191,7 +176,7 @@ class OffsetExitLanes {
       measure(records_, x, cell);
       covered = hn::Max(covered, end_of_balls(cell, direction));
       const Reals squared = load(cell.squared);
-      closest = select<D>(hn::Lt(squared, least), load(cell.vector), closest);
+      closest = select(hn::Lt(squared, least), load(cell.vector), closest);
       least = hn::Min(squared, least);
     }
     const LaneBits has_triangles = arrived & bits_of(hn::Lt(least, real(infinity)));
@@ -220,7 +205,7 @@ class OffsetExitLanes {
     const Reals squared = load(surrounding.squared);
     const Mask is_covered = hn::Lt(squared, real(r_ * r_));
     if (hn::AllFalse(D(), is_covered)) return real(0);
-    const Reals along = dot<D>(load(surrounding.vector), direction);
+    const Reals along = dot(load(surrounding.vector), direction);
     const Reals half_chord2 = hn::MulAdd(along, along, hn::Sub(real(outside * outside), squared));
     return hn::IfThenElseZero(is_covered, hn::Sub(hn::Sqrt(half_chord2), along));
   }
@@ -250,10 +235,7 @@ class OffsetExitLanes {
   ClosestTriangles& closest_;
   const float* records_;
   float r_;
-  std::span<OffsetExitTask> tasks_;
-  std::size_t next_task_ = 0;
-  std::array<std::size_t, max_lanes> task_{};
-  LaneBits active_ = 0;
+  std::array<OffsetExitTask*, max_lanes> task_{};
   LaneBits entering_ = 0;  ///< rays whose cube has to be found
   VectorLanes origin_, direction_;
   RealLanes t_;
@@ -263,7 +245,10 @@ class OffsetExitLanes {
 };
 
 void find_exits(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks) {
-  OffsetExitLanes(exterior, closest, tasks).run();
+  OffsetExitLanes lanes(exterior, closest);
+  run_in_lanes(
+      tasks, [&](std::size_t lane, OffsetExitTask& task) { lanes.begin(lane, task); },
+      [&](LaneBits running, LaneBits started) { return lanes.step(running, started); });
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <hwy/highway.h>
 #include <limits>
+#include <span>
 
 #include "shapegauge/core/offset/exterior_grid.h"
 #include "shapegauge/core/offset/triangle_lanes-inl.h"
@@ -62,7 +63,7 @@ HWY_INLINE void store(const Vectors& from, VectorLanes& lanes) {
 
 HWY_INLINE Reals real(float value) { return hn::Set(D(), value); }
 HWY_INLINE Integers integer(std::int32_t value) { return hn::Set(DI(), value); }
-HWY_INLINE Vectors no_vector() { return {real(0), real(0), real(0)}; }
+HWY_INLINE Vectors no_vector() { return zero_vector<Reals>(); }
 HWY_INLINE Mask no_lane() { return hn::Lt(real(0), real(0)); }
 HWY_INLINE Mask of_reals(hn::Mask<DI> mask) { return hn::RebindMask(D(), mask); }
 HWY_INLINE hn::Mask<DI> of_integers(Mask mask) { return hn::RebindMask(DI(), mask); }
@@ -84,22 +85,24 @@ void for_each_lane(LaneBits bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-HWY_INLINE Vectors sum(const Vectors& u, const Vectors& v) {
-  return {hn::Add(u.x, v.x), hn::Add(u.y, v.y), hn::Add(u.z, v.z)};
+/// Runs tasks in the lanes of vectors; a lane whose task ends takes the next one. `begin(lane, task)` prepares a lane.
+/// `step(running, started)` advances the running lanes, some of which have just started, and returns those whose tasks
+/// have ended.
+template <typename Task, typename Begin, typename Step>
+void run_in_lanes(std::span<Task> tasks, const Begin& begin, const Step& step) {
+  std::size_t next = 0;
+  LaneBits running = 0;
+  while (true) {
+    LaneBits started = 0;
+    for (LaneBits idle = all_lanes() & ~running; idle != 0 && next < tasks.size(); idle &= idle - 1) {
+      begin(static_cast<std::size_t>(std::countr_zero(idle)), tasks[next++]);
+      started |= idle & -idle;
+    }
+    running |= started;
+    if (running == 0) return;
+    running &= ~step(running, started);
+  }
 }
-HWY_INLINE Vectors difference(const Vectors& u, const Vectors& v) {
-  return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
-}
-HWY_INLINE Vectors product(Reals s, const Vectors& v) { return {hn::Mul(s, v.x), hn::Mul(s, v.y), hn::Mul(s, v.z)}; }
-/// Computes u + s v.
-HWY_INLINE Vectors plus_product(const Vectors& u, Reals s, const Vectors& v) {
-  return {hn::MulAdd(s, v.x, u.x), hn::MulAdd(s, v.y, u.y), hn::MulAdd(s, v.z, u.z)};
-}
-HWY_INLINE Vectors cross(const Vectors& u, const Vectors& v) {
-  return {hn::NegMulAdd(u.z, v.y, hn::Mul(u.y, v.z)), hn::NegMulAdd(u.x, v.z, hn::Mul(u.z, v.x)),
-          hn::NegMulAdd(u.y, v.x, hn::Mul(u.x, v.y))};
-}
-HWY_INLINE Reals length_of(const Vectors& v) { return hn::Sqrt(dot<D>(v, v)); }
 
 /// Triangles, -1 if there is none, with the vectors from their closest points to places.
 struct Surrounding {

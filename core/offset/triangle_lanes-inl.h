@@ -14,32 +14,14 @@
 #include <cstdint>
 #include <hwy/highway.h>
 
+#include "shapegauge/core/offset/numbers-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 /// One vector of space per lane.
 template <typename D>
-struct LaneVectors {
-  hn::Vec<D> x, y, z;
-};
-
-template <typename D>
-HWY_INLINE hn::Vec<D> dot(const LaneVectors<D>& u, const LaneVectors<D>& v) {
-  return hn::MulAdd(u.x, v.x, hn::MulAdd(u.y, v.y, hn::Mul(u.z, v.z)));
-}
-
-/// Computes u - v b for scalars v.
-template <typename D>
-HWY_INLINE LaneVectors<D> minus_product(const LaneVectors<D>& u, hn::Vec<D> v, const LaneVectors<D>& b) {
-  return {hn::NegMulAdd(v, b.x, u.x), hn::NegMulAdd(v, b.y, u.y), hn::NegMulAdd(v, b.z, u.z)};
-}
-
-template <typename D>
-HWY_INLINE LaneVectors<D> select(hn::Mask<D> mask, const LaneVectors<D>& u, const LaneVectors<D>& v) {
-  return {hn::IfThenElse(mask, u.x, v.x), hn::IfThenElse(mask, u.y, v.y), hn::IfThenElse(mask, u.z, v.z)};
-}
+using LaneVectors = Vector3<hn::Vec<D>>;
 
 /// Loads sixteen numbers of one record per lane as sixteen vectors: loads groups of four numbers and transposes them
 /// within 128-bit lanes. Faster than gathering.
@@ -101,27 +83,27 @@ HWY_INLINE LaneDistances<D> vectors_from_triangles(D d, const float* records, co
   const LaneVectors<D> a{hn::Sub(place.x, field[0]), hn::Sub(place.y, field[1]), hn::Sub(place.z, field[2])};
   const LaneVectors<D> ab{field[3], field[4], field[5]};
   const LaneVectors<D> ac{field[6], field[7], field[8]};
-  const Lanes along_ab = dot<D>(a, ab);
-  const Lanes along_ac = dot<D>(a, ac);
-  const Lanes ab2 = dot<D>(ab, ab);
+  const Lanes along_ab = dot(a, ab);
+  const Lanes along_ac = dot(a, ac);
+  const Lanes ab2 = dot(ab, ab);
   // x - a - v ab - w ac, for the coordinates v and w of a point of the triangle.
-  const auto rest = [&](Lanes v, Lanes w) HWY_ATTR { return minus_product<D>(minus_product<D>(a, w, ac), v, ab); };
+  const auto rest = [&](Lanes v, Lanes w) HWY_ATTR { return minus_product(minus_product(a, w, ac), v, ab); };
   LaneVectors<D> shortest = rest(clamp(hn::Div(along_ab, hn::Max(ab2, tiny))), zero);
-  Lanes squared = dot<D>(shortest, shortest);
+  Lanes squared = dot(shortest, shortest);
   const auto consider = [&](const LaneVectors<D>& other, hn::Mask<D> selected) HWY_ATTR {
-    const Lanes other2 = dot<D>(other, other);
+    const Lanes other2 = dot(other, other);
     const hn::Mask<D> is_shorter = hn::And(selected, hn::Lt(other2, squared));
-    shortest = select<D>(is_shorter, other, shortest);
+    shortest = select(is_shorter, other, shortest);
     squared = hn::IfThenElse(is_shorter, other2, squared);
   };
   const hn::Mask<D> all = hn::Eq(zero, zero);
-  consider(rest(zero, clamp(hn::Div(along_ac, hn::Max(dot<D>(ac, ac), tiny)))), all);
+  consider(rest(zero, clamp(hn::Div(along_ac, hn::Max(dot(ac, ac), tiny)))), all);
   // (x - b) . bc = (x - a) . (ac - ab) - ab . (ac - ab)
-  const Lanes along_bc = hn::Add(hn::Sub(along_ac, along_ab), hn::Sub(ab2, dot<D>(ab, ac)));
+  const Lanes along_bc = hn::Add(hn::Sub(along_ac, along_ab), hn::Sub(ab2, dot(ab, ac)));
   const Lanes t = clamp(hn::Mul(along_bc, field[15]));
   consider(rest(hn::Sub(one, t), t), all);
-  const Lanes v = dot<D>(a, {field[9], field[10], field[11]});
-  const Lanes w = dot<D>(a, {field[12], field[13], field[14]});
+  const Lanes v = dot<Lanes>(a, {field[9], field[10], field[11]});
+  const Lanes w = dot<Lanes>(a, {field[12], field[13], field[14]});
   consider(rest(v, w), hn::And(hn::And(hn::Ge(v, zero), hn::Ge(w, zero)), hn::Le(hn::Add(v, w), one)));
   return {shortest, squared};
 }

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "shapegauge/core/offset/nearest_offset_point.h"
+#include "shapegauge/core/offset/offset_sites.h"
+#include "shapegauge/core/offset/point_search.h"
+
+namespace shapegauge {
+
+/// Sample whose q has to be searched for, since p + r n and p - r n are covered. Points are in cells.
+struct CoveredSample {
+  Eigen::Index index;
+  Eigen::Vector3d p;
+  std::array<Eigen::Vector3d, 2> raised;  ///< p' on either side; equal if the sample has no normal
+  std::int32_t triangle;                  ///< that probably contains p
+  std::size_t group;                      ///< samples of a group are consecutive and near each other
+};
+
+/// q, the point of E(r) nearest to a raised sample; a site near it if no iteration has converged.
+struct SearchedPoint {
+  Eigen::Vector3d q;
+  bool has_converged;
+};
+
+/// Searches for q of covered samples by iterations from sites (docs/methods/offset_sdf.md#algorithm). Each search is in
+/// a State, and advance() is its only transition:
+///
+///     near_sites ---> iteration <--> far_sites
+///                      |     ^
+///                      v     |  from another site, from the raised sample on the other side,
+///                     end    +- or again from the last result if a triangle covers it
+///
+/// The side nearer to a site comes first, whatever the orientation of the normal. Results do not depend on the other
+/// samples. Used by one thread.
+class OffsetSearch {
+ public:
+  OffsetSearch(const ExteriorGrid& exterior, const OffsetSites& sites, ClosestTriangles& closest);
+
+  /// Returns q of each sample, valid until the next call.
+  const std::vector<SearchedPoint>& find(std::span<const CoveredSample> samples);
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static inline const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(infinity);
+  static constexpr std::size_t max_starts = 9;
+
+  /// What a search waits for.
+  enum class State : std::uint8_t {
+    near_sites,  ///< the sites nearest to the raised sample on each side
+    far_sites,   ///< farther sites on the current side: no iteration from the near ones has converged
+    iteration,   ///< an iteration
+    end
+  };
+
+  /// Search from the sample as raised to one side.
+  struct Side {
+    Eigen::Vector3d raised;                              ///< p'
+    double distance = 0;                                 ///< from p' to the nearest site
+    std::array<NearbySites::Site, max_starts> starts{};  ///< sites from which iterations begin, nearest first
+    std::size_t start_count = 0;
+    std::size_t next_start = 0;
+    bool has_far_sites = false;
+    Eigen::Vector3d found = nowhere;  ///< q, if found from this side
+  };
+
+  struct Search {
+    CoveredSample sample;
+    std::array<Side, 2> sides;
+    State state = State::near_sites;
+    std::size_t current = 0;  ///< side
+    bool is_last_side = false;
+    int repeats = 0;         ///< of the current iteration
+    double best = infinity;  ///< distance of q from p'
+    Eigen::Vector3d q = nowhere;
+
+    [[nodiscard]] Side& side() { return sides[current]; }
+    [[nodiscard]] bool is_found() const { return best < infinity; }
+  };
+
+  /// Consecutive searches of a group.
+  struct Group {
+    std::size_t begin, end;
+    Eigen::AlignedBox3d box;  ///< of the raised samples
+  };
+
+  void begin(std::span<const CoveredSample> samples);
+  bool collect_starts();
+  void collect_starts(Search& search, const Eigen::AlignedBox3d& box);
+  void measure(Search& search, const Eigen::AlignedBox3d& box);
+  void set_starts(Search& search, std::size_t side, double margin, double min_spacing, std::size_t max_count);
+  void iterate();
+  template <typename Transition>
+  void advance_all(const Transition& transition);
+  State advance(Search& search, OffsetPointTask& task) const;
+  State advance_from_result(Search& search, OffsetPointTask& task);
+  [[nodiscard]] const NearbySites::Site* next_start(Search& search) const;
+  [[nodiscard]] bool turn_to_other_side(Search& search) const;
+  [[nodiscard]] std::int32_t covering_triangle(const CoveredSample& sample, const Eigen::Vector3d& x);
+  void keep_nearest(Search& search, const Eigen::Vector3d& x) const;
+  [[nodiscard]] Eigen::Vector3d nearest_site(const Search& search) const;
+
+  /// Maximum decrease of the distance, in cells, from a site to its refined point, with few exceptions. With fine cells
+  /// it is up to 0.133 r.
+  [[nodiscard]] double gain() const { return std::max(0.4, 0.133 * r_); }
+  /// Maximum excess of the distance of a far site over that of the nearest one.
+  [[nodiscard]] double far_margin() const { return 3 * gain(); }
+
+  const ExteriorGrid& exterior_;
+  const OffsetSites& sites_;
+  ClosestTriangles& closest_;
+  double r_;
+  NearbySites nearby_;
+  double reach_ = 0;  ///< sites within this distance of the group's box have been collected
+  std::vector<NearbySites::Site> found_sites_;
+  std::vector<Search> searches_;
+  std::vector<Group> groups_;
+  std::vector<OffsetPointTask> tasks_;  ///< iterations
+  std::vector<std::size_t> running_;    ///< search of each task
+  std::vector<SearchedPoint> results_;
+};
+
+}  // namespace shapegauge
