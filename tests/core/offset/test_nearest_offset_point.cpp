@@ -1,5 +1,4 @@
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -7,9 +6,7 @@
 #include <vector>
 
 #include "shapegauge/core/offset/nearest_offset_point.h"
-#include "shapegauge/core/offset/offset_sites.h"
 #include "shapegauge/core/shape/shape.h"
-#include "tests/core/sdf/crevice_shapes.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -102,45 +99,6 @@ TEST(NearestOffsetPoint, ConvergesAroundCorners) {
       EXPECT_LT((*tasks[0].found - exact).norm(), 0.01 * grids.grid.r) << f << ' ' << k;
     }
   }
-}
-
-/// Tasks from sites to the middles of their triangles.
-std::vector<OffsetPointTask> many_tasks(const TaskGrid& grids, const Shape& shape) {
-  const OffsetSites sites(grids.exterior, site_band, false);
-  std::vector<OffsetPointTask> tasks;
-  for (std::size_t c = 0; c < sites.chunks.size(); ++c) {
-    for (std::size_t i = 0; i < sites.chunks[c].triangle.size(); i += 5) {
-      const auto site = static_cast<std::uint32_t>(c * OffsetSites::max_in_chunk + i);
-      const Triangle t = triangle_in_cells(grids.grid, shape, sites.triangle(site));
-      tasks.push_back({.p = (t.a + t.b + t.c) / 3,
-                       .start = sites.place(site),
-                       .triangle = sites.triangle(site),
-                       .known = nowhere,
-                       .found = {}});
-    }
-  }
-  return tasks;
-}
-
-TEST(NearestOffsetPoint, ResultOfATaskDoesNotDependOnTheOthers) {
-  const Shape shape = test::of_diagonal_1(test::star());
-  const TaskGrid grids(shape, 0.05);
-  const std::vector<OffsetPointTask> tasks = many_tasks(grids, shape);
-  ASSERT_GT(tasks.size(), 100U);
-  std::vector<OffsetPointTask> together = tasks;
-  grids.solve(together);
-  std::vector<OffsetPointTask> backwards(tasks.rbegin(), tasks.rend());
-  grids.solve(backwards);
-  std::reverse(backwards.begin(), backwards.end());
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    std::vector<OffsetPointTask> alone{tasks[i]};
-    grids.solve(alone);
-    EXPECT_EQ(alone[0].found, together[i].found) << i;
-    EXPECT_EQ(backwards[i].found, together[i].found) << i;
-    found += together[i].found ? 1 : 0;
-  }
-  EXPECT_GT(found, tasks.size() / 4);
 }
 
 TEST(NearestOffsetPoint, IsAbandonedNearAKnownResult) {

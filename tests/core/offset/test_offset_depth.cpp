@@ -77,18 +77,6 @@ TEST(OffsetDepth, IsThatOfTheDistanceToTheSurface) {
   EXPECT_GT(small, 100);
 }
 
-TEST(OffsetDepth, OfAPlaceDoesNotDependOnTheOthers) {
-  const DepthGrid of(test::torus(1, 0.4, 60, 40));
-  std::vector<OffsetDepthTask> together = places_about(of);
-  std::vector<OffsetDepthTask> alone = together;
-  of.solve(together);
-  for (std::size_t i = 0; i < alone.size(); ++i) {
-    of.solve({&alone[i], 1});
-    EXPECT_EQ(alone[i].is_exterior, together[i].is_exterior) << i;
-    EXPECT_EQ(alone[i].depth, together[i].depth) << i;
-  }
-}
-
 TEST(OffsetDepth, IsOneWithoutATriangleNearby) {
   const DepthGrid of(test::sphere(1, 4));
   std::vector<OffsetDepthTask> tasks{{.x = of.grid.to_cells({0, 0, 0})}};

@@ -186,28 +186,6 @@ TEST(OffsetExit, OfAPointCloudIsWhereTheRayLeavesItsBalls) {
   EXPECT_NEAR(exit({0, 0, 0}, oblique), along + std::sqrt(along * along + r * r - 0.16), 0.005 * r);
 }
 
-TEST(OffsetExit, OfARayDoesNotDependOnTheOthers) {
-  const Shape shape = test::of_diagonal_1(test::star());
-  const ExitOf exit(shape, 0.05);
-  const Samples samples = sample_shape(shape, SampleSite::faces);
-  RandomNumbers random(4);
-  std::vector<OffsetExitTask> tasks;
-  for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
-    tasks.push_back(exit.task(samples.points.row(i), random_direction(random)));
-  }
-  std::vector<OffsetExitTask> together = tasks;
-  exit.solve(together);
-  std::vector<OffsetExitTask> backwards(tasks.rbegin(), tasks.rend());
-  exit.solve(backwards);
-  std::reverse(backwards.begin(), backwards.end());
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    std::vector<OffsetExitTask> alone{tasks[i]};
-    exit.solve(alone);
-    EXPECT_EQ(alone[0].exit, together[i].exit) << i;
-    EXPECT_EQ(backwards[i].exit, together[i].exit) << i;
-  }
-}
-
 /// Returns true if a cell of the eight around x is exterior: the literal definition of the rays' cubes.
 bool touches_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
   for (int corner = 0; corner < 8; ++corner) {
