@@ -22,8 +22,6 @@ inline constexpr std::array<std::string_view, 2> words_of<SegmentationAlgorithm>
 enum class SegmentedSdf { offset, cone };
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<SegmentedSdf>{"offset_sdf", "cone_sdf"};
-template <>
-inline constexpr std::array<std::string_view, 2> older_words_of<SegmentedSdf>{"offset", "cone"};
 
 /// Options of segment_shape().
 struct SegmentationOptions {

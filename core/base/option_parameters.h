@@ -78,11 +78,9 @@ constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view 
   constexpr bool is_word = std::is_enum_v<Value>;
   static_assert(is_list || is_word || is_integer<Value> || std::is_same_v<Value, double> ||
                 std::is_same_v<Value, bool>);
-  std::span<const std::string_view> older_choices;
   if constexpr (is_word) {
     static_assert(words_of<Value>.size() > 0);
     choices = words_of<Value>;
-    older_choices = older_words_of<Value>;
   }
   return OptionParameter<Options>{
       .parameter = {.name = name,
@@ -94,7 +92,6 @@ constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view 
                     .default_value = held_value(Options{}.*member),
                     .bounds = bounds,
                     .choices = choices,
-                    .older_choices = older_choices,
                     .description = description},
       .value = [](const Options& options) { return ParameterValue(held_value(options.*member)); },
       .set = [](Options& options, const ParameterValue& value) { options.*member = member_value<Value>(value); }};

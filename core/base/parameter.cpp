@@ -152,11 +152,8 @@ std::string legal_values(const Parameter& parameter) {
 }
 
 std::optional<std::string_view> choice_of(const Parameter& parameter, std::string_view word) {
-  for (const auto words : {parameter.choices, parameter.older_choices}) {
-    const auto found = std::ranges::find(words, word);
-    if (found != words.end()) return parameter.choices[static_cast<std::size_t>(found - words.begin())];
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(parameter.choices, word);
+  return found == parameter.choices.end() ? std::nullopt : std::optional(*found);
 }
 
 ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value) {

@@ -82,10 +82,8 @@ struct Parameter {
   ParameterValue default_value = {};               ///< of the parameter's kind; none if mandatory
   Bounds bounds = {};                              ///< of numbers and integers
   std::span<const std::string_view> choices = {};  ///< legal words
-  /// Names of the choices in earlier versions, in the same order; accepted, and converted to the choices.
-  std::span<const std::string_view> older_choices = {};
-  std::string_view description;  ///< one sentence
-  std::string_view unit = {};    ///< of a number, to follow "in": "degrees"; empty: a pure number
+  std::string_view description;                    ///< one sentence
+  std::string_view unit = {};                      ///< of a number, to follow "in": "degrees"; empty: a pure number
 
   [[nodiscard]] bool required() const { return std::holds_alternative<std::monostate>(default_value); }
 };

@@ -15,10 +15,6 @@ namespace shapegauge {
 template <typename Enumeration>
 inline constexpr std::array<std::string_view, 0> words_of{};
 
-/// Names of the same values in earlier versions, which options still accept. Specialised if there are any.
-template <typename Enumeration>
-inline constexpr std::array<std::string_view, 0> older_words_of{};
-
 /// Returns the word of a value.
 template <typename Enumeration>
 constexpr std::string_view word_of(Enumeration value) {

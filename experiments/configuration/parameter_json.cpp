@@ -161,12 +161,7 @@ OrderedJson schema_of(const Parameter& parameter) {
   if (parameter.kind == ParameterKind::boolean) {
     schema["type"] = "boolean";
   } else if (parameter.kind == ParameterKind::choice) {
-    if (!parameter.older_choices.empty()) {
-      const std::vector<std::string_view> older(parameter.older_choices.begin(), parameter.older_choices.end());
-      schema.update({{"if", {{"enum", older}}}, {"else", {{"enum", words}}}});
-    } else {
-      schema["enum"] = words;
-    }
+    schema["enum"] = words;
   } else {
     schema.update(with_words(words, with_lists(parameter, number_schema(parameter))));
   }

@@ -35,8 +35,6 @@ enum class Colouring { red, green, blue };
 
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Colouring>{"red", "green", "blue"};
-template <>
-inline constexpr std::array<std::string_view, 3> older_words_of<Colouring>{"scarlet", "verdant", "azure"};
 
 namespace {
 
@@ -91,9 +89,6 @@ TEST(OptionParameters, EnumerationsAreWords) {
   EXPECT_EQ(options.colour, Colouring::blue);
   EXPECT_EQ(options.inner.count, 8);
   EXPECT_THROW(values.set("colour", "grey"), InputError);
-  values.set("colour", "scarlet");
-  EXPECT_EQ(values.word("colour"), "red") << "older name";
-  EXPECT_EQ(std::get<std::string_view>(parse_value(word_parameters[0], "azure")), "blue");
   EXPECT_EQ(legal_values(word_parameters[0]), "one of red, green, blue");
   EXPECT_THROW(check_options("x", word_table, {.inner = {.count = 0}}), InputError);
 }
