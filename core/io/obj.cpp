@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -28,8 +29,10 @@ class ObjReader {
       const std::string_view statement = scanner_.read_word();
       if (statement == "v") {
         read_vertex();
-      } else if (statement == "f") {
+      } else if (statement == "f" || statement == "fo") {  // the older name
         read_face();
+      } else if (statement == "surf" || statement == "curv" || statement == "curv2") {
+        free_form_ = true;
       }
       skip_statement();
     }
@@ -38,6 +41,9 @@ class ObjReader {
       scanner_.fail_at(largest_.offset, message_bad_index(largest_.face, largest_.vertex + 1));
     }
     if (vertices == 0) scanner_.fail_whole("no vertices");
+    if (faces_ == 0 && free_form_) {
+      scanner_.fail_whole("has free-form curves or surfaces but no faces; convert it to a mesh");
+    }
     if (faces_ > 0 && soup_.triangles() == 0) scanner_.fail_whole(message_no_triangles(faces_));
     if (faces_ == 0) read_normals();
     return soup_.shape();
@@ -105,7 +111,8 @@ class ObjReader {
 
   /// Reads `v`, `v/vt`, `v//vn` or `v/vt/vn`; returns the vertex index from 0.
   std::int32_t read_corner() {
-    const std::string_view word = scanner_.read_word();
+    std::string_view word = scanner_.read_word();
+    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
     std::int64_t index = 0;
     const auto [last, error] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (error != std::errc() || (last != word.data() + word.size() && *last != '/')) {
@@ -129,8 +136,32 @@ class ObjReader {
   TextScanner beginning_;
   SoupBuilder soup_;
   std::int64_t faces_ = 0;
+  bool free_form_ = false;
   Corner largest_;
 };
+
+/// Separates the backslashes that continue statements of numbers (v, f and the like) from the numbers before them, and
+/// removes blanks behind them. Lines keep their numbers. In other statements, a backslash may end a path.
+std::string with_separate_continuations(const std::string& bytes) {
+  if (bytes.find('\\') == std::string::npos) return bytes;
+  std::string text;
+  bool continued = false;
+  for (std::size_t begin = 0; begin < bytes.size();) {
+    const std::size_t end = std::min(bytes.find_first_of("\r\n", begin), bytes.size());
+    const std::string_view line = trim(std::string_view(bytes).substr(begin, end - begin));
+    const bool has_numbers = continued || line.starts_with('v') || line.starts_with('f');
+    continued = has_numbers && line.ends_with('\\');
+    if (continued) {
+      text.append(line.substr(0, line.size() - 1)).append(" \\");
+    } else {
+      text.append(bytes, begin, end - begin);
+    }
+    const std::size_t next = std::min(bytes.find_first_not_of("\r\n", end), bytes.size());
+    text.append(bytes, end, next - end);
+    begin = next;
+  }
+  return text;
+}
 
 /// Returns true if the first statement is one of an OBJ file.
 bool begins_like_obj(std::string_view bytes) {
@@ -143,7 +174,10 @@ bool begins_like_obj(std::string_view bytes) {
 
 }  // namespace
 
-Shape read_obj(const std::string& bytes, const std::string& name) { return ObjReader(TextScanner(bytes, name)).read(); }
+Shape read_obj(const std::string& bytes, const std::string& name) {
+  const std::string text = with_separate_continuations(bytes);
+  return ObjReader(TextScanner(text, name)).read();
+}
 
 void check_obj_header(const std::string& bytes, const std::string& name) {
   TextScanner scanner(bytes, name);

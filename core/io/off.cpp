@@ -250,7 +250,11 @@ class OffBody {
   Shape read() {
     for (std::int64_t i = 0; i < counts_.vertices; ++i) read_vertex(i);
     for (std::int64_t i = 0; i < counts_.faces; ++i) read_face(i);
-    if (layout_ == OffLayout::words && !scanner_.at_end()) scanner_.fail_whole("unexpected data after the last face");
+    if (!scanner_.at_end()) {
+      scanner_.fail_whole(layout_ == OffLayout::words
+                              ? "unexpected data after the last face"
+                              : "data after the last face; the numbers of vertices and faces in its header are wrong");
+    }
     if (counts_.faces > 0 && soup_.triangles() == 0) {
       scanner_.fail_whole(message_no_triangles(counts_.faces));
     }

@@ -175,17 +175,17 @@ PlyProperty read_property(TextScanner& scanner) {
   return property;
 }
 
-/// Returns the length of the next line end: a binary body's first byte may itself look like one.
-std::size_t length_of_line_end(std::string_view text) {
+/// Returns true if the first line of the text ends with CR alone.
+bool ends_lines_with_cr(std::string_view text) {
   const std::size_t start = text.find_first_of("\r\n");
-  return start != std::string_view::npos && text.substr(start).starts_with("\r\n") ? 2 : 1;
+  return start != std::string_view::npos && text[start] == '\r' && !text.substr(start).starts_with("\r\n");
 }
 
 /// Reads a PLY file's header (Greg Turk, "The PLY Polygon File Format") and leaves the scanner at the first byte of the
 /// body. Throws InputError, with the line, for an invalid header.
 PlyHeader read_ply_header(TextScanner& scanner) {
   if (scanner.read_word() != "ply") scanner.fail("not a PLY file: it does not begin with \"ply\"");
-  const std::size_t line_end = length_of_line_end(scanner.rest());
+  const bool cr_alone = ends_lines_with_cr(scanner.rest());
   PlyHeader header;
   bool has_format = false;
   while (true) {
@@ -209,6 +209,8 @@ PlyHeader read_ply_header(TextScanner& scanner) {
     scanner.skip_line();
   }
   if (!has_format) scanner.fail("the header names no format");
+  // The last line may end otherwise than the first. After CR alone, the body's first byte may look like LF.
+  const std::size_t line_end = scanner.rest().starts_with("\r\n") && !cr_alone ? 2 : 1;
   scanner.advance(std::min(line_end, scanner.remaining()));
   return header;
 }

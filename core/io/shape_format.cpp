@@ -84,7 +84,10 @@ Shape SoupBuilder::shape() {
   if (!polygons_.empty()) replace_fans();
   Shape shape{matrix_of<Points>(vertices_), matrix_of<Triangles>(triangles_)};
   shape.polygons = {.of_triangle = polygons_, .count = faces_};
-  if (is_cloud(shape) && normals_.size() == vertices_.size()) shape.normals = matrix_of<Points>(normals_);
+  const bool has_normals = std::ranges::any_of(normals_, [](const auto& n) { return n != std::array<double, 3>{}; });
+  if (is_cloud(shape) && has_normals && normals_.size() == vertices_.size()) {
+    shape.normals = matrix_of<Points>(normals_);
+  }
   return shape;
 }
 

@@ -18,7 +18,8 @@ namespace shapegauge {
 
 /// Builds a shape vertex by vertex and corner by corner. Polygons become triangles in order: a fan about the first
 /// corner if it covers the polygon, otherwise another triangulation (triangulate_polygon.h). Faces with fewer than
-/// three corners produce no triangle. Only point clouds keep their normals, and only if every vertex has one.
+/// three corners produce no triangle. Only point clouds keep their normals, if every vertex has one and not all are
+/// zero.
 class SoupBuilder {
  public:
   void reserve(std::size_t vertices, std::size_t triangles) {

@@ -71,7 +71,7 @@ std::uint32_t number_of_facets(std::string_view bytes) {
 /// ASCII files begin with "solid", like many headers of binary files; those contain bytes that no text has.
 bool is_ascii(const std::string& bytes) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
-  if (start == std::string::npos || bytes.compare(start, 5, "solid") != 0) return false;
+  if (start == std::string::npos || lower_case(bytes.substr(start, 5)) != "solid") return false;
   const std::string_view head = std::string_view(bytes).substr(0, 512);
   return head.find('\0') == std::string_view::npos;
 }
@@ -96,6 +96,12 @@ Shape read_binary(const std::string& bytes, const TextScanner& text) {
       builder.add_corner({corner[0], corner[1], corner[2]});
     }
     scanner.skip(2);  // the attribute
+  }
+  if (const std::size_t more = scanner.remaining() / facet_size; more > 0) {
+    text.fail_whole(
+        fmt::format("its header announces {} facets, but {} follow: the number is wrong, or the file is "
+                    "several files in one; repair it",
+                    facets, facets + more));
   }
   return builder.shape();
 }

@@ -53,7 +53,9 @@ class XyzReader {
 
   Shape read() {
     read_count();
-    while (!scanner_.at_end()) read_line();
+    while (!scanner_.at_end()) {
+      if (!begin_further_scan()) read_line();
+    }
     const std::size_t lines = positions_.size();
     const bool normals_follow = count_ && columns_ == 3 && *count_ > 0 && lines == 2 * *count_;
     if (count_ && lines != *count_ && !normals_follow) fail_count(lines);
@@ -75,9 +77,10 @@ class XyzReader {
   }
 
  private:
-  /// Reads the number of points, if it is alone on the first line.
+  /// Reads the names of the columns, or the number of points, if one of them is on the first line.
   void read_count() {
     if (scanner_.at_end()) scanner_.fail_whole("contains only white space and comments");
+    if (read_names()) return;
     TextScanner ahead = scanner_;
     ahead.read_word();
     if (!ahead.at_line_end()) return;
@@ -87,6 +90,29 @@ class XyzReader {
       scanner_.fail(fmt::format("{} points cannot be read", count));
     }
     count_ = static_cast<std::size_t>(count);
+  }
+
+  /// Reads a first line that begins with the names x, y and z.
+  bool read_names() {
+    TextScanner ahead = scanner_;
+    std::vector<std::string> names;
+    while (!ahead.at_line_end()) names.push_back(lower_case(std::string(ahead.read_word())));
+    if (names.size() < 3 || names[0] != "x" || names[1] != "y" || names[2] != "z") return false;
+    other_names_ = names.size() >= 6 && !(names[3] == "nx" && names[4] == "ny" && names[5] == "nz");
+    scanner_ = ahead;
+    return true;
+  }
+
+  /// Reads the number of points of another scan, after those of the first.
+  bool begin_further_scan() {
+    TextScanner ahead = scanner_;
+    ahead.read_word();
+    if (!count_ || positions_.size() != *count_ || !ahead.at_line_end()) return false;
+    std::int64_t more = 0;
+    scanner_.read_integer(more, "the number of points of the next scan");
+    if (more < 0) scanner_.fail(fmt::format("{} points cannot be read", more));
+    *count_ += static_cast<std::size_t>(more);
+    return true;
   }
 
   void read_line() {
@@ -129,11 +155,12 @@ class XyzReader {
     } else if (length > 0) {
       ++vectors_;
       unit_vectors_ += length > 0.95 && length < 1.05 ? 1 : 0;
+      has_negative_ = has_negative_ || v.minCoeff() < 0;
     }
   }
 
   bool normals_in_columns() {
-    if (vectors_ == 0 || 10 * unit_vectors_ < 9 * vectors_) return false;
+    if (other_names_ || vectors_ == 0 || 10 * unit_vectors_ < 9 * vectors_ || !has_negative_) return false;
     if (not_finite_) {
       scanner_.fail_at(*not_finite_, "the normal is not three finite numbers; repair or remove the file");
     }
@@ -157,6 +184,8 @@ class XyzReader {
   std::vector<Triple> columns_4_to_6_;
   std::size_t vectors_ = 0;                ///< finite, non-zero vectors in columns 4 to 6
   std::size_t unit_vectors_ = 0;           ///< those with a length of about 1
+  bool other_names_ = false;               ///< columns 4 to 6 have names that are not nx, ny, nz
+  bool has_negative_ = false;              ///< colours, labels and probabilities have no negative component
   std::optional<std::size_t> not_finite_;  ///< offset in the text of the first non-finite normal
 };
 
@@ -187,7 +216,7 @@ void check_xyz_header(const std::string& bytes, const std::string& name) {
 
 ShapeFormat xyz_format() {
   static constexpr std::array<std::string_view, 3> extensions{".xyz", ".pwn", ".pts"};
-  static constexpr std::array<std::string_view, 1> ambiguous_extensions{".txt"};
+  static constexpr std::array<std::string_view, 2> ambiguous_extensions{".txt", ".csv"};
   return {.name = "XYZ",
           .description = "Lines of numbers: point clouds, with normals or without",
           .extensions = extensions,

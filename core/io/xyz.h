@@ -13,9 +13,11 @@ struct ShapeFormat;
 /// Blank lines, any line ends and a byte order mark are accepted.
 ///
 /// The first three columns are coordinates. Columns 4 to 6 are normals if at least nine in ten of their non-zero
-/// vectors have a length from 0.95 to 1.05; otherwise they are ignored, like all further columns. Zero normals stay
-/// zero. The first line may consist of the number of points n; if 2n lines of three columns follow (the PWN format),
-/// the second half are normals of any length.
+/// vectors have a length from 0.95 to 1.05 and a component is negative, unlike in colours and labels; otherwise they
+/// are ignored, like all further columns. Zero normals stay zero; if all are, the cloud has none. The first line may
+/// consist of the names of the columns, which begin with x, y and z (and nx, ny and nz for normals), or of the number
+/// of points n. After n points, the number of points of another scan may follow. If 2n lines of three columns follow
+/// (the PWN format), the second half are normals of any length.
 ///
 /// `name` prefixes error messages. Throws InputError, with the line, for a coordinate or normal that is missing, not a
 /// number or not finite; an inconsistent number of columns; a number of points that differs from the first line; and

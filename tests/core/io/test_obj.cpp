@@ -133,6 +133,23 @@ TEST(WriteObj, CloudWithNormals) {
   test::expect_same(read_obj(test::bytes_of(folder.path() / "t.obj"), "t.obj"), test::small_cloud());
 }
 
+TEST(ReadObj, FreeFormSurfacesAloneAreNotACloud) {
+  for (const std::string statement : {"surf 0 1 0 1 1 2 3 4", "curv 0 1 1 2 3", "curv2 1 2"}) {
+    expect_obj_error(obj_vertices + "cstype bezier\ndeg 3\n" + statement + "\nend\n",
+                     "t.obj: has free-form curves or surfaces but no faces; convert it to a mesh");
+    EXPECT_EQ(read_obj(obj_vertices + "f 1 2 3\n" + statement + "\n", "t.obj").triangles.rows(), 1);
+  }
+}
+
+TEST(ReadObj, FormsOfFacesAndContinuations) {
+  const Triangles expected = read_obj(obj_vertices + "f 1 2 3 4\n", "t.obj").triangles;
+  for (const std::string faces : {"fo 1 2 3 4\n", "f +1 +2 +3 4\n", "f 1 2\\\n 3 4\n", "f 1 2 \\ \n 3 4\n",
+                                  "f 1/1 2/2\\\r\n3/3 4/4\r\n", "usemtl C:\\mats\\\nf 1 2 3 4\n"}) {
+    EXPECT_EQ(read_obj(obj_vertices + faces, "t.obj").triangles, expected) << faces;
+  }
+  EXPECT_EQ(read_obj("v 0 0\\\n 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "t.obj").vertices(0, 2), 1);
+}
+
 }  // namespace
 
 }  // namespace shapegauge

@@ -49,7 +49,7 @@ TEST(ReadStl, BinaryThatBeginsWithSolid) {
 TEST(ReadStl, AsciiOnOneLineInCapitalsAndOfTwoSolids) {
   const std::string facet =
       "FACET NORMAL nan nan nan OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0 VERTEX 0 1 0 ENDLOOP ENDFACET ";
-  const Shape shape = read_stl("solid\n" + facet + facet + "ENDSOLID\nsolid b\n" + facet + "endsolid b", "t.stl");
+  const Shape shape = read_stl("SOLID\n" + facet + facet + "ENDSOLID\nsolid b\n" + facet + "endsolid b", "t.stl");
   EXPECT_EQ(shape.vertices.rows(), 3);
   EXPECT_EQ(shape.triangles, (Triangles(3, 3) << 0, 1, 2, 0, 1, 2, 0, 1, 2).finished());
 }
@@ -69,6 +69,17 @@ TEST(ReadStl, BinaryTruncated) {
                      "t.stl: ends after 3 of 4 facets; the file is truncated or its header is wrong");
   }
   expect_stl_error("binary", "t.stl: ends within its header of 84 bytes, or is not an STL file");
+}
+
+TEST(ReadStl, BinaryWithMoreFacetsThanAnnounced) {
+  std::string bytes = as_binary_stl(test::tetrahedron());
+  expect_stl_error(bytes + bytes,
+                   "t.stl: its header announces 4 facets, but 9 follow: the number is wrong, or the file is several "
+                   "files in one; repair it");
+  bytes[80] = 0;
+  expect_stl_error(bytes,
+                   "t.stl: its header announces 0 facets, but 4 follow: the number is wrong, or the file is several "
+                   "files in one; repair it");
 }
 
 TEST(ReadStl, AsciiTruncated) {

@@ -27,38 +27,43 @@ Shape expect_three_points(const std::string& text) {
 TEST(ReadXyz, ThreeColumns) { EXPECT_EQ(expect_three_points("0 0 .5\n1 0 -2\n+0 1e3 0\n").normals.rows(), 0); }
 
 TEST(ReadXyz, SeparatorsCommentsAndLineEnds) {
-  for (const char* text : {"0,0,.5\n1,0,-2\n0,1000,0\n", "0, 0, .5\n1, 0, -2\n0, 1000, 0", "0;0;.5\n1;0;-2\n0;1e3;0\n",
-                           "0\t0  .5\r\n\r\n1 0 -2\r\n 0 1e3 0\r\n", "0 0 .5\r1 0 -2\r0 1e3 0\r",
-                           "\xEF\xBB\xBF# by hand\n//x y z\n0 0 .5 // one\n1 0 -2# two\n\n  \n0 1e3 0\n#\n",
-                           "3\n0 0 .5\n1 0 -2\n0 1e3 0\n", " 3 # points\n0 0 .5\n1 0 -2\n0 1e3 0\n"}) {
+  for (const char* text :
+       {"0,0,.5\n1,0,-2\n0,1000,0\n", "0, 0, .5\n1, 0, -2\n0, 1000, 0", "0;0;.5\n1;0;-2\n0;1e3;0\n",
+        "0\t0  .5\r\n\r\n1 0 -2\r\n 0 1e3 0\r\n", "0 0 .5\r1 0 -2\r0 1e3 0\r",
+        "\xEF\xBB\xBF# by hand\n//x y z\n0 0 .5 // one\n1 0 -2# two\n\n  \n0 1e3 0\n#\n",
+        "3\n0 0 .5\n1 0 -2\n0 1e3 0\n", "2\n0 0 .5\n1 0 -2\n1\n0 1e3 0\n", "X Y Z\n0 0 .5\n1 0 -2\n0 1e3 0\n",
+        "x,y,z\n0,0,.5\n1,0,-2\n0,1e3,0\n", " 3 # points\n0 0 .5\n1 0 -2\n0 1e3 0\n"}) {
     EXPECT_EQ(expect_three_points(text).normals.rows(), 0);
   }
 }
 
 TEST(ReadXyz, ColumnsFourToSixAreNormalsWhereTheyHaveALengthOfAboutOne) {
-  const Shape shape = expect_three_points("0 0 .5 0 0 1.02\n1 0 -2 0.6 0 0.8\n0 1e3 0 0 0 0\n");
-  EXPECT_TRUE(shape.normals.isApprox((Points(3, 3) << 0, 0, 1, 0.6, 0, 0.8, 0, 0, 0).finished(), 1e-15));
+  const Shape shape = expect_three_points("0 0 .5 0 0 1.02\n1 0 -2 0.6 0 -0.8\n0 1e3 0 0 0 0\n");
+  EXPECT_TRUE(shape.normals.isApprox((Points(3, 3) << 0, 0, 1, 0.6, 0, -0.8, 0, 0, 0).finished(), 1e-15));
 }
 
 TEST(ReadXyz, FurtherColumnsArePassedOver) {
-  const Shape shape = expect_three_points("0 0 .5 0 0 1 255 x 0\n1 0 -2 0 0 1 0 y nan\n0 1e3 0 1 0 0 0 z 0\n");
-  EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, 0, 1, 1, 0, 0).finished());
+  const Shape shape = expect_three_points("0 0 .5 0 0 1 255 x 0\n1 0 -2 0 0 -1 0 y nan\n0 1e3 0 1 0 0 0 z 0\n");
+  EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, 0, -1, 1, 0, 0).finished());
 }
 
 TEST(ReadXyz, ColoursAndOtherColumnsAreNoNormals) {
-  for (const char* text : {"0 0 .5 255 0 0\n1 0 -2 0 0 255\n0 1e3 0 255 255 0\n",      // 8-bit colours
-                           "0 0 .5 .2 .2 .2\n1 0 -2 1 1 1\n0 1e3 0 .5 .5 .5\n",        // grey levels
-                           "3\n0 0 .5 -12 1 0 0\n1 0 -2 99 1 0 0\n0 1e3 0 7 0 0 1\n",  // intensity and colour
-                           "0 0 .5 0 0 0\n1 0 -2 0 0 0\n0 1e3 0 0 0 0\n",              // all zero
-                           "0 0 .5 9\n1 0 -2 nan\n0 1e3 0 7\n", "0 0 .5 0 1\n1 0 -2 0 1\n0 1e3 0 1 0\n",
-                           "0 0 .5 a b c\n1 0 -2 d e f\n0 1e3 0 g h i\n"}) {
+  for (const char* text :
+       {"0 0 .5 255 0 0\n1 0 -2 0 0 255\n0 1e3 0 255 255 0\n",      // 8-bit colours
+        "0 0 .5 .2 .2 .2\n1 0 -2 1 1 1\n0 1e3 0 .5 .5 .5\n",        // grey levels
+        "3\n0 0 .5 -12 1 0 0\n1 0 -2 99 1 0 0\n0 1e3 0 7 0 0 1\n",  // intensity and colour
+        "0 0 .5 0 0 0\n1 0 -2 0 0 0\n0 1e3 0 0 0 0\n",              // all zero
+        "0 0 .5 1 0 0\n1 0 -2 0 1 0\n0 1e3 0 0 0 1\n",              // one-hot labels
+        "0 0 .5 1 0 0\n1 0 -2 1 0 0\n0 1e3 0 1 0 0\n",              // pure red
+        "x y z u v w\n0 0 .5 -1 0 0\n1 0 -2 1 0 0\n0 1e3 0 0 1 0\n", "0 0 .5 9\n1 0 -2 nan\n0 1e3 0 7\n",
+        "0 0 .5 0 1\n1 0 -2 0 1\n0 1e3 0 1 0\n", "0 0 .5 a b c\n1 0 -2 d e f\n0 1e3 0 g h i\n"}) {
     EXPECT_EQ(expect_three_points(text).normals.rows(), 0) << text;
   }
 }
 
 TEST(ReadXyz, OneVectorInTenMayHaveAnotherLength) {
   std::string text = "9 9 9 0 3 4\n";
-  for (int i = 0; i < 8; ++i) text += "0 0 0 0 0 1\n";
+  for (int i = 0; i < 8; ++i) text += "0 0 0 0 0 -1\n";
   EXPECT_EQ(read_xyz(text, "c.xyz").normals.rows(), 0);
   const Shape shape = read_xyz(text + "0 0 0 0 0 1\n", "c.xyz");
   ASSERT_EQ(shape.normals.rows(), 10);
@@ -87,7 +92,7 @@ TEST(ReadXyz, NormalsOfAnySizeBecomeUnitVectors) {
 TEST(ReadXyz, UnusableLinesAreNamed) {
   expect_xyz_error("0 0 0\n1 2\n0 0 0\n", "c.xyz:2: 2 of a point's three coordinates");
   expect_xyz_error("0 0 0\n\n7\n", "c.xyz:3: 1 of a point's three coordinates");
-  expect_xyz_error("x,y,z\n0,0,0\n", "c.xyz:1: expected a coordinate, found \"x\"");
+  expect_xyz_error("x,y\n0,0,0\n", "c.xyz:1: expected a coordinate, found \"x\"");
   expect_xyz_error("0 0 0\n0 zero 0\n", "c.xyz:2: expected a coordinate, found \"zero\"");
   for (const std::string word : {"nan", "inf", "-inf", "1e999"}) {
     expect_xyz_error("0 0 0\n0 0 " + word + "\n",
@@ -95,7 +100,7 @@ TEST(ReadXyz, UnusableLinesAreNamed) {
   }
   expect_xyz_error("0 0 0 1 2\n0 0 0 1\n", "c.xyz:2: expected 5 columns as in the first point, found 4");
   for (const std::string normal : {"0 0 nan", "inf 0 0", "0 x 0"}) {
-    expect_xyz_error("0 0 0 0 0 1\n0 0 0 " + normal + "\n0 0 0 0 0 nan\n",
+    expect_xyz_error("0 0 0 0 0 -1\n0 0 0 " + normal + "\n0 0 0 0 0 nan\n",
                      "c.xyz:2: the normal is not three finite numbers; repair or remove the file");
   }
 }
