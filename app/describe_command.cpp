@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -39,7 +40,7 @@ struct DescribeArguments {
   std::string descriptor;
   std::vector<std::string> settings;
   fs::path output;
-  bool denoise = false;
+  CleaningArguments cleaning;
   bool list = false;
 };
 
@@ -87,12 +88,14 @@ DescriptorChoice choice_of(const DescribeArguments& arguments) {
 }
 
 /// Computes the fields of a shape and, unless the descriptor learns first, its features.
-Described described(const DescriptorChoice& choice, const Shape& given, bool denoise, Remarks& remarks) {
-  const Shape shape = prepare_shape(given, {.denoise = denoise}).shape;
+Described described(const DescriptorChoice& choice, const Shape& given, const CleaningArguments& cleaning,
+                    Remarks& remarks) {
+  const Shape shape = prepare_shape(cleaned(given, cleaning, false, remarks), {}).shape;
   Described result;
   FieldSource source(shape);
-  result.fields = compute_fields(choice, source);
-  remarks.warnings = offset_warnings(choice, source);
+  DescriptorFields computed = compute_fields(choice, source);
+  result.fields = std::move(computed.fields);
+  std::ranges::move(computed.warnings, std::back_inserter(remarks.warnings));
   if (needs_learning(choice.descriptor, choice.values)) return result;
   const DescriptorInput input{.shape = shape, .fields = result.fields, .proxy = &source.proxy()};
   result.features = compute_features(choice.descriptor, input, {}, choice.values);
@@ -165,7 +168,7 @@ int run(DescribeArguments& arguments) {
   std::vector<std::optional<Described>> shapes(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
     try {
-      shapes[job.index] = described(choice, shape, arguments.denoise, remarks);
+      shapes[job.index] = described(choice, shape, arguments.cleaning, remarks);
     } catch (const std::exception& error) {
       throw InputError(fmt::format("{}: {}", job.input, error.what()));
     }
@@ -198,7 +201,7 @@ void add_describe_command(CLI::App& app, int& status) {
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)");
   add_replace_option(*command, arguments->files.replace);
-  add_denoise_option(*command, arguments->denoise);
+  add_cleaning_options(*command, arguments->cleaning);
   begin_option_group(*command, "Descriptor");
   command->add_flag("--list", arguments->list, "List the descriptors and their settings, and exit");
   command->callback([arguments, &status] { status = run(*arguments); });

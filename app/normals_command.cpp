@@ -21,13 +21,13 @@ struct NormalsArguments {
   ShapeFiles files{.output_format = "csv"};
   std::string site{word_of(SampleSite::vertices)};
   OffsetArguments offset;
-  bool denoise = false;
+  CleaningArguments cleaning;
 };
 
 void write_normals(const NormalsArguments& arguments, const NormalFileWriter& write, const GivenOffset& given_offset,
                    const Shape& given, const ShapeJob& job, Remarks& remarks) {
   try {
-    const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
+    const Shape shape = cleaned(given, arguments.cleaning, given_offset.is_automatic(), remarks);
     const Samples samples = sample_shape(shape, value_of_word<SampleSite>(arguments.site).value());
     const ChosenOffset chosen = choose_offset(given_offset.fraction_of(shape), shape);
     FieldSettings settings = field_settings("offset_sdf");
@@ -37,9 +37,6 @@ void write_normals(const NormalsArguments& arguments, const NormalFileWriter& wr
     write(job.output, shape, samples, result.normals);
     remark_on_polygons(shape, samples.site, remarks);
     remark_on(chosen, remarks);
-    if (const auto warning = two_sided_warning(shape, result.values, chosen.offset)) {
-      remarks.warnings.push_back(*warning);
-    }
     for (std::string& warning : outcome_warnings(result.outcomes)) remarks.warnings.push_back(std::move(warning));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", job.input, error.what()));
@@ -61,7 +58,7 @@ void add_normals_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Method");
   add_site_option(*command, arguments->site);
   add_offset_option(*command, arguments->offset);
-  add_denoise_option(*command, arguments->denoise);
+  add_cleaning_options(*command, arguments->cleaning);
   command->callback([arguments, &status] {
     const GivenOffset given = parse_offset(arguments->offset);
     const NormalFileWriter write = normal_file_writer(output_name(arguments->files));

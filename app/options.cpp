@@ -16,6 +16,7 @@
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/preparation/denoise.h"
+#include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/datasets/files/table.h"
@@ -58,8 +59,12 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
       ->capture_default_str();
 }
 
-void add_denoise_option(CLI::App& command, bool& denoise) {
-  command.add_flag("--denoise", denoise, "Smooth clearly noisy meshes first")->group(computation_options);
+void add_cleaning_options(CLI::App& command, CleaningArguments& arguments) {
+  command.add_flag("--denoise", arguments.denoise, "Smooth clearly noisy meshes first")->group(computation_options);
+  command
+      .add_flag("--remove-outliers", arguments.remove_outliers,
+                "Remove isolated points of clouds first (done anyway where --offset auto chooses the offset)")
+      ->group(computation_options);
 }
 
 CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
@@ -154,12 +159,8 @@ void remark_on_cavities(const Shape& shape, bool measures_hull, Remarks& remarks
 }
 
 void remark_on(const ChosenOffset& chosen, Remarks& remarks) {
-  if (chosen.automatic) {
-    remarks.notes.push_back(fmt::format(
-        "offset {:.4g} chosen (fractions of the diagonal: {:.4g} closes the gaps{}, {:.4g} smooths the noise)",
-        chosen.offset, chosen.automatic->gap,
-        leaves_gaps_open(chosen) ? fmt::format(" that at most {:.4g} can close", AutomaticOffsetOptions{}.most) : "",
-        chosen.automatic->noise));
+  if (const std::string reasons = reasons_for_offset(chosen); !reasons.empty()) {
+    remarks.notes.push_back(fmt::format("offset {:.4g} chosen ({})", chosen.offset, reasons));
   }
   if (const auto leak = leak_warning(chosen)) remarks.warnings.push_back(*leak);
 }
@@ -174,7 +175,20 @@ nlohmann::ordered_json to_json(const ChosenOffset& chosen) {
   return json;
 }
 
-Shape denoised_with_remark(Shape shape, Remarks& remarks) {
+Shape cleaned(Shape shape, const CleaningArguments& arguments, bool automatic, Remarks& remarks) {
+  if (automatic || arguments.remove_outliers) {
+    const Eigen::Index points = shape.vertices.rows();
+    shape = without_outliers(std::move(shape));
+    if (const Eigen::Index count = points - shape.vertices.rows(); count > 0) {
+      remarks.notes.push_back(
+          fmt::format("{} of {} points are outliers, farther from all others than 10 point spacings; results are those "
+                      "of the others",
+                      count, points));
+    }
+  } else if (const auto warning = outlier_warning(shape)) {
+    remarks.warnings.push_back(*warning + "; use --remove-outliers");
+  }
+  if (!arguments.denoise) return shape;
   DenoisedShape result = denoised(std::move(shape));
   remarks.notes.push_back(result.pass_band > 0
                               ? fmt::format("noise of {:.2f} edge lengths, smoothed with a pass band of {:.3f}",

@@ -36,8 +36,14 @@ void add_site_option(CLI::App& command, std::string& site);
 /// Adds --seed, a non-negative integer.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 
-/// Adds --denoise.
-void add_denoise_option(CLI::App& command, bool& denoise);
+/// What to do with a shape before it is measured.
+struct CleaningArguments {
+  bool denoise = false;
+  bool remove_outliers = false;
+};
+
+/// Adds --denoise and --remove-outliers.
+void add_cleaning_options(CLI::App& command, CleaningArguments& arguments);
 
 /// Values of --offset and --unit. `offset` holds the default.
 struct OffsetArguments {
@@ -52,6 +58,8 @@ CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments);
 struct GivenOffset {
   std::optional<double> fraction = {};
   std::optional<double> length = {};  ///< in the files' units
+
+  [[nodiscard]] bool is_automatic() const { return !fraction && !length; }
 
   /// Returns the offset as a fraction of the shape's diagonal; nothing for "auto". Throws InputError if the offset is
   /// out of the range of offset_sdf fields, or the shape has no extent.
@@ -110,7 +118,8 @@ void remark_on(const ChosenOffset& chosen, Remarks& remarks);
 /// `sufficient`.
 nlohmann::ordered_json to_json(const ChosenOffset& chosen);
 
-/// Applies --denoise: denoised(), with a remark on the noise found.
-Shape denoised_with_remark(Shape shape, Remarks& remarks);
+/// Removes outliers (without_outliers()) and smooths noise (denoised()) as requested, with remarks on both. With
+/// `automatic`, outliers are removed anyway; otherwise those that stay are warned of.
+Shape cleaned(Shape shape, const CleaningArguments& arguments, bool automatic, Remarks& remarks);
 
 }  // namespace shapegauge

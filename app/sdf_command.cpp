@@ -67,7 +67,7 @@ struct SdfArguments {
   std::string site{word_of(SamplePlan{}.site)};
   OffsetArguments offset{.offset = fmt::format("{}", OffsetSdfOptions{}.offset)};
   ParameterTexts settings;  ///< of the method, without the offset
-  bool denoise = false;
+  CleaningArguments cleaning;
   fs::path timings;
   std::string picture_size = "640x480";
   std::string view = "0.6,0.45,1";
@@ -285,7 +285,8 @@ int run(SdfArguments& arguments) {
   if (!arguments.files.output.empty()) write = field_file_writer(output_name(arguments.files), picture);
   std::vector<std::optional<Measured>> measured(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {
-    const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
+    const Shape shape =
+        cleaned(given, arguments.cleaning, is_offset_sdf(arguments) && given_offset.is_automatic(), remarks);
     Computed computed = compute(arguments, given_offset, shape, job.input);
     if (write) {
       write(job.output, shape, computed.samples, computed.field.values);
@@ -338,7 +339,7 @@ void add_sdf_command(CLI::App& app, int& status) {
   add_site_option(*command, arguments->site);
   CLI::Option* const offset = add_offset_option(*command, arguments->offset);
   add_settings(*command, *arguments);
-  add_denoise_option(*command, arguments->denoise);
+  add_cleaning_options(*command, arguments->cleaning);
   begin_option_group(*command, "Colours and pictures");
   add_picture_options(*command, *arguments);
   begin_option_group(*command, output_options);

@@ -35,7 +35,7 @@ struct SegmentArguments {
   std::string method{word_of(SegmentationOptions{}.method)};
   ParameterTexts settings;  ///< of segmentation_table, without the method and the offset
   OffsetArguments offset{.offset = fmt::format("{}", SegmentationOptions{}.offset)};
-  bool denoise = false;
+  CleaningArguments cleaning;
 };
 
 /// Writes the parts of a shape to a file.
@@ -90,7 +90,7 @@ void set_offset(const OffsetArguments& arguments, const Shape& shape, Segmentati
 void segment(const SegmentArguments& arguments, SegmentationOptions options, LabelWriter write, const Shape& given,
              const ShapeJob& job, Remarks& remarks) {
   try {
-    const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
+    const Shape shape = cleaned(given, arguments.cleaning, false, remarks);
     set_offset(arguments.offset, shape, options, remarks);
     const Labels labels = segment_shape(shape, options);
     write(job.output, shape, labels);
@@ -126,7 +126,7 @@ void add_segment_command(CLI::App& app, int& status) {
     add_parameter_option(*command, parameter, arguments->settings[std::string(parameter.name)]);
   }
   CLI::Option* offset = add_offset_option(*command, arguments->offset);
-  add_denoise_option(*command, arguments->denoise);
+  add_cleaning_options(*command, arguments->cleaning);
   command->callback([arguments, &status, offset] {
     const SegmentationOptions options = options_of(*arguments);
     if (options.method != SegmentationAlgorithm::paper && offset->count() > 0) {

@@ -49,7 +49,7 @@ struct ViewArguments {
   Eigen::Index most_faces = 200'000;
   std::string title;
   std::string up = "auto";
-  bool denoise = false;
+  CleaningArguments cleaning;
 };
 
 /// Requested field.
@@ -128,10 +128,8 @@ void add_field(const WantedField& wanted, const GivenOffset& offset, const Colou
                                             {.range = is_length ? colours.range : std::nullopt,
                                              .logarithmic = colours.logarithmic,
                                              .threshold = is_length ? colours.threshold : std::nullopt});
-  const auto missing = computed.values.array().isNaN().count();
-  if (missing > 0) {
-    remarks.warnings.push_back(
-        fmt::format("{}: {} of {} samples missing", wanted.name, missing, samples.points.rows()));
+  for (const std::string& warning : outcome_warnings(computed.outcomes)) {
+    remarks.warnings.push_back(fmt::format("{}: {}", wanted.name, warning));
   }
   view.fields.push_back({.name = wanted.name,
                          .values = std::move(computed.values),
@@ -175,8 +173,9 @@ void add_parts(int wanted, ShapeView& view, Remarks& remarks) {
 
 ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField>& fields, const GivenOffset& offset,
                    const ColourChoice& colours, const Shape& given, const ShapeJob& job, Remarks& remarks) {
+  const bool automatic = offset.is_automatic() && std::ranges::any_of(fields, &WantedField::chooses_offset);
   ShapeView view{.name = fs::path(job.input).filename().string(),
-                 .shape = arguments.denoise ? denoised_with_remark(given, remarks) : given};
+                 .shape = cleaned(given, arguments.cleaning, automatic, remarks)};
   const bool cloud = is_cloud(view.shape);
   view.up = up_of(arguments.up, job.input);
   view.site = cloud ? SampleSite::vertices : SampleSite::faces;
@@ -293,7 +292,7 @@ void add_view_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z", "principal"}))
       ->capture_default_str();
   command->add_option("--title", arguments->title, "Title of the page (default: names of the shapes)");
-  add_denoise_option(*command, arguments->denoise);
+  add_cleaning_options(*command, arguments->cleaning);
   command->callback([arguments, &status, offset] { status = run(*arguments, offset->count() > 0); });
 }
 

@@ -11,6 +11,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/stl.h"
+#include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
@@ -35,17 +36,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Returns the offset of a field with these settings on the shape; nothing for a field without one.
-std::optional<ChosenOffset> offset_of(const Field& field, const FieldValues& values, const Shape& shape) {
+/// Returns the offset of a field on the shape; nothing for a field without one.
+std::optional<ChosenOffset> offset_of(const Field& field, FieldSource& source) {
   const ParameterValues& settings = field.settings.values;
   if (std::ranges::find(settings.parameters(), "offset", &Parameter::name) == settings.parameters().end()) {
     return std::nullopt;
   }
   const auto* const given = std::get_if<double>(&settings.value("offset"));
-  ChosenOffset chosen = choose_offset(given != nullptr ? *given : values.offset.value(), shape);
-  // Already chosen by the field; leak_warning() only needs to know that it was automatic.
-  if (given == nullptr) chosen.automatic.emplace();
-  return chosen;
+  return given != nullptr ? choose_offset(*given, source.shape()) : chosen_automatically(source.automatic_offset());
 }
 
 py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
@@ -55,8 +53,8 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     FieldValues values;
     std::optional<double> offset;
     std::optional<std::string> leak;
-    std::optional<std::string> two_sided;
     std::optional<std::string> hollow;
+    std::optional<std::string> outliers;
   };
   Computed computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
@@ -64,19 +62,20 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     const Field wanted = read_field(json);
     const Shape shape = shape_of(vertices, faces, normals);
     Computed result;
+    result.outliers = outlier_warning(shape);
     result.samples = take_samples(shape, wanted.settings.samples);
     FieldSource source(shape);
     result.values = wanted.compute(source, result.samples, true);
-    if (const auto chosen = offset_of(wanted, result.values, shape)) {
+    if (const auto chosen = offset_of(wanted, source)) {
       result.offset = chosen->offset;
       result.leak = leak_warning(*chosen);
-      result.two_sided = two_sided_warning(shape, result.values.values, chosen->offset);
       result.hollow = hollow_remark(shape, true);
     }
     return result;
   });
   py::dict result;
   std::vector<std::string> without_value = outcome_warnings(computed.values.outcomes);
+  if (computed.outliers) without_value.push_back(*computed.outliers);
   if (auto warning = weights_warning(computed.samples)) without_value.push_back(*std::move(warning));
   result["values"] = array_of(std::move(computed.values.values));
   result["weights"] = array_of(std::move(computed.samples.weights));
@@ -87,7 +86,6 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     return warning ? std::vector{*warning} : std::vector<std::string>();
   };
   result["leaks"] = listed(computed.leak);
-  result["two_sided"] = listed(computed.two_sided);
   result["hollow"] = listed(computed.hollow);
   result["without_value"] = std::move(without_value);
   return result;
@@ -137,11 +135,11 @@ py::tuple describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
     }
     const Shape shape = prepare_shape(shape_of(vertices, faces, normals), {}).shape;
     FieldSource source(shape);
-    const std::vector<ScalarField> fields = compute_fields(choice, source);
-    return Computed{
-        .features = compute_features(choice.descriptor, {.shape = shape, .fields = fields, .proxy = &source.proxy()},
-                                     {}, choice.values),
-        .warnings = offset_warnings(choice, source)};
+    DescriptorFields computed = compute_fields(choice, source);
+    return Computed{.features = compute_features(choice.descriptor,
+                                                 {.shape = shape, .fields = computed.fields, .proxy = &source.proxy()},
+                                                 {}, choice.values),
+                    .warnings = std::move(computed.warnings)};
   });
   return py::make_tuple(array_of(std::move(computed.features)), computed.warnings);
 }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-/// Medians of one or more numbers.
+/// Medians and quantiles of one or more numbers.
 namespace shapegauge {
 
 /// Returns the median of sorted numbers; for an even count, the mean of the two middle ones.
@@ -18,6 +18,13 @@ inline double upper_median(std::span<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+/// Returns the greatest value that at most this fraction of the others precede. Reorders the values.
+inline double lower_quantile(std::span<double> values, double fraction) {
+  const auto rank = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), rank, values.end());
+  return *rank;
 }
 
 }  // namespace shapegauge

@@ -81,7 +81,7 @@ const OffsetSdfSolver& FieldSource::offset_sdf_solver() {
 
 const AutomaticOffset& FieldSource::automatic_offset() {
   if (!automatic_offset_) {
-    automatic_offset_ = known_ ? shapegauge::automatic_offset(*shape_, *known_) : shapegauge::automatic_offset(*shape_);
+    automatic_offset_ = known_ ? shapegauge::automatic_offset(*known_) : shapegauge::automatic_offset(*shape_);
   }
   return *automatic_offset_;
 }
@@ -93,9 +93,12 @@ const Spectrum& FieldSource::spectrum(int eigenvalues) {
 }
 
 std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes) {
-  constexpr std::array<std::pair<const char*, const char*>, 3> warned{
+  constexpr std::array<std::pair<const char*, const char*>, 4> warned{
       {{"undecided", "undecided"},
        {"missing", "missing"},
+       {"two_sided",
+        "have the outside on both sides, closer than half the offset: the shape is open there (a hole, a missing base) "
+        "or a sheet; their thickness is about 0 and the side of their normals arbitrary"},
        {"enlarged", "computed with a larger offset, because the grid of the requested one would not fit into memory"}}};
   std::vector<std::string> warnings;
   for (const auto& [outcome, words] : warned) {

@@ -47,6 +47,7 @@ FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePla
                                             {"searched", outcomes.searched},
                                             {"undecided", outcomes.undecided},
                                             {"missing", outcomes.missing},
+                                            {"two_sided", outcomes.two_sided},
                                             {"enlarged", outcomes.enlarged}},
                                .offset = offset ? std::nullopt : std::optional(options.offset),
                                .build_seconds = solver.build_seconds() + result.build_seconds,

@@ -11,6 +11,7 @@
 
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/gap_size.h"
+#include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
@@ -92,7 +93,12 @@ void diagnose_edges(const Shape& shape, const Welding& welding, ShapeDiagnostics
 }
 
 void diagnose_gaps_and_noise(const Shape& shape, const Welding& welding, ShapeDiagnostics& found) {
-  if (is_cloud(shape) || found.boundary_edges > 0) found.gap_size = gap_size(shape);
+  if (!found.closed) {
+    const GapSizes gaps = gap_sizes(shape);
+    found.gap_size = gaps.widest;
+    found.closable_gap = gaps.closable;
+  }
+  found.outliers = outlier_count(shape);
   found.point_spacing = point_spacing(shape);
   const VertexNeighbours neighbours = vertex_neighbours(shape, welding);
   const NoiseLevel noise = noise_level(shape, neighbours, welding);

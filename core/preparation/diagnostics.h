@@ -7,7 +7,7 @@
 namespace shapegauge {
 
 /// Cache version of diagnose(); see docs/manual/cache.md.
-inline constexpr int diagnostics_version = 3;
+inline constexpr int diagnostics_version = 4;
 
 /// Defects and properties of a shape before it is measured. Edges and components are those of the welded mesh; a
 /// triangle with fewer than three distinct corners has no edges. Duplicate triangles are counted and otherwise ignored
@@ -31,7 +31,9 @@ struct ShapeDiagnostics {
   std::size_t non_manifold_edges = 0;  ///< edges with more than two triangles
   std::size_t inconsistent_edges = 0;  ///< edges whose two triangles have opposite orientations
 
-  double gap_size = 0;         ///< offset that closes the gaps (gap_size()), in the shape's units
+  double gap_size = 0;         ///< radius of the widest gap (gap_sizes()), in the shape's units
+  double closable_gap = 0;     ///< radius of the widest that an automatic offset closes
+  std::size_t outliers = 0;    ///< of a cloud (outliers())
   double point_spacing = 0;    ///< of a cloud (point_spacing()), in the shape's units
   double noise_deviation = 0;  ///< of a mesh: standard deviation of the noise (NoiseLevel), in the shape's units
   bool noisy = false;          ///< the mesh is clearly noisy (is_noisy())

@@ -2,200 +2,200 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
+#include <cstdint>
 #include <limits>
-#include <queue>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/median.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/core/spatial/triangle_bvh.h"
 
 namespace shapegauge {
 
 namespace {
 
-/// Boundary edges by vertex, for walking along each once.
-class BoundaryEdges {
+/// Returns the distance within which this fraction of the points have their sixth neighbour.
+double sixth_neighbour_distance(const Points& points, double fraction) {
+  std::vector<double> distances = distances_to_sixth(points);
+  return lower_quantile(distances, fraction);
+}
+
+/// Distances to a shape of unit diagonal at the nodes of a grid around it.
+class DistanceGrid {
  public:
-  explicit BoundaryEdges(std::span<const HalfEdge> uses) {
-    for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
-      if (edge.size() != 1) return;
-      const auto index = static_cast<std::int32_t>(walked_.size());
-      walked_.push_back(false);
-      ends_.push_back({edge[0].low, index, edge[0].high});
-      ends_.push_back({edge[0].high, index, edge[0].low});
+  explicit DistanceGrid(const Shape& unit_shape) : tree_(unit_shape) {
+    constexpr double margin = 0.02;
+    constexpr double nodes = 200'000;
+    constexpr double smallest_cell = 1.0 / 400;  // for flat shapes
+    const Eigen::AlignedBox3d box = bounding_box(unit_shape);
+    const Eigen::Array3d sizes = box.sizes().array() + 2 * margin;
+    cell_ = std::max(std::cbrt(sizes.prod() / nodes), smallest_cell);
+    counts_ = (sizes / cell_).ceil().cast<std::int32_t>() + 1;
+    origin_ = box.center().array() - 0.5 * cell_ * (counts_ - 1).cast<double>();
+    distances_.resize(static_cast<std::size_t>(counts_.prod()));
+    parallel_for(std::int32_t{0}, counts_[1] * counts_[2], [&](std::int32_t row) {
+      std::int32_t hint = -1;
+      for (std::int32_t node = row * counts_[0]; node < (row + 1) * counts_[0]; ++node) {
+        const std::optional<ClosestHit> hit = tree_.closest(position(node), unlimited, hint);
+        hint = hit->triangle;
+        distances_[static_cast<std::size_t>(node)] = hit->distance;
+      }
     });
-    std::ranges::sort(ends_, {}, [](const End& end) { return std::pair(end.vertex, end.edge); });
   }
 
-  /// Returns a vertex with an unused edge, in ascending order over calls; -1 if there is none.
-  std::int32_t start() {
-    while (next_ < ends_.size() && walked_[static_cast<std::size_t>(ends_[next_].edge)]) ++next_;
-    return next_ < ends_.size() ? ends_[next_].vertex : -1;
+  [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(distances_.size()); }
+  [[nodiscard]] double cell() const { return cell_; }
+  [[nodiscard]] double distance(std::int32_t node) const { return distances_[static_cast<std::size_t>(node)]; }
+
+  [[nodiscard]] bool on_border(std::int32_t node) const {
+    const Eigen::Array3i at = coordinates(node);
+    return (at == 0 || at == counts_ - 1).any();
   }
 
-  /// Walks along an unused edge from the vertex and returns its other end, or -1 if there is none.
-  std::int32_t walk_from(std::int32_t vertex) {
-    for (auto end = std::ranges::lower_bound(ends_, vertex, {}, &End::vertex);
-         end != ends_.end() && end->vertex == vertex; ++end) {
-      if (walked_[static_cast<std::size_t>(end->edge)]) continue;
-      walked_[static_cast<std::size_t>(end->edge)] = true;
-      return end->other;
+  /// Returns the six neighbours of a node that is not on the border: two along each axis.
+  [[nodiscard]] std::array<std::int32_t, 6> neighbours(std::int32_t node) const {
+    const std::int32_t layer = counts_[0] * counts_[1];
+    return {node - 1, node + 1, node - counts_[0], node + counts_[0], node - layer, node + layer};
+  }
+
+  /// Returns the largest distance to the shape near a node, in the plane across an axis: the radius of a passage along
+  /// the axis.
+  [[nodiscard]] double radius_across(std::int32_t node, std::size_t axis) const {
+    Eigen::Vector3d best = position(node);
+    double radius = distance(node);
+    for (double step = cell_ / 2; step > cell_ / 20; step /= 2) {
+      for (const double side : {-step, step, -step, step}) {
+        for (const std::size_t across : {(axis + 1) % 3, (axis + 2) % 3}) {
+          const Eigen::Vector3d moved = best + side * Eigen::Vector3d::Unit(static_cast<Eigen::Index>(across));
+          const double distance = tree_.closest(moved)->distance;
+          if (distance <= radius) continue;
+          radius = distance;
+          best = moved;
+        }
+      }
     }
-    return -1;
+    return radius;
   }
 
  private:
-  struct End {
-    std::int32_t vertex;
-    std::int32_t edge;
-    std::int32_t other;
-  };
-  std::vector<End> ends_;
-  std::vector<bool> walked_;
-  std::size_t next_ = 0;
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] Eigen::Array3i coordinates(std::int32_t node) const {
+    return {node % counts_[0], node / counts_[0] % counts_[1], node / counts_[0] / counts_[1]};
+  }
+  [[nodiscard]] Eigen::Vector3d position(std::int32_t node) const {
+    return origin_ + cell_ * coordinates(node).cast<double>();
+  }
+
+  TriangleBVH tree_;
+  double cell_ = 0;
+  Eigen::Array3i counts_;
+  Eigen::Array3d origin_;
+  std::vector<double> distances_;
 };
 
-BoundaryLoop measured(std::vector<std::int32_t> vertices, const Points& points) {
-  BoundaryLoop loop{.vertices = std::move(vertices)};
-  const Eigen::RowVector3d origin = points.row(loop.vertices.front());
-  for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
-    const Eigen::RowVector3d a = points.row(loop.vertices[i]);
-    const Eigen::RowVector3d b = points.row(loop.vertices[(i + 1) % loop.vertices.size()]);
-    loop.length += (b - a).norm();
-    loop.vector_area += (a - origin).cross(b - origin).transpose() / 2;
+/// Adds the nodes of a grid in the order of falling distances, and notes where the outside meets an inner space: the
+/// distance there is the radius of the widest passage between them (0-dimensional persistence of the superlevel sets).
+class Flood {
+ public:
+  explicit Flood(const DistanceGrid& grid)
+      : grid_(grid), parent_(static_cast<std::size_t>(grid.size()), dry), nodes_(parent_.size(), 1) {
+    std::vector<std::int32_t> order;
+    for (std::int32_t node = 0; node < grid.size(); ++node) {
+      if (grid.on_border(node)) {
+        parent(node) = outside;
+      } else {
+        order.push_back(node);
+      }
+    }
+    std::ranges::sort(order, {}, [&](std::int32_t node) { return std::pair(-grid.distance(node), node); });
+    for (const std::int32_t node : order) add(node);
   }
-  return loop;
-}
 
-/// Returns the distance from x to the polygon's sides, negative outside (even-odd rule).
-double signed_distance(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& x) {
-  double squared = std::numeric_limits<double>::infinity();
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d& a = polygon[i];
-    const Eigen::Vector2d& b = polygon[(i + 1) % polygon.size()];
-    const Eigen::Vector2d ab = b - a;
-    const double length = ab.squaredNorm();
-    const double t = length > 0 ? std::clamp(ab.dot(x - a) / length, 0.0, 1.0) : 0;
-    squared = std::min(squared, (a + t * ab - x).squaredNorm());
-    const bool crosses = (a.y() > x.y()) != (b.y() > x.y());
-    if (crosses && x.x() < a.x() + (x.y() - a.y()) / ab.y() * ab.x()) inside = !inside;
+  /// Returns the radii of the gaps between inner spaces and the outside.
+  [[nodiscard]] std::vector<double> gaps() const { return gaps_; }
+
+ private:
+  static constexpr std::int32_t dry = -1;
+  static constexpr std::int32_t outside = 0;     // the first node is on the border
+  static constexpr double min_depth = 1.3;       // of an inner space, as a multiple of the gap
+  static constexpr std::int32_t min_nodes = 32;  // of an inner space: the grid has pockets near rough surfaces
+
+  std::int32_t& nodes(std::int32_t deepest_node) { return nodes_[static_cast<std::size_t>(deepest_node)]; }
+  std::int32_t& parent(std::int32_t node) { return parent_[static_cast<std::size_t>(node)]; }
+
+  /// Returns the deepest node of the space that the node is in.
+  std::int32_t deepest(std::int32_t node) {
+    while (parent(node) != node) node = parent(node) = parent(parent(node));
+    return node;
   }
-  return inside ? std::sqrt(squared) : -std::sqrt(squared);
-}
 
-/// Square that may contain the centre.
-struct Square {
-  Eigen::Vector2d centre;
-  double half;   ///< of its edge
-  double bound;  ///< upper bound of the radius for centres in the square
+  void add(std::int32_t node) {
+    parent(node) = node;
+    const std::array<std::int32_t, 6> neighbours = grid_.neighbours(node);
+    for (std::size_t i = 0; i < neighbours.size(); ++i) {
+      if (parent(neighbours[i]) == dry) continue;
+      const std::int32_t a = deepest(node);
+      const std::int32_t b = deepest(neighbours[i]);
+      if (a == b) continue;
+      if (a == outside || b == outside) note_gap(node, i / 2, a + b - outside);
+      const bool a_stays = a == outside || (b != outside && grid_.distance(a) >= grid_.distance(b));
+      const std::int32_t joined = a_stays ? a : b;
+      const std::int32_t other = a_stays ? b : a;
+      parent(other) = joined;
+      nodes(joined) += nodes(other);
+    }
+  }
+
+  /// Notes the gap at a node between the outside and a space.
+  void note_gap(std::int32_t node, std::size_t axis, std::int32_t space) {
+    const double level = grid_.distance(node);
+    const double depth = grid_.distance(space);
+    // One of two adjacent nodes on different sides of a wall is within half a cell of it.
+    if (level <= grid_.cell() / 2 || depth < min_depth * level || nodes(space) < min_nodes) return;
+    gaps_.push_back(std::min(grid_.radius_across(node, axis), depth));
+  }
+
+  const DistanceGrid& grid_;
+  std::vector<std::int32_t> parent_;
+  std::vector<std::int32_t> nodes_;  ///< by deepest node: size of the space
+  std::vector<double> gaps_;
 };
 
-/// Returns the distance within which this fraction of the points have their sixth neighbour.
-double distance_to_sixth(const Points& points, double fraction) {
-  constexpr Eigen::Index neighbours = 6;
-  if (points.rows() < 2) return 0;
-  const PointNeighbours nearest = nearest_neighbours(points, neighbours);
-  Eigen::VectorXd distances = nearest.distances.rightCols(1);
-  const auto rank = static_cast<Eigen::Index>(fraction * static_cast<double>(distances.size() - 1));
-  std::nth_element(distances.begin(), distances.begin() + rank, distances.end());
-  return distances[rank];
-}
-
-/// Projects the loop along its vector area.
-std::vector<Eigen::Vector2d> flattened(const BoundaryLoop& loop, const Points& points) {
-  const Eigen::Vector3d normal = loop.vector_area.normalized();
-  const Eigen::Vector3d u = normal.unitOrthogonal();
-  const Eigen::Vector3d v = normal.cross(u);
-  const Eigen::Vector3d origin = points.row(loop.vertices.front());
-  std::vector<Eigen::Vector2d> polygon;
-  for (const std::int32_t vertex : loop.vertices) {
-    const Eigen::Vector3d x = points.row(vertex).transpose() - origin;
-    polygon.emplace_back(u.dot(x), v.dot(x));
-  }
-  return polygon;
-}
-
-GapSizes gaps_in_mesh(const Shape& mesh, double limit) {
-  std::vector<BoundaryLoop> loops = boundary_loops(mesh);
-  std::ranges::sort(loops, std::greater<>(), &BoundaryLoop::radius_bound);
-  GapSizes gaps;
-  for (const BoundaryLoop& loop : loops) {
-    if (loop.radius_bound() <= gaps.within_limit) break;
-    const double radius = inscribed_circle_radius(flattened(loop, mesh.vertices));
-    gaps.widest = std::max(gaps.widest, radius);
-    if (radius <= limit) gaps.within_limit = std::max(gaps.within_limit, radius);
-  }
-  return gaps;
+/// Returns the radii as fractions of the diagonal.
+std::vector<double> gaps_on_grid(const Shape& shape) {
+  const UnitFrame frame = unit_frame(shape);
+  if (!(bounding_box_diagonal(shape) > 0) || !std::isfinite(frame.diagonal)) return {};
+  return Flood(DistanceGrid(in_unit_frame(without_duplicates(shape), frame))).gaps();
 }
 
 }  // namespace
 
-std::vector<BoundaryLoop> boundary_loops(const Shape& shape) {
+GapSizes gap_sizes(const Shape& shape) {
   require_usable(shape);
-  BoundaryEdges edges(half_edges(shape.triangles, welded_vertices(shape.vertices)));
-  std::vector<BoundaryLoop> loops;
-  std::vector<std::int64_t> place_in_path(static_cast<std::size_t>(shape.vertices.rows()), -1);
-  for (std::int32_t start = edges.start(); start >= 0; start = edges.start()) {
-    std::vector<std::int32_t> path;
-    const auto take_from = [&](std::int64_t first) {
-      const std::vector<std::int32_t> loop(path.begin() + first, path.end());
-      for (const std::int32_t v : loop) place_in_path[static_cast<std::size_t>(v)] = -1;
-      path.resize(static_cast<std::size_t>(first));
-      loops.push_back(measured(loop, shape.vertices));
-    };
-    for (std::int32_t vertex = start; vertex >= 0; vertex = edges.walk_from(vertex)) {
-      if (const std::int64_t before = place_in_path[static_cast<std::size_t>(vertex)]; before >= 0) take_from(before);
-      place_in_path[static_cast<std::size_t>(vertex)] = static_cast<std::int64_t>(path.size());
-      path.push_back(vertex);
-    }
-    if (path.size() > 1) take_from(0);
-    if (!path.empty()) place_in_path[static_cast<std::size_t>(path.front())] = -1;
+  if (is_closed(shape)) return {};
+  GapSizes sizes;
+  const double diagonal = bounding_box_diagonal(shape);
+  for (const double gap : gaps_on_grid(shape)) {
+    sizes.widest = std::max(sizes.widest, gap * diagonal);
+    if (offset_per_gap * gap <= largest_automatic_offset) sizes.closable = std::max(sizes.closable, gap * diagonal);
   }
-  return loops;
+  if (!is_cloud(shape) || shape.vertices.rows() == 0) return sizes;
+  const double spacing = sixth_neighbour_distance(shape.vertices, 0.999);
+  return {std::max(sizes.widest, spacing), std::max(sizes.closable, spacing)};
 }
-
-double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon) {
-  if (polygon.size() < 3) return 0;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : polygon) box.extend(corner);
-  const double negligible = 1e-3 * box.diagonal().norm();
-  double best = 0;
-  const auto smaller_bound = [](const Square& a, const Square& b) { return a.bound < b.bound; };
-  std::priority_queue<Square, std::vector<Square>, decltype(smaller_bound)> waiting(smaller_bound);
-  const auto look_at = [&](const Eigen::Vector2d& centre, double half) {
-    const double distance = signed_distance(polygon, centre);
-    best = std::max(best, distance);
-    // Distances change by at most the distance from the centre.
-    waiting.push({centre, half, distance + std::sqrt(2.0) * half});
-  };
-  look_at(box.center(), box.sizes().maxCoeff() / 2);
-  while (waiting.top().bound > 1.01 * best + negligible) {
-    const Square square = waiting.top();
-    waiting.pop();
-    for (const double x : {-0.5, 0.5}) {
-      for (const double y : {-0.5, 0.5}) look_at(square.centre + square.half * Eigen::Vector2d(x, y), square.half / 2);
-    }
-  }
-  return best;
-}
-
-GapSizes gap_sizes(const Shape& shape, double limit) {
-  require_usable(shape);
-  if (!is_cloud(shape)) return gaps_in_mesh(shape, limit);
-  const double gap = distance_to_sixth(shape.vertices, 0.999);
-  return {gap, gap};
-}
-
-double gap_size(const Shape& shape, double limit) { return gap_sizes(shape, limit).within_limit; }
 
 double point_spacing(const Shape& shape) {
   require_usable(shape);
-  return is_cloud(shape) ? distance_to_sixth(shape.vertices, 0.5) : 0;
+  return is_cloud(shape) && shape.vertices.rows() > 0 ? sixth_neighbour_distance(shape.vertices, 0.5) : 0;
 }
 
 }  // namespace shapegauge

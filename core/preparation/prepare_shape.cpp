@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/preparation/denoise.h"
+#include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/preparation/tube_area.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/shape.h"
@@ -41,6 +42,7 @@ double positive_tube_area(const Shape& shape) {
 
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options) {
   PreparedShape result;
+  if (options.remove_outliers) shape = without_outliers(std::move(shape));
   if (options.denoise) {
     DenoisedShape clean = denoised(std::move(shape));
     shape = std::move(clean.shape);

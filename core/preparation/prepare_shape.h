@@ -14,7 +14,7 @@ namespace shapegauge {
 double positive_area(const Shape& shape);
 
 /// Cache version of prepare_shape(); see docs/manual/cache.md.
-inline constexpr int preparation_version = 2;
+inline constexpr int preparation_version = 3;
 
 /// Quantity that normalises the scale of a shape.
 enum class ScaleEstimate {
@@ -27,7 +27,8 @@ inline constexpr std::array<std::string_view, 2> words_of<ScaleEstimate>{"area",
 
 /// Options of prepare_shape().
 struct PreparationOptions {
-  bool denoise = false;  ///< see denoised()
+  bool denoise = false;          ///< see denoised()
+  bool remove_outliers = false;  ///< see without_outliers()
   ScaleEstimate scale = ScaleEstimate::area;
 
   bool operator==(const PreparationOptions&) const = default;
@@ -37,6 +38,8 @@ struct PreparationOptions {
 inline constexpr std::array preparation_table = {
     option_of<&PreparationOptions::denoise>(
         "denoise", "Smooth clearly noisy meshes, in proportion to their noise; clean meshes and clouds are unchanged."),
+    option_of<&PreparationOptions::remove_outliers>(
+        "remove_outliers", "Remove points of clouds that are farther from all others than 10 point spacings."),
     option_of<&PreparationOptions::scale>(
         "scale",
         "area: to unit surface area (clouds: estimated area); tube_area: to unit area, estimated from the volume of a "
@@ -51,8 +54,8 @@ struct PreparedShape {
   double area = 0;       ///< the area that was scaled to 1, in the input's units squared
 };
 
-/// Denoises the shape if requested and scales it about the origin to unit area. Throws InputError as positive_area()
-/// and tube_area() do, and for an unusable shape (require_usable()).
+/// Removes outliers and noise if requested, and scales it about the origin to unit area. Throws InputError as
+/// positive_area() and tube_area() do, and for an unusable shape (require_usable()).
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options);
 
 }  // namespace shapegauge

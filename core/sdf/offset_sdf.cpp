@@ -7,6 +7,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/offset/offset_solver.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -72,6 +73,7 @@ OffsetSdfOutcomes count(const OffsetResults& results, double offset) {
 OffsetSdfSolver::OffsetSdfSolver(const Shape& shape) : frame_(unit_frame_of(shape)) {
   const Stopwatch stopwatch;
   mesh_ = distinct_triangles(shape);
+  closed_ = is_closed(mesh_.shape);
   mesh_.shape = in_unit_frame(mesh_.shape, frame_);
   build_seconds_ = stopwatch.seconds();
 }
@@ -98,6 +100,9 @@ OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOp
   OffsetSdfResult result;
   result.values = results.values * frame_.diagonal;
   result.outcomes = count(results, options.offset);
+  if (!closed_) {
+    result.outcomes.two_sided = static_cast<std::size_t>((results.values.array() < 0.5 * results.offset).count());
+  }
   result.normals = std::move(results.directions);
   result.offset = results.offset;
   result.build_seconds = results.build_seconds;

@@ -15,7 +15,7 @@
 namespace shapegauge {
 
 /// Cache version of offset_sdf(); see docs/manual/cache.md.
-inline constexpr int offset_sdf_version = 12;
+inline constexpr int offset_sdf_version = 13;
 
 /// Resolution of the grid (docs/methods/offset_sdf.md#guarantees): cells of edge r/2.5, r/3 or r/5.
 enum class OffsetAccuracy { fast, standard, fine };
@@ -45,6 +45,7 @@ struct OffsetSdfOutcomes {
   std::size_t searched = 0;   ///< p + r n is covered by another part of the offset solid: q found by search
   std::size_t undecided = 0;  ///< the search did not converge: q may be too far by a cell or two
   std::size_t missing = 0;    ///< no value, since p is not on the surface: a vertex that no triangle uses
+  std::size_t two_sided = 0;  ///< of a shape that is not closed: the exterior is on both sides, closer than half of r
   std::size_t enlarged = 0;   ///< computed with a larger offset than requested: all samples of a shape, or none
 };
 
@@ -80,6 +81,7 @@ class OffsetSdfSolver {
   double build_seconds_ = 0;
   UnitFrame frame_;
   DistinctTriangles mesh_;  ///< in the frame
+  bool closed_ = false;
 };
 
 /// Computes the SDF for one offset. The result's build_seconds include the construction of the solver.

@@ -264,6 +264,15 @@ std::vector<std::int32_t> nearest_points(const Points& points, const Points& amo
   return nearest;
 }
 
+std::vector<double> distances_to_sixth(const Points& points) {
+  constexpr Eigen::Index neighbours = 6;
+  std::vector<double> distances(static_cast<std::size_t>(points.rows()));
+  if (distances.size() < 2) return distances;
+  Eigen::Map<Eigen::VectorXd>(distances.data(), points.rows()) =
+      nearest_neighbours(points, neighbours).distances.rightCols(1);
+  return distances;
+}
+
 Points unsigned_point_normals(const Points& points) {
   const PointNeighbours nearest = nearest_neighbours(points, normal_neighbours);
   Points normals = Points::Zero(points.rows(), 3);

@@ -27,6 +27,9 @@ PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::
 /// Finds the point of `among` nearest to each point, as nearest_neighbours() does. `among` must not be empty.
 std::vector<std::int32_t> nearest_points(const Points& points, const Points& among);
 
+/// Computes the distance of each point to its sixth neighbour, or to the last one in smaller clouds.
+std::vector<double> distances_to_sixth(const Points& points);
+
 /// Estimates unoriented normals of a cloud. Of the planes through a point and two of its 12 nearest neighbours, takes
 /// the one to which the neighbours are closest, each with a distance of at most 0.2 times that of the farthest (a
 /// truncated cost as in MSAC, Torr and Zisserman 2000), and fits a plane to the neighbours near it (Tukey's biweight).

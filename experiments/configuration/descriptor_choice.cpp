@@ -76,22 +76,19 @@ DescriptorChoice make_descriptor(const Json& settings) {
   return choice;
 }
 
-std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, FieldSource& source) {
-  std::vector<ScalarField> fields;
-  if (choice.fields.empty()) return fields;
+DescriptorFields compute_fields(const DescriptorChoice& choice, FieldSource& source) {
+  DescriptorFields result;
+  if (choice.fields.empty()) return result;
+  const auto add = [&](const std::optional<std::string>& warning) {
+    if (warning && std::ranges::find(result.warnings, *warning) == result.warnings.end()) {
+      result.warnings.push_back(*warning);
+    }
+  };
   const Samples samples = take_samples(source.shape(), choice.fields.front().settings.samples);
   for (const Field& field : choice.fields) {
-    fields.push_back({.values = field.compute(source, samples, true).values, .weights = samples.weights});
-  }
-  return fields;
-}
-
-std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSource& source) {
-  std::vector<std::string> warnings;
-  const auto add = [&](const std::optional<std::string>& warning) {
-    if (warning && std::ranges::find(warnings, *warning) == warnings.end()) warnings.push_back(*warning);
-  };
-  for (const Field& field : choice.fields) {
+    FieldValues computed = field.compute(source, samples, true);
+    result.fields.push_back({.values = std::move(computed.values), .weights = samples.weights});
+    for (const std::string& warning : outcome_warnings(computed.outcomes)) add(warning);
     const Json settings = to_json(field.settings);
     const auto offset = settings.find("offset");
     if (offset == settings.end()) continue;
@@ -99,7 +96,7 @@ std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSo
                                          : chosen_automatically(source.automatic_offset())));
     add(hollow_remark(source.shape(), true));
   }
-  return warnings;
+  return result;
 }
 
 }  // namespace shapegauge

@@ -22,11 +22,15 @@ struct DescriptorChoice {
 /// path for invalid settings: too few or too many fields, fields at different samples.
 DescriptorChoice make_descriptor(const nlohmann::json& settings);
 
-/// Computes the descriptor's fields on a prepared shape. Throws InputError as the fields do.
-std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, FieldSource& source);
+/// Fields of a descriptor on a shape.
+struct DescriptorFields {
+  std::vector<ScalarField> fields;
+  /// Each once: samples without a usable value (outcome_warnings()), an offset smaller than the gaps of the shape
+  /// (leak_warning()), a hollow shape, whose hull is measured (hollow_remark()).
+  std::vector<std::string> warnings;
+};
 
-/// Returns warnings about the offsets of the descriptor's fields: where one is smaller than the gaps of the shape
-/// (leak_warning()), and for a hollow shape, whose hull they measure (hollow_remark()). Each once.
-std::vector<std::string> offset_warnings(const DescriptorChoice& choice, FieldSource& source);
+/// Computes the descriptor's fields on a prepared shape. Throws InputError as the fields do.
+DescriptorFields compute_fields(const DescriptorChoice& choice, FieldSource& source);
 
 }  // namespace shapegauge

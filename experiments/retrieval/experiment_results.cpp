@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/retrieval/experiment_results.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -48,6 +49,12 @@ std::vector<std::string> incomplete_methods(const ExperimentResults& results) {
 
 std::vector<std::string> run_warnings(const ExperimentResults& results) {
   std::vector<std::string> warnings = field_warnings(results.fields);
+  const auto has_outliers = [](const ShapeReport& shape) { return shape.diagnostics.outliers > 0; };
+  if (const auto count = std::ranges::count_if(results.shapes, has_outliers); count > 0) {
+    warnings.push_back(fmt::format(
+        "{} of {} shapes are clouds with outliers, which enlarge them: use `preparation.remove_outliers=true`", count,
+        results.shapes.size()));
+  }
   for (const MethodResults& method : results.methods) {
     // Without external ranked lists, all protocols have the same tied queries.
     const Evaluation& evaluation = method.evaluations.front();

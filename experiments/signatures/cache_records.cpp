@@ -49,7 +49,7 @@ std::string key_of(EntryKind kind, Json depends_on) {
 
 /// Fails to compile if a member is added to ShapeDiagnostics: it must be listed above, too.
 [[maybe_unused]] void all_members_are_named(const ShapeDiagnostics& diagnostics) {
-  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = diagnostics;
+  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = diagnostics;
 }
 
 template <typename Number>
@@ -180,7 +180,7 @@ std::string distances_key(const Signatures& signatures, const std::string& dista
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShapeDiagnostics, vertices, unreferenced_vertices, coincident_vertices, diagonal,
                                    triangles, area, degenerate_triangles, duplicate_triangles, components, closed,
                                    edges, boundary_edges, boundary_length, non_manifold_edges, inconsistent_edges,
-                                   gap_size, point_spacing, noise_deviation, noisy)
+                                   gap_size, closable_gap, outliers, point_spacing, noise_deviation, noisy)
 
 Json numbers_record(const Eigen::VectorXd& numbers) { return binary(numbers.data(), numbers.size()); }
 Eigen::VectorXd read_numbers(const Json& record) { return read_binary<Eigen::VectorXd>(record); }

@@ -72,9 +72,9 @@ std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
   for (const FieldReport& field : fields) {
     if (field.leaking > 0) {
       warnings.push_back(fmt::format(
-          R"({} of {} shapes have gaps wider than the offset of the field {}: the offset surface leaks into them; )"
-          R"(use a larger offset or "auto")",
-          field.leaking, field.models, field.settings.dump()));
+          "{} of {} shapes have gaps wider than the offset of the field {}: the offset surface leaks into them; use a "
+          "larger offset{}",
+          field.leaking, field.models, field.settings.dump(), field.offset ? R"( or "auto")" : ""));
     }
     for (const std::string& warning : outcome_warnings(field.outcomes)) {
       warnings.push_back(fmt::format("{} in the field {}", warning, field.settings.dump()));
@@ -104,6 +104,7 @@ nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics) {
           {"inconsistent_edges", diagnostics.inconsistent_edges},
           {"gap_size", diagnostics.gap_size},
           {"gap_fraction", fraction(diagnostics.gap_size)},
+          {"outliers", diagnostics.outliers},
           {"point_spacing", diagnostics.point_spacing},
           {"noisy", diagnostics.noisy},
           {"noise_fraction", fraction(diagnostics.noise_deviation)}};

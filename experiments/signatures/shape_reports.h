@@ -47,7 +47,7 @@ struct FieldReport {
   FieldOutcomes outcomes;             ///< totals
   double seconds = 0;                 ///< total over the models, including concurrent work
   std::size_t models = 0;             ///< with values of it
-  std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_size()), into which it leaks
+  std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_sizes()), into which it leaks
 };
 
 /// Returns the reports on the plan's fields over all models.

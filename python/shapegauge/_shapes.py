@@ -161,7 +161,7 @@ def normals(vertices: Any, faces: Any = None, offset: Union[float, str] = "auto"
     """
     faces, offset = settings_after(vertices, faces, (offset, "auto"))
     found = _field(shape_arrays(vertices, faces, None), "offset_sdf", at, {"offset": offset}, threads)
-    warn(found["leaks"] + found["two_sided"] + found["without_value"])
+    warn(found["leaks"] + found["without_value"])
     return found["normals"]
 
 

@@ -85,7 +85,7 @@ TEST_F(NormalsCommand, WhatIsDecidedByChanceIsCountedAndWarnedOf) {
   const Shape read = read_shape(at("x.ply"));
   const auto inward = (read.normals.cwiseProduct(read.vertices).rowwise().sum().array() < 0).count();
   ASSERT_GT(inward, 1000) << "about half of 3000";
-  const std::size_t begin = outcome.errors.find("of 3000 samples are about equally far");
+  const std::size_t begin = outcome.errors.find("of 3000 samples have the outside on both sides");
   ASSERT_NE(begin, std::string::npos) << outcome.errors;
   const long counted = std::stol(outcome.errors.substr(outcome.errors.rfind(' ', begin - 2)));
   EXPECT_GE(counted, 1.9 * inward) << "by chance, as many point outward as inward";

@@ -10,9 +10,10 @@ import pytest
 import shapegauge as sg
 from support import bumpy_torus, program, toy
 
-# A torus with a fifth of its faces gone.
+# A torus with a hole in the top of one of its thick parts, wider than an automatic offset closes.
 VERTICES, FACES = bumpy_torus()
-OPEN = FACES[(VERTICES[FACES].mean(axis=1)[:, 0] < 0.6)]
+CENTRES = VERTICES[FACES].mean(axis=1)
+OPEN = FACES[(CENTRES[:, 2] < 0) | (np.hypot(CENTRES[:, 0] - np.sqrt(0.75), CENTRES[:, 1] - 0.5) > 0.25)]
 
 
 def untied():

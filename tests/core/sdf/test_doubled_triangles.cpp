@@ -66,10 +66,10 @@ TEST_P(DoubledTriangles, AreNotSampledMoreDensely) {
 }
 
 TEST_P(DoubledTriangles, DoNotChangeTheAutomaticOffset) {
-  const AutomaticOffset expected = automatic_offset(GetParam().shape, {.most = 0.5});
+  const AutomaticOffset expected = automatic_offset(GetParam().shape);
   for (const test::DoubledShape& doubled : test::doublings(GetParam().shape)) {
     SCOPED_TRACE(doubled.name);
-    const AutomaticOffset found = automatic_offset(doubled.shape, {.most = 0.5});
+    const AutomaticOffset found = automatic_offset(doubled.shape);
     EXPECT_EQ(found.offset, expected.offset);
     EXPECT_EQ(found.gap, expected.gap);
     EXPECT_EQ(found.noise, expected.noise);

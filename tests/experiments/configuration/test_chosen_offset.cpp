@@ -1,5 +1,6 @@
-#include <cmath>
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"
@@ -8,27 +9,29 @@
 namespace shapegauge {
 namespace {
 
-/// A box of 4 x 3 x 1 without its lid. The largest circle in the hole has a radius of 1.5.
-Shape open_box() {
-  Shape box = test::box({4, 3, 1}, 1);
-  Triangles kept(0, 3);
-  for (const auto& triangle : box.triangles.rowwise()) {
-    bool is_lid = true;
-    for (const std::int32_t corner : triangle) is_lid = is_lid && box.vertices(corner, 2) > 0;
-    if (is_lid) continue;
-    kept.conservativeResize(kept.rows() + 1, Eigen::NoChange);
-    kept.bottomRows<1>() = triangle;
+/// A box of 4 x 4 x 2 with a square hole of 1 in its top.
+Shape box_with_hole() {
+  Shape box = test::box({4, 4, 2}, 8);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index f = 0; f < box.triangles.rows(); ++f) {
+    double width = 0;
+    double lowest = 1;
+    for (const std::int32_t corner : box.triangles.row(f)) {
+      width = std::max(width, box.vertices.row(corner).head<2>().cwiseAbs().maxCoeff());
+      lowest = std::min(lowest, box.vertices(corner, 2));
+    }
+    if (lowest < 0.9 || width > 0.6) kept.push_back(f);
   }
-  box.triangles = kept;
+  box.triangles = box.triangles(kept, Eigen::all).eval();
   return box;
 }
 
-const double gap = 1.5 / std::sqrt(26.0);  // of the diagonal
+const double gap = 0.5 / 6;  // of the diagonal
 
 TEST(ChooseOffset, AGivenOneStaysBesideTheGap) {
-  const ChosenOffset chosen = choose_offset(0.05, open_box());
+  const ChosenOffset chosen = choose_offset(0.05, box_with_hole());
   EXPECT_EQ(chosen.offset, 0.05);
-  EXPECT_NEAR(chosen.gap, gap, 0.02 * gap);
+  EXPECT_NEAR(chosen.gap, gap, 0.005);
   EXPECT_FALSE(chosen.automatic);
   EXPECT_EQ(choose_offset(0.05, test::box({4, 3, 1}, 1)).gap, 0);
 }
@@ -38,8 +41,19 @@ TEST(ChooseOffset, WithoutOneItIsTheAutomaticOffset) {
   const ChosenOffset chosen = choose_offset({}, box);
   ASSERT_TRUE(chosen.automatic);
   EXPECT_EQ(chosen.offset, automatic_offset(box).offset);
-  EXPECT_FALSE(leaves_gaps_open(chosen));
-  EXPECT_TRUE(leaves_gaps_open(choose_offset({}, open_box()))) << "the lid is no gap";
+}
+
+TEST(ReasonsForOffset, ClaimOnlyWhatTheOffsetCloses) {
+  const auto reasons = [](const AutomaticOffset& automatic) {
+    return reasons_for_offset(chosen_automatically(automatic));
+  };
+  EXPECT_EQ(reasons({.offset = 0.01}), "no gaps or noise found");
+  EXPECT_EQ(reasons({.offset = 0.02, .gap = 0.02, .widest_gap = 0.018, .noise = 0.01}),
+            "fractions of the diagonal: 0.02 closes the gaps, 0.01 smooths the noise");
+  EXPECT_EQ(reasons({.offset = 0.02, .gap = 0.02, .widest_gap = 0.1}),
+            "fractions of the diagonal: 0.02 closes the narrower gaps");
+  EXPECT_EQ(reasons({.offset = 0.01, .widest_gap = 0.1}), "no noise, and no gap that it could close");
+  EXPECT_EQ(reasons_for_offset({.offset = 0.1, .automatic = {}}), "");
 }
 
 TEST(ChooseOffset, RefusesAShapeWithoutExtent) {
@@ -47,24 +61,14 @@ TEST(ChooseOffset, RefusesAShapeWithoutExtent) {
 }
 
 TEST(LeakWarning, IsOfOffsetsBelowTheGap) {
-  EXPECT_TRUE(leak_warning(choose_offset(0.9 * gap, open_box())));
-  EXPECT_FALSE(leak_warning(choose_offset(1.1 * gap, open_box())));
+  EXPECT_TRUE(leak_warning(choose_offset(0.8 * gap, box_with_hole())));
+  EXPECT_FALSE(leak_warning(choose_offset(1.2 * gap, box_with_hole())));
   EXPECT_FALSE(leak_warning(choose_offset(0.001, test::box({4, 3, 1}, 1))));
 }
 
 TEST(LeakWarning, NamesAnOffsetThatIsEnough) {
-  // 1.1 times the gap, 0.3236, rounded up to two digits.
-  EXPECT_NE(leak_warning({.offset = 0.01, .gap = gap, .automatic = {}})->find("0.33"), std::string::npos);
-}
-
-TEST(TwoSidedWarning, CountsSamplesBelowHalfTheOffsetUnlessTheShapeIsClosed) {
-  const double offset = 0.1 * std::sqrt(26.0);
-  const Eigen::VectorXd values{{0.4 * offset, 0.6 * offset, 0.3 * offset}};
-  const auto warning = two_sided_warning(open_box(), values, 0.1);
-  ASSERT_TRUE(warning);
-  EXPECT_EQ(warning->find("2 of 3 "), 0U) << *warning;
-  EXPECT_FALSE(two_sided_warning(test::box({4, 3, 1}, 1), values, 0.1));
-  EXPECT_FALSE(two_sided_warning(open_box(), values, 0.05)) << "none is below half of it";
+  // 1.1 times the gap, 0.0917, rounded up to two digits.
+  EXPECT_NE(leak_warning({.offset = 0.01, .gap = gap, .automatic = {}})->find("0.092"), std::string::npos);
 }
 
 }  // namespace

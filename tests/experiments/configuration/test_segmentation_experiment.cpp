@@ -63,7 +63,7 @@ TEST(SegmentationExperiment, HasThePreparationOfOtherExperiments) {
   Json document{{"name", "x"}, {"dataset", benchmark}, {"segmentation", {{{"name", "a"}}}}};
   const auto read_document = [&] { return segmentation_from_json(document, "x.json", "/data"); };
   EXPECT_EQ(read_document().preparation, PreparationOptions());
-  document["preparation"] = {{"denoise", true}, {"scale", "tube_area"}};
+  document["preparation"] = {{"denoise", true}, {"remove_outliers", false}, {"scale", "tube_area"}};
   EXPECT_EQ(read_document().preparation, (PreparationOptions{.denoise = true, .scale = ScaleEstimate::tube_area}));
   EXPECT_EQ(to_json(read_document())["preparation"], document["preparation"]);
   document["preparation"] = {{"denoised", true}};

@@ -82,7 +82,7 @@ TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
   const Samples samples = take_samples(prepared.shape, field.settings.samples);
   FieldSource source(prepared.shape);
   const Summary found = summary_of(field.compute(source, samples, false).values, samples.weights);
-  ASSERT_EQ(field.versions, (Json{{"offset_sdf", 12}}));
+  ASSERT_EQ(field.versions, (Json{{"offset_sdf", 13}}));
   EXPECT_NEAR(found.mean, 0.204830418962, 1e-6);
   EXPECT_NEAR(found.deviation, 0.0807011254096, 1e-6);
 }
@@ -90,12 +90,12 @@ TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
 /// At least one for each type of field.
 const std::vector<Recorded> field_records{
     Recorded{{{"type", "offset_sdf"}, {"offset", 0.05}},
-             {{"offset_sdf", 12}},
+             {{"offset_sdf", 13}},
              {{0.242653915264, 0.0889625310615, 1},
               {0.167920601592, 0.00469943333799, 1},
               {0.146101084313, 0.251082068399, 1}}},
     Recorded{{{"type", "offset_sdf"}, {"offset", "auto"}},
-             {{"offset_sdf", 12}, {"automatic_offset", 2}},
+             {{"offset_sdf", 13}, {"automatic_offset", 3}},
              {{0.238434649214, 0.0698555617861, 1}, {0.167916106353, 0.00469944274785, 1}, {0, 0, 1}}},
     Recorded{{{"type", "cone_sdf"}, {"at", "vertices"}},
              {{"cone_sdf", 3}},

@@ -159,6 +159,9 @@ TEST(CacheRecords, AllThatIsKnownOfAShape) {
   Shape shape = test::joined({test::box({1, 2, 0.3}, 3), test::sphere(1, 1)});
   shape.triangles.conservativeResize(shape.triangles.rows() - 2, Eigen::NoChange);
   model.diagnostics = diagnose(shape);
+  model.diagnostics.gap_size = 0.25;
+  model.diagnostics.closable_gap = 0.0625;
+  model.diagnostics.outliers = 3;
   model.diagnostics.point_spacing = 0.125;
   model.diagnostics.noise_deviation = 1.0 / 7;
   model.diagnostics.noisy = true;
@@ -169,6 +172,7 @@ TEST(CacheRecords, AllThatIsKnownOfAShape) {
   model.pass_band = 0.1;
   const ModelDescription found = read_shape_record(stored(shape_record(model)));
   EXPECT_EQ(diagnostics_json(found.diagnostics), diagnostics_json(model.diagnostics));
+  EXPECT_EQ(found.diagnostics.closable_gap, model.diagnostics.closable_gap);
   EXPECT_EQ(found.diagnostics.noise_deviation, model.diagnostics.noise_deviation);
   EXPECT_EQ(found.chosen, model.chosen);
   EXPECT_EQ(found.remarks, model.remarks);

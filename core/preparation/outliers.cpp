@@ -1,0 +1,52 @@
+#include "shapegauge/core/preparation/outliers.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "shapegauge/core/base/median.h"
+#include "shapegauge/core/shape/point_cloud.h"
+
+namespace shapegauge {
+
+std::vector<bool> outliers(const Shape& shape) {
+  constexpr double max_distance = 10;  // of the sixth neighbour, in point spacings
+  constexpr double max_fraction = 0.01;
+  require_usable(shape);
+  std::vector<bool> marked(static_cast<std::size_t>(shape.vertices.rows()));
+  if (!is_cloud(shape) || marked.empty()) return marked;
+  const std::vector<double> distances = distances_to_sixth(shape.vertices);
+  std::vector<double> reordered = distances;
+  const double limit = max_distance * lower_quantile(reordered, 0.5);
+  if (lower_quantile(reordered, 1 - max_fraction) > limit) return marked;
+  for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = distances[i] > limit;
+  return marked;
+}
+
+std::size_t outlier_count(const Shape& shape) {
+  return static_cast<std::size_t>(std::ranges::count(outliers(shape), true));
+}
+
+std::optional<std::string> outlier_warning(const Shape& shape) {
+  const std::size_t count = outlier_count(shape);
+  if (count == 0) return std::nullopt;
+  return fmt::format(
+      "{} of {} points are outliers, farther from all others than 10 point spacings: the size and the area of the "
+      "shape "
+      "are too large",
+      count, shape.vertices.rows());
+}
+
+Shape without_outliers(Shape shape) {
+  const std::vector<bool> marked = outliers(shape);
+  std::vector<Eigen::Index> kept;
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (!marked[i]) kept.push_back(static_cast<Eigen::Index>(i));
+  }
+  if (kept.size() == marked.size()) return shape;
+  shape.vertices = shape.vertices(kept, Eigen::all).eval();
+  if (shape.normals.rows() > 0) shape.normals = shape.normals(kept, Eigen::all).eval();
+  return shape;
+}
+
+}  // namespace shapegauge
