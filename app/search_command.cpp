@@ -36,6 +36,7 @@ struct SearchArguments {
   fs::path page;
   fs::path index;
   bool no_update = false;
+  bool articulated = false;
   fs::path method;
   std::string signature;
   std::vector<std::string> settings;
@@ -45,6 +46,7 @@ struct SearchArguments {
 };
 
 SearchMethod chosen_method(const SearchArguments& arguments) {
+  if (arguments.articulated) return recommended_search_method(RecommendedMethod::articulated);
   if (!arguments.method.empty()) return read_search_method(arguments.method, arguments.settings, arguments.signature);
   if (!arguments.settings.empty() || !arguments.signature.empty()) {
     throw InputError("--set and --signature require --method");
@@ -92,7 +94,10 @@ class SearchRun {
   }
 
   [[nodiscard]] fs::path index_file() const {
-    return arguments_->index.empty() ? usual_index_path(collection_, arguments_->method) : arguments_->index;
+    if (!arguments_->index.empty()) return arguments_->index;
+    return usual_index_path(collection_, arguments_->articulated
+                                             ? fs::path(recommended_file(RecommendedMethod::articulated))
+                                             : arguments_->method);
   }
 
   void check_outputs() const {
@@ -240,13 +245,19 @@ void add_search_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Index and method");
   command->add_option("--index", arguments->index, "Index file (default: NAME.search-index beside the collection)");
   command->add_flag("--no-update", arguments->no_update, "Use the index as it is, without checking the files");
-  command->add_option(
-      "--method", arguments->method,
-      "Configuration of a retrieval experiment with the signatures to compare (default: recommended method)");
-  command->add_option("--signature", arguments->signature,
-                      "Signature of the configuration given by --method (default: its last suitable one)");
-  command->add_option("--set", arguments->settings,
-                      "Override a value of the configuration of --method, key=value; repeatable");
+  CLI::Option* articulated =
+      command->add_flag("--articulated", arguments->articulated,
+                        "Use the method of configs/recommended_articulated.json, for shapes whose pose does not count");
+  for (CLI::Option* option :
+       {command->add_option(
+            "--method", arguments->method,
+            "Configuration of a retrieval experiment with the signatures to compare (default: recommended method)"),
+        command->add_option("--signature", arguments->signature,
+                            "Signature of the configuration given by --method (default: its last suitable one)"),
+        command->add_option("--set", arguments->settings,
+                            "Override a value of the configuration of --method, key=value; repeatable")}) {
+    articulated->excludes(option);
+  }
   add_cache_option(*command, arguments->cache);
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = SearchRun(*arguments).run(); });

@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -52,11 +53,16 @@ ShapeIndex multiplied(const ShapeIndex& few, std::size_t models) {
   return many;
 }
 
-/// Local scales of the models copied.
+/// Local scales and ranks of the models copied, as if there were no more models.
 CollectionSum multiplied(CollectionSum sum, Eigen::Index models) {
   for (LocalScales& scales : sum.local_scales) {
     const Eigen::VectorXd few = scales.roots;
     scales.roots = Eigen::VectorXd::NullaryExpr(models, [&](Eigen::Index i) { return few[i % few.size()]; });
+  }
+  for (DistanceMatrix& at_ranks : sum.at_ranks) {
+    const DistanceMatrix few = at_ranks;
+    at_ranks = DistanceMatrix::Constant(models, count_of_ranks(models), std::numeric_limits<double>::infinity());
+    for (Eigen::Index i = 0; i < models; ++i) at_ranks.row(i).head(few.cols()) = few.row(i % few.rows());
   }
   return sum;
 }

@@ -22,11 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Method of a search: the recommended one, or that of a configuration.
+/// Method of a search: a recommended one, or that of a configuration.
 struct WantedMethod {
   std::string configuration;  ///< as JSON; if empty, that of the file `source`
-  std::string source;         ///< name in messages; if empty, the recommended method
+  std::string source;         ///< name in messages; if empty, a recommended method
   std::string signature;      ///< if empty, the last one
+  RecommendedMethod recommended = RecommendedMethod::any;
 };
 
 /// Open index with its cache and the notes of the last call.
@@ -38,7 +39,7 @@ struct NativeIndex {
 };
 
 SearchMethod method_of(const WantedMethod& wanted) {
-  if (wanted.source.empty()) return recommended_search_method();
+  if (wanted.source.empty()) return recommended_search_method(wanted.recommended);
   if (wanted.configuration.empty()) return read_search_method(wanted.source, {}, wanted.signature);
   return search_method(parse_json(wanted.configuration, wanted.source), wanted.source, wanted.signature);
 }
@@ -48,7 +49,9 @@ std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optiona
                                   const std::optional<fs::path>& cache, int threads, const PythonProgress& progress) {
   auto opened = std::make_unique<NativeIndex>();
   opened->cache = std::make_unique<Cache>(cache.value_or(default_cache_folder()));
-  const fs::path place = file.value_or(usual_index_path(collection, configuration_file));
+  const bool articulated = wanted.recommended == RecommendedMethod::articulated;
+  const fs::path place = file.value_or(
+      usual_index_path(collection, articulated ? fs::path(recommended_file(wanted.recommended)) : configuration_file));
   Cancellation cancellation;
   const RunControl control = interruptible_control(threads, cancellation, progress);
   run_interruptibly(cancellation, [&] {
@@ -143,7 +146,12 @@ std::vector<std::pair<std::string, std::string>> named_files(const NativeIndex& 
 }  // namespace
 
 void bind_search(py::module_& module) {
-  py::class_<WantedMethod>(module, "WantedMethod").def(py::init<std::string, std::string, std::string>());
+  py::class_<WantedMethod>(module, "WantedMethod")
+      .def(py::init([](const std::string& configuration, const std::string& source, const std::string& signature,
+                       bool articulated) {
+        return WantedMethod{configuration, source, signature,
+                            articulated ? RecommendedMethod::articulated : RecommendedMethod::any};
+      }));
   py::class_<NativeIndex>(module, "Index")
       .def_readonly("notes", &NativeIndex::notes)
       .def_readonly("left_out", &NativeIndex::left_out)

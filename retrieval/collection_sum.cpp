@@ -15,115 +15,35 @@ namespace shapegauge {
 
 namespace {
 
-/// Results of one pass over the distances of a term.
-struct TermPass {
-  NearestModels nearest;
-  Eigen::VectorXd means;  ///< mean_distance_to_nearest(), by model
-};
+std::span<const double> span_of(const Eigen::RowVectorXd& row) {
+  return {row.data(), static_cast<std::size_t>(row.size())};
+}
 
-TermPass pass_over(Eigen::Index models, const RowSource& rows) {
-  TermPass found;
-  found.means.resize(models);
+/// Computes the local scales of a term's models; appends the nearest models, found in the same pass.
+LocalScales local_scales_of(Eigen::Index models, const RowSource& rows, std::vector<NearestModels>& nearest) {
+  Eigen::VectorXd means(models);
   const RowSource measured = [&](Eigen::Index first, Eigen::Index count) {
     DistanceMatrix block = rows(first, count);
     parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
-      found.means[first + i] =
-          mean_distance_to_nearest({block.row(i).data(), static_cast<std::size_t>(block.cols())}, first + i);
+      means[first + i] = mean_distance_to_nearest(span_of(block.row(i)), first + i);
     });
     return block;
   };
-  found.nearest = nearest_models(models, nearest_for_weights(), measured);
-  return found;
+  nearest.push_back(nearest_models(models, nearest_for_weights(), measured));
+  return LocalScales::of_means(means);
 }
 
-/// Pass over the rows of a few models; the entries of the others follow from an earlier pass and these rows.
-class PassUpdate {
- public:
-  PassUpdate(Eigen::Index models, const RowSource& rows, const EarlierSum& earlier, std::size_t term)
-      : models_(models),
-        rows_(rows),
-        earlier_(earlier),
-        before_(earlier.sum.nearest[term]),
-        count_(std::clamp<Eigen::Index>(models - 1, 0, nearest_for_weights())),
-        now_of_(static_cast<std::size_t>(before_.indices.rows()), -1) {
-    found_.nearest.indices.resize(models, count_);
-    found_.nearest.distances.resize(models, count_);
-    found_.means.resize(models);
-    for (std::size_t i = 0; i < earlier.places.size(); ++i) {
-      if (earlier.places[i] >= 0) now_of_[static_cast<std::size_t>(earlier.places[i])] = static_cast<std::int32_t>(i);
-    }
-  }
-
-  TermPass run() {
-    for (Eigen::Index i = 0; i < models_; ++i) {
-      if (place_of(i) >= 0) continue;
-      new_models_.push_back(static_cast<std::int32_t>(i));
-      new_rows_.push_back(whole_row(i));
-    }
-    for (Eigen::Index i = 0; i < models_; ++i) {
-      if (place_of(i) >= 0 && !follows_from_earlier(i)) whole_row(i);
-    }
-    return std::move(found_);
-  }
-
- private:
-  using Entry = std::pair<double, std::int32_t>;
-
-  [[nodiscard]] Eigen::Index place_of(Eigen::Index model) const {
-    return earlier_.places[static_cast<std::size_t>(model)];
-  }
-
-  /// Keeps the first of the entries, which must include all of the nearest.
-  void take_nearest(Eigen::Index model, std::vector<Entry>& entries) {
-    std::ranges::partial_sort(entries, entries.begin() + count_);
-    for (Eigen::Index n = 0; n < count_; ++n) {
-      const auto& [distance, other] = entries[static_cast<std::size_t>(n)];
-      found_.nearest.indices(model, n) = std::isfinite(distance) ? other : -1;
-      found_.nearest.distances(model, n) = distance;
-    }
-  }
-
-  /// Requests the model's row and computes its nearest models and their mean distance.
-  DistanceMatrix whole_row(Eigen::Index model) {
-    DistanceMatrix row = rows_(model, 1);
-    std::vector<Entry> entries;
-    for (Eigen::Index j = 0; j < models_; ++j) {
-      if (j != model) entries.emplace_back(row(0, j), static_cast<std::int32_t>(j));
-    }
-    take_nearest(model, entries);
-    found_.means[model] = mean_distance_to_nearest({row.data(), static_cast<std::size_t>(row.size())}, model);
-    return row;
-  }
-
-  /// Computes the model's nearest models and their mean distance from its earlier nearest and the new models. Returns
-  /// false if these do not suffice.
-  bool follows_from_earlier(Eigen::Index model) {
-    std::vector<Entry> entries;
-    for (Eigen::Index n = 0; n < before_.indices.cols(); ++n) {
-      const std::int32_t other = before_.indices(place_of(model), n);
-      if (other < 0 || now_of_[static_cast<std::size_t>(other)] < 0) return false;
-      entries.emplace_back(before_.distances(place_of(model), n), now_of_[static_cast<std::size_t>(other)]);
-    }
-    for (std::size_t k = 0; k < new_models_.size(); ++k) entries.emplace_back(new_rows_[k](0, model), new_models_[k]);
-    if (std::ssize(entries) < count_) return false;
-    take_nearest(model, entries);
-    constexpr std::ptrdiff_t averaged = 10;  // number of models averaged by mean_distance_to_nearest()
-    const auto distances = found_.nearest.distances.row(model);
-    if (count_ < models_ - 1 && (distances.array() > 0).count() < averaged) return false;
-    found_.means[model] = mean_distance_to_nearest({distances.data(), static_cast<std::size_t>(count_)});
-    return true;
-  }
-
-  Eigen::Index models_;
-  const RowSource& rows_;
-  const EarlierSum& earlier_;
-  const NearestModels& before_;
-  Eigen::Index count_;
-  std::vector<std::int32_t> now_of_;  ///< by earlier model: present index; -1 if removed
-  std::vector<std::int32_t> new_models_;
-  std::vector<DistanceMatrix> new_rows_;
-  TermPass found_;
-};
+/// Computes distances_at_ranks() of a term's models, after local scaling.
+DistanceMatrix scaled_at_ranks(Eigen::Index models, const RowSource& rows, const LocalScales& scales) {
+  DistanceMatrix at_ranks(models, count_of_ranks(models));
+  for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
+    parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
+      const Eigen::Index model = first + i;
+      at_ranks.row(model) = distances_at_ranks(span_of(scales.scaled(block.row(i), scales.roots[model])), model);
+    });
+  });
+  return at_ranks;
+}
 
 double unit_of(Eigen::Index models, const RowSource& rows, DistanceScale scale, std::size_t term) {
   if (scale == DistanceScale::none) return 1;
@@ -136,48 +56,52 @@ double unit_of(Eigen::Index models, const RowSource& rows, DistanceScale scale, 
 }  // namespace
 
 CollectionSum collection_sum(Eigen::Index models, std::span<const RowSource> terms, std::span<const double> weights,
-                             SumWeights kind, DistanceScale scale, const EarlierSum* earlier) {
+                             SumWeights kind, DistanceScale scale) {
   check_sum_weights(terms.size(), weights);
   CollectionSum sum;
   sum.scale = scale;
   sum.weights.assign(weights.begin(), weights.end());
-  const bool local = is_local(scale);
-  sum.nearest.resize(terms.size());
-  sum.means.resize(terms.size());
-  if (local) sum.local_scales.resize(terms.size());
+  const bool local = uses_local_scales(scale);
+  std::vector<NearestModels> nearest;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     sum.units.push_back(local || weights[k] == 0 ? 1 : unit_of(models, terms[k], scale, k));
-    if (weights[k] == 0 || (!local && kind == SumWeights::given)) continue;
-    const bool known = earlier != nullptr && earlier->unchanged[k] && earlier->sum.nearest[k].indices.rows() > 0;
-    TermPass found = known ? PassUpdate(models, terms[k], *earlier, k).run() : pass_over(models, terms[k]);
-    found.nearest.largest = 0;  // unknown after an update, and unused here
-    sum.nearest[k] = std::move(found.nearest);
-    sum.means[k] = std::move(found.means);
-    if (local) sum.local_scales[k] = LocalScales::of_means(sum.means[k]);
-    if (scale == DistanceScale::local_spread) {
-      sum.units[k] = spread_of_scaled(sum.means[k], sum.local_scales[k], terms[k]);
+    sum.local_scales.emplace_back();
+    sum.at_ranks.emplace_back();
+    if (weights[k] == 0) {
+      nearest.emplace_back();
+    } else if (local) {
+      sum.local_scales[k] = local_scales_of(models, terms[k], nearest);
+      if (uses_ranks(scale)) sum.at_ranks[k] = scaled_at_ranks(models, terms[k], sum.local_scales[k]);
+    } else if (kind == SumWeights::agreement) {
+      nearest.push_back(nearest_models(models, nearest_for_weights(), terms[k]));
     }
   }
-  if (kind == SumWeights::agreement) sum.weights = sum_weights(sum.nearest, weights);
+  if (kind == SumWeights::agreement) sum.weights = sum_weights(nearest, weights);
   return sum;
 }
 
 Eigen::VectorXd sum_row(const CollectionSum& sum, std::span<const Eigen::VectorXd> distances, Eigen::Index member) {
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(distances.front().size());
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(distances.front().size());
   for (std::size_t k = 0; k < distances.size(); ++k) {
     const double weight = sum.weights[k];
     if (weight == 0) continue;
-    if (!is_local(sum.scale)) {
-      row += weight / sum.units[k] * distances[k];
+    const Eigen::RowVectorXd of_term = distances[k].transpose();
+    if (!uses_local_scales(sum.scale)) {
+      row += weight / sum.units[k] * of_term;
       continue;
     }
     const LocalScales& scales = sum.local_scales[k];
-    const double root = member >= 0 ? scales.roots[member]
-                                    : scales.root_of(mean_distance_to_nearest(
-                                          {distances[k].data(), static_cast<std::size_t>(distances[k].size())}));
-    row.array() += weight / sum.units[k] * (distances[k].array() / (root * scales.roots.array()));
+    const double root = member >= 0 ? scales.roots[member] : scales.root_of(mean_distance_to_nearest(span_of(of_term)));
+    const Eigen::RowVectorXd scaled = scales.scaled(of_term, root);
+    if (sum.scale == DistanceScale::local) {
+      row += weight * scaled;
+      continue;
+    }
+    const DistanceMatrix& at_ranks = sum.at_ranks[k];
+    const Eigen::RowVectorXd own = member >= 0 ? at_ranks.row(member) : distances_at_ranks(span_of(scaled));
+    row += weight * log_mutual_ranks(span_of(scaled), own, at_ranks);
   }
-  return row.cwiseMin(std::numeric_limits<double>::max());
+  return row.cwiseMin(std::numeric_limits<double>::max()).transpose();
 }
 
 }  // namespace shapegauge

@@ -31,6 +31,7 @@ constexpr std::array diffusion_table = {
     option_of<&DiffusionOptions::tie>(
         "tie", {.low = 0, .high = 1},
         "Weight of the original distance, which orders models that the walks do not separate."),
+    option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep the nearest model of each model the nearest."),
 };
 constexpr auto diffusion_parameters = parameters_of(diffusion_table);
 
@@ -110,9 +111,6 @@ struct Diffusion {
   std::vector<std::int32_t> components;
   OriginalShare original;
 
-  Diffusion(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options)
-      : Diffusion(neighbour_counts(options.neighbours), models, rows, options) {}
-
   Diffusion(const NearestModels& nearest, const DiffusionOptions& options)
       : Diffusion(neighbour_counts(options.neighbours), nearest, options) {}
 
@@ -133,9 +131,6 @@ struct Diffusion {
   }
 
  private:
-  Diffusion(const std::vector<int>& counts, Eigen::Index models, const RowSource& rows, const DiffusionOptions& options)
-      : Diffusion(counts, nearest_models(models, counts.back(), rows), options) {}
-
   Diffusion(const std::vector<int>& counts, const NearestModels& nearest, const DiffusionOptions& options)
       : damping(options.damping),
         graphs(graphs_of(nearest, counts)),
@@ -153,6 +148,32 @@ struct Diffusion {
     return {tie, mean_distance(with_scaled_distances(nearest, factor).distances), factor, nearest.largest};
   }
 };
+
+/// Returns a distance just below another one; 0 for 0.
+double just_below(double distance) { return std::nextafter(distance, 0.0); }
+
+/// Moves the nearest model before diffusion in front of the others, for rows from `first` on.
+void put_nearest_first(const NearestModels& before, Eigen::Index first, DistanceMatrix& rows) {
+  if (before.indices.cols() == 0) return;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const Eigen::Index model = first + i;
+    const std::int32_t nearest = before.indices(model, 0);
+    if (nearest < 0) continue;
+    for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+      if (j != model && j != nearest && rows(i, j) <= rows(i, nearest)) rows(i, nearest) = just_below(rows(i, j));
+    }
+  }
+}
+
+/// Moves a model in front of the others; it replaces the last one if it is not among them.
+void put_first(Eigen::Index model, std::vector<RankedModel>& found) {
+  if (found.front().model == model) return;
+  const double distance = just_below(found.front().distance);
+  auto place = std::ranges::find(found, model, &RankedModel::model);
+  if (place == found.end()) --place;
+  std::rotate(found.begin(), place, place + 1);
+  found.front() = {.model = model, .distance = distance};
+}
 
 /// Computes the similarities of all models.
 Eigen::MatrixXd dense_similarities(const Diffusion& diffusion) {
@@ -300,12 +321,14 @@ Eigen::VectorXd diffused_diagonal(const WalkGraph& graph, double damping) {
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit) {
   check(options);
-  const Diffusion diffusion(models, rows, options);
+  const NearestModels nearest = nearest_models(models, neighbour_counts(options.neighbours).back(), rows);
+  const Diffusion diffusion(nearest, options);
   const std::vector<Eigen::VectorXd> roots = diagonal_roots(diffusion);
   for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
     const DistanceMatrix similarities = similarity_rows(diffusion, roots, first, block.rows());
     DistanceMatrix result = diffusion.distances_of(similarities, block, first);
     for (Eigen::Index i = 0; i < result.rows(); ++i) result(i, first + i) = 0;
+    if (options.keep_nearest) put_nearest_first(nearest, first, result);
     visit(first, result);
   });
 }
@@ -334,6 +357,8 @@ std::vector<RankedModel> diffused_nearest(const NearestModels& nearest, Eigen::I
     check_interruption();
   }
   found.resize(std::min(found.size(), count));
+  const Eigen::Index kept = options.keep_nearest && nearest.indices.cols() > 0 ? nearest.indices(query, 0) : -1;
+  if (kept >= 0 && !found.empty()) put_first(kept, found);
   return found;
 }
 
@@ -365,8 +390,12 @@ NearestModels with_query(NearestModels nearest, const Eigen::VectorXd& distances
 
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options) {
   check(options);
-  const Diffusion diffusion(distances.rows(), rows_of(distances), options);
-  return symmetrised(diffusion.distances_of(dense_similarities(diffusion), distances, 0));
+  const NearestModels nearest =
+      nearest_models(distances.rows(), neighbour_counts(options.neighbours).back(), rows_of(distances));
+  const Diffusion diffusion(nearest, options);
+  DistanceMatrix result = symmetrised(diffusion.distances_of(dense_similarities(diffusion), distances, 0));
+  if (options.keep_nearest) put_nearest_first(nearest, 0, result);
+  return result;
 }
 
 DiffusionOptions diffusion_options(const ParameterValues& values) { return options_from(diffusion_table, values); }

@@ -18,6 +18,7 @@ struct DiffusionOptions {
   IntegerList neighbours = 12;
   double damping = 0.95;  ///< probability of continuing the walk, from 0 to below 1
   double tie = 1e-4;  ///< share of the original distance, from 0 to 1, which orders models that no walk distinguishes
+  bool keep_nearest = false;  ///< the nearest model before diffusion stays the nearest
 };
 
 /// Computes the symmetric normalised affinity matrix of a random walk on the k nearest neighbours. Affinities are
@@ -38,12 +39,14 @@ Eigen::VectorXd diffused_diagonal(const WalkGraph& graph, double damping);
 ///
 /// The new distances are 1 - S plus `tie` times the distance divided by the mean distance to the k nearest. For one k,
 /// S = (1 - damping) F. For several, S is the mean over k of F_ij / sqrt(F_ii F_jj), and the mean distance is that to
-/// the nearest of the largest k. Models are connected (rerank.h) if a walk connects them. Requests the original rows
-/// twice. Throws InputError for options out of range, and as nearest_models() does.
+/// the nearest of the largest k. With `keep_nearest`, the model that was nearest gets a distance just below the others
+/// of the row, if it is not the nearest. Models are connected (rerank.h) if a walk connects them. Requests the original
+/// rows twice. Throws InputError for options out of range, and as nearest_models() does.
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit);
 
-/// Diffuses a matrix in memory by a dense factorisation for each k; returns a symmetric matrix. Throws ArgumentError as
+/// Diffuses a matrix in memory by a dense factorisation for each k; returns a symmetric matrix, apart from the entries
+/// that `keep_nearest` changes. Throws ArgumentError as
 /// diffuse() does and for a matrix that is not square.
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options = {});
 

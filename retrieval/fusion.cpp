@@ -13,6 +13,7 @@
 #include "shapegauge/core/base/median.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/local_scales.h"
+#include "shapegauge/retrieval/mutual_ranks.h"
 #include "shapegauge/retrieval/nearest_models.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -46,18 +47,29 @@ std::vector<double> finite_distances(const DistanceMatrix& matrix) {
   return distances;
 }
 
-/// Computes sum += weight matrix(i, j) / (roots[i] roots[j]); with local_spread the weight is divided by the spread.
-void add_locally_scaled(const DistanceMatrix& matrix, double weight, DistanceScale scale, DistanceMatrix& sum) {
+/// Computes the locally scaled distances: matrix(i, j) / (roots[i] roots[j]).
+DistanceMatrix locally_scaled(const DistanceMatrix& matrix) {
   Eigen::VectorXd means(matrix.rows());
   parallel_for(Eigen::Index{0}, matrix.rows(), [&](Eigen::Index i) {
     means[i] = mean_distance_to_nearest({matrix.row(i).data(), static_cast<std::size_t>(matrix.cols())}, i);
   });
   const LocalScales scales = LocalScales::of_means(means);
-  const Eigen::VectorXd& roots = scales.roots;
-  if (scale == DistanceScale::local_spread) weight /= spread_of_scaled(means, scales, rows_of(matrix));
-  parallel_for(Eigen::Index{0}, matrix.rows(), [&](Eigen::Index i) {
-    sum.row(i).array() += weight * (matrix.row(i).array() / (roots[i] * roots.transpose().array()));
-  });
+  DistanceMatrix scaled(matrix.rows(), matrix.cols());
+  parallel_for(Eigen::Index{0}, matrix.rows(),
+               [&](Eigen::Index i) { scaled.row(i) = scales.scaled(matrix.row(i), scales.roots[i]); });
+  return scaled;
+}
+
+/// Computes sum += weight log(1 + mutual rank).
+void add_log_ranks(const DistanceMatrix& matrix, double weight, DistanceMatrix& sum) {
+  const auto row = [&](Eigen::Index i) {
+    return std::span(matrix.row(i).data(), static_cast<std::size_t>(matrix.cols()));
+  };
+  DistanceMatrix at_ranks(matrix.rows(), count_of_ranks(matrix.rows()));
+  parallel_for(Eigen::Index{0}, matrix.rows(),
+               [&](Eigen::Index i) { at_ranks.row(i) = distances_at_ranks(row(i), i); });
+  parallel_for(Eigen::Index{0}, matrix.rows(),
+               [&](Eigen::Index i) { sum.row(i) += weight * log_mutual_ranks(row(i), at_ranks.row(i), at_ranks); });
 }
 
 /// Replaces sums that are not finite: by infinity if a summand is infinite, otherwise by the largest number.
@@ -141,27 +153,61 @@ double cohesion(const NearestSets& sets) {
   return sum / static_cast<double>(sets.of.size() * sets.count);
 }
 
-/// Returns the factors by matrix; 0 for a weight of 0.
-std::vector<double> agreement_factors(const std::vector<std::vector<NearestSets>>& nearest,
-                                      std::span<const double> weights) {
-  std::vector<double> factors(nearest.size());
+/// Nearest models by a matrix, for several k; none for a matrix of weight 0.
+using SetsOfMatrix = std::vector<NearestSets>;
+
+double mean_agreement(const SetsOfMatrix& one, const SetsOfMatrix& other) {
+  double sum = 0;
+  for (std::size_t n = 0; n < one.size(); ++n) sum += agreement(one[n], other[n]);
+  return sum / static_cast<double>(one.size());
+}
+
+double mean_cohesion(const SetsOfMatrix& sets) {
+  double sum = 0;
+  for (const NearestSets& of_count : sets) sum += cohesion(of_count);
+  return sum / static_cast<double>(sets.size());
+}
+
+/// Returns the sets by matrix; none if fewer than two weights are positive, or there are too few models.
+std::vector<SetsOfMatrix> sets_by_matrix(std::span<const NearestModels> nearest, std::span<const double> weights) {
+  Eigen::Index models = 0;
+  for (const NearestModels& one : nearest) models = std::max(models, one.indices.rows());
+  const auto positive = std::ranges::count_if(weights, [](double weight) { return weight > 0; });
+  std::vector<int> counts = neighbour_counts({});
+  std::erase_if(counts,
+                [&](int count) { return count >= models - 1; });  // the set of all others carries no information
+  if (positive < 2 || counts.empty()) return {};
+  std::vector<SetsOfMatrix> sets(nearest.size());
   for (std::size_t k = 0; k < nearest.size(); ++k) {
+    if (weights[k] > 0) sets[k] = nearest_sets(nearest[k], counts);
+  }
+  return sets;
+}
+
+/// Returns the factors by matrix; 0 for a weight of 0.
+std::vector<double> agreement_factors(const std::vector<SetsOfMatrix>& sets, std::span<const double> weights) {
+  std::vector<double> factors(sets.size());
+  for (std::size_t k = 0; k < sets.size(); ++k) {
     double agreeing = 0;
-    double cohering = 0;
     double others = 0;
-    for (std::size_t other = 0; other < nearest.size(); ++other) {
+    for (std::size_t other = 0; other < sets.size(); ++other) {
       if (other == k || weights[other] == 0 || weights[k] == 0) continue;
       others += weights[other];
-      for (std::size_t n = 0; n < nearest[k].size(); ++n) {
-        agreeing += weights[other] * agreement(nearest[k][n], nearest[other][n]);
-      }
+      agreeing += weights[other] * mean_agreement(sets[k], sets[other]);
     }
-    if (!(agreeing > 0)) continue;
-    for (const NearestSets& sets : nearest[k]) cohering += cohesion(sets);
-    const auto counts = static_cast<double>(nearest[k].size());
-    factors[k] = std::pow(agreeing / (others * counts) * (cohering / counts), 7);
+    if (agreeing > 0) factors[k] = std::pow(agreeing / others * mean_cohesion(sets[k]), 4);
   }
   return factors;
+}
+
+std::vector<NearestModels> nearest_by_matrix(std::span<const DistanceMatrix> matrices,
+                                             std::span<const double> weights) {
+  std::vector<NearestModels> nearest(matrices.size());
+  for (std::size_t k = 0; k < matrices.size(); ++k) {
+    if (weights[k] == 0) continue;
+    nearest[k] = nearest_models(matrices[k].rows(), nearest_for_weights(), rows_of(matrices[k]));
+  }
+  return nearest;
 }
 
 double score_of(Eigen::Index rank, Eigen::Index models, RankScore score) {
@@ -220,8 +266,12 @@ DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::s
   DistanceMatrix sum = DistanceMatrix::Zero(matrices.front().rows(), matrices.front().cols());
   for (std::size_t k = 0; k < matrices.size(); ++k) {
     if (weights[k] == 0) continue;
-    if (is_local(scale)) {
-      add_locally_scaled(matrices[k], weights[k], scale, sum);
+    if (scale == DistanceScale::local) {
+      sum += weights[k] * locally_scaled(matrices[k]);
+      continue;
+    }
+    if (uses_ranks(scale)) {
+      add_log_ranks(locally_scaled(matrices[k]), weights[k], sum);
       continue;
     }
     const double unit = distance_unit(matrices[k], scale);
@@ -239,32 +289,37 @@ std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::s
                                 SumWeights kind) {
   check(matrices, weights);
   if (kind == SumWeights::given) return {weights.begin(), weights.end()};
-  std::vector<NearestModels> nearest(matrices.size());
-  for (std::size_t k = 0; k < matrices.size(); ++k) {
-    if (weights[k] == 0) continue;
-    nearest[k] = nearest_models(matrices[k].rows(), nearest_for_weights(), rows_of(matrices[k]));
-  }
-  return sum_weights(nearest, weights);
+  return sum_weights(nearest_by_matrix(matrices, weights), weights);
 }
 
 int nearest_for_weights() { return neighbour_counts({}).back() + 1; }
 
 std::vector<double> sum_weights(std::span<const NearestModels> nearest, std::span<const double> weights) {
   std::vector<double> found(weights.begin(), weights.end());
-  Eigen::Index models = 0;
-  for (const NearestModels& one : nearest) models = std::max(models, one.indices.rows());
-  const auto positive = std::ranges::count_if(weights, [](double weight) { return weight > 0; });
-  std::vector<int> counts = neighbour_counts({});
-  std::erase_if(counts,
-                [&](int count) { return count >= models - 1; });  // the set of all others carries no information
-  if (positive < 2 || counts.empty()) return found;
-  std::vector<std::vector<NearestSets>> sets(nearest.size());
-  for (std::size_t k = 0; k < nearest.size(); ++k) {
-    if (weights[k] > 0) sets[k] = nearest_sets(nearest[k], counts);
-  }
-  const std::vector<double> factors = agreement_factors(sets, weights);
+  const std::vector<double> factors = agreement_factors(sets_by_matrix(nearest, weights), weights);
   if (std::ranges::all_of(factors, [](double factor) { return factor == 0; })) return found;
   for (std::size_t k = 0; k < found.size(); ++k) found[k] *= factors[k];
+  return found;
+}
+
+std::optional<Disagreement> find_disagreement(std::span<const DistanceMatrix> matrices,
+                                              std::span<const double> weights) {
+  check(matrices, weights);
+  const std::vector<SetsOfMatrix> sets = sets_by_matrix(nearest_by_matrix(matrices, weights), weights);
+  std::vector<double> cohesions;
+  for (const SetsOfMatrix& of_matrix : sets) cohesions.push_back(of_matrix.empty() ? 0 : mean_cohesion(of_matrix));
+  std::optional<Disagreement> found;
+  double least = 0.5;
+  for (std::size_t a = 0; a < sets.size(); ++a) {
+    for (std::size_t b = a + 1; b < sets.size(); ++b) {
+      const double lesser = std::min(cohesions[a], cohesions[b]);
+      if (!(lesser > 0)) continue;
+      const double common = mean_agreement(sets[a], sets[b]);
+      if (common / lesser >= least) continue;
+      least = common / lesser;
+      found = {.first = a, .second = b, .agreement = common, .cohesion = lesser};
+    }
+  }
   return found;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -22,14 +23,21 @@ enum class DistanceScale {
   /// (Zelnik-Manor and Perona 2004). Models at distance 0 are duplicates and not among the ten. s is at least a
   /// hundredth of its median, which limits the effect of groups of almost equal models.
   local,
-  /// As local, then by the interquartile range of these distances (spread_of_scaled()): a matrix whose distances hardly
-  /// differ from pair to pair, as those of many features do, counts as much as one whose distances differ a lot.
-  local_spread,
+  ranks,         ///< log(1 + mutual rank) of locally scaled distances (log_mutual_ranks())
+  local_spread,  ///< as ranks; a word of version 1.0
 };
 
 template <>
-inline constexpr std::array<std::string_view, 5> words_of<DistanceScale>{"none", "median", "mean", "local",
-                                                                         "local_spread"};
+inline constexpr std::array<std::string_view, 6> words_of<DistanceScale>{"none",  "median", "mean",
+                                                                         "local", "ranks",  "local_spread"};
+
+/// Returns true if distances become mutual ranks.
+constexpr bool uses_ranks(DistanceScale scale) {
+  return scale == DistanceScale::ranks || scale == DistanceScale::local_spread;
+}
+
+/// Returns true if distances are divided by local scales.
+constexpr bool uses_local_scales(DistanceScale scale) { return scale == DistanceScale::local || uses_ranks(scale); }
 
 /// Unsupervised weighting of a sum, in addition to the given weights.
 enum class SumWeights {
@@ -50,19 +58,14 @@ struct SumOptions {
 inline constexpr std::array sum_table = {
     option_of<&SumOptions::scale>(
         "scale",
-        "With sum: divisor of each signature's distances. median, mean: over all pairs of models; local: the two "
-        "models' mean distances to their ten nearest; local_spread: as local, then the interquartile range of the "
-        "result."),
+        "With sum: normalisation of each signature's distances. median, mean: divided by that of all pairs of models; "
+        "local: divided by the two models' mean distances to their ten nearest; ranks: as local, then replaced by "
+        "log(1 + mean of the two models' ranks among each other's neighbours); local_spread: as ranks."),
     option_of<&SumOptions::weights>(
         "weights",
         "With sum: factor of the given weights. given: 1; agreement: estimated from the nearest models, by how many a "
         "signature shares with the other signatures, and how many neighbours share with each other."),
 };
-
-/// Returns true if distances are divided by local scales.
-constexpr bool is_local(DistanceScale scale) {
-  return scale == DistanceScale::local || scale == DistanceScale::local_spread;
-}
 
 /// Computes the weighted sum of normalised distance matrices of the same models. A distance that is infinite in a
 /// matrix of positive weight is infinite in the sum; scales use the finite distances. Sums of finite distances are
@@ -82,7 +85,7 @@ void check_sum_weights(std::size_t terms, std::span<const double> weights);
 /// mean, over finite distances between different models. 1 if there are none, and with DistanceScale::none.
 double distance_unit(const DistanceMatrix& matrix, DistanceScale scale);
 
-/// Computes the weights of a sum: each given weight times (agreement x cohesion)^7 of its matrix. Both are
+/// Computes the weights of a sum: each given weight times (agreement x cohesion)^4 of its matrix. Both are
 /// means over those k of neighbour_counts() that are less than the number of other models.
 /// - agreement: mean share of a model's k nearest that are also among its k nearest by another matrix, over the models
 ///   and the other matrices, the latter by their given weights.
@@ -100,6 +103,20 @@ std::vector<double> sum_weights(std::span<const NearestModels> nearest, std::spa
 
 /// Returns the number of nearest models that the weights depend on.
 int nearest_for_weights();
+
+/// Two matrices that find different groups.
+struct Disagreement {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  double agreement = 0;
+  double cohesion = 0;  ///< the lesser of both
+};
+
+/// Finds the two matrices of positive weight whose agreement is smallest, relative to the lesser of their cohesions
+/// (sum_weights()). Nothing unless it is below a half: their neighbours then form groups, but different ones. Throws as
+/// sum_of_distances() does.
+std::optional<Disagreement> find_disagreement(std::span<const DistanceMatrix> matrices,
+                                              std::span<const double> weights);
 
 /// Score of a rank.
 enum class RankScore {

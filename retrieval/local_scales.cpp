@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "shapegauge/core/base/median.h"
@@ -36,35 +35,10 @@ LocalScales LocalScales::of_means(const Eigen::VectorXd& means) {
   return scales;
 }
 
-double spread_of_scaled(const Eigen::VectorXd& means, const LocalScales& scales, const RowSource& rows) {
-  constexpr Eigen::Index most_rows = 64;
-  const Eigen::Index models = means.size();
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(models));
-  std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::ranges::stable_sort(order, {}, [&](Eigen::Index model) {
-    return std::isnan(means[model]) ? std::numeric_limits<double>::infinity() : means[model];
-  });
-  const Eigen::Index count = std::min(models, most_rows);
-  std::vector<double> scaled;
-  scaled.reserve(static_cast<std::size_t>(count * models));
-  for (Eigen::Index r = 0; r < count; ++r) {
-    const Eigen::Index model = order[static_cast<std::size_t>(((2 * r + 1) * models) / (2 * count))];
-    const DistanceMatrix row = rows(model, 1);
-    for (Eigen::Index j = 0; j < models; ++j) {
-      const double distance = row(0, j) / (scales.roots[model] * scales.roots[j]);
-      if (j != model && std::isfinite(distance)) scaled.push_back(distance);
-    }
-  }
-  if (scaled.empty()) return 1;
-  const auto quartile = [&](std::ptrdiff_t fourths) {
-    const auto place = scaled.begin() + (std::ssize(scaled) - 1) * fourths / 4;
-    std::ranges::nth_element(scaled, place);
-    return *place;
-  };
-  const double range = quartile(3) - quartile(1);
-  return range > 0 ? range : 1;
-}
-
 double LocalScales::root_of(double mean) const { return std::isnan(mean) ? 1 : std::sqrt(std::max(mean, least)); }
+
+Eigen::RowVectorXd LocalScales::scaled(const Eigen::RowVectorXd& distances, double root) const {
+  return distances.array() / (root * roots.transpose().array());
+}
 
 }  // namespace shapegauge

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <span>
-
-#include "shapegauge/retrieval/nearest_models.h"
 
 /// Local scales of distances: a unit of length for each model (Zelnik-Manor and Perona 2004).
 
@@ -25,12 +22,9 @@ struct LocalScales {
   /// Returns the square root of the scale of a model with that mean distance to its nearest. The model need not belong
   /// to the collection.
   [[nodiscard]] double root_of(double mean) const;
-};
 
-/// Estimates the interquartile range of a collection's locally scaled distances from the rows of 64 models, or of all
-/// models if there are fewer. The 64 are evenly spaced in the order of mean distances; the result therefore depends on
-/// the order of models only if means are equal. Ignores infinite distances. Returns 1 if the range is 0 or there are no
-/// distances.
-double spread_of_scaled(const Eigen::VectorXd& means, const LocalScales& scales, const RowSource& rows);
+  /// Scales the distances between the models and one whose root is `root`.
+  [[nodiscard]] Eigen::RowVectorXd scaled(const Eigen::RowVectorXd& distances, double root) const;
+};
 
 }  // namespace shapegauge

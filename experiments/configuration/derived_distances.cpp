@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <optional>
 #include <string_view>
 
 #include "shapegauge/experiments/configuration/json_document.h"
@@ -19,6 +20,17 @@ using Json = nlohmann::json;
 constexpr std::array<std::string_view, 3> kinds_of_derived{"sum", "fuse_ranks", "rerank"};
 constexpr auto sum_parameters = parameters_of(sum_table);
 constexpr auto rank_fusion_parameters = parameters_of(rank_fusion_table);
+
+/// Describes two terms of a sum that find different groups; empty if there are none.
+std::string disagreement_remark(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
+                                std::span<const std::string> names) {
+  const std::optional<Disagreement> found = find_disagreement(matrices, weights);
+  if (!found) return {};
+  return fmt::format(
+      "\"{}\" and \"{}\" find different groups: they share {:.0f} % of the nearest models, and the neighbours of a "
+      "model at least {:.0f} % of theirs. If poses do not count, use a method for articulated shapes",
+      names[found->first], names[found->second], 100 * found->agreement, 100 * found->cohesion);
+}
 
 DerivedDistances sum_of(const Json& signature) {
   DerivedDistances derived{.key = "sum", .settings = Json::object(), .names = {}, .compute = {}};
@@ -37,6 +49,11 @@ DerivedDistances sum_of(const Json& signature) {
   derived.compute = [weights, options](std::span<const DistanceMatrix> matrices) {
     return sum_of_distances(matrices, sum_weights(matrices, weights, options.weights), options.scale);
   };
+  if (options.weights == SumWeights::agreement) {
+    derived.remark = [weights, names = derived.names](std::span<const DistanceMatrix> matrices) {
+      return disagreement_remark(matrices, weights, names);
+    };
+  }
   return derived;
 }
 

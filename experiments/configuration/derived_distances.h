@@ -21,6 +21,8 @@ struct DerivedDistances {
   /// Computes them from those signatures' distances, in that order. Throws InputError for distances that cannot be
   /// combined.
   std::function<DistanceMatrix(std::span<const DistanceMatrix>)> compute;
+  /// Returns a remark on those distances for users, or an empty string; null for none.
+  std::function<std::string(std::span<const DistanceMatrix>)> remark = {};
 };
 
 /// Settings of a sum of distances.

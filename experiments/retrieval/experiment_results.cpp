@@ -56,6 +56,7 @@ std::vector<std::string> run_warnings(const ExperimentResults& results) {
         results.shapes.size()));
   }
   for (const MethodResults& method : results.methods) {
+    if (!method.remark.empty()) warnings.push_back(fmt::format("method \"{}\": {}", method.name, method.remark));
     // Without external ranked lists, all protocols have the same tied queries.
     const Evaluation& evaluation = method.evaluations.front();
     if (evaluation.queries_with_ties == 0) continue;

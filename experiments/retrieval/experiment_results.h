@@ -29,6 +29,7 @@ struct MethodResults {
   Signatures signatures;  ///< row i is of ExperimentResults::models[i]; empty for derived distances and, with several
                           ///< processes, if needed by neither report nor files
   std::vector<Interval> histogram_ranges;  ///< of each row, if the signature is one histogram; otherwise empty
+  std::string remark = {};                 ///< DerivedDistances::remark
 };
 
 /// Results of a run.
@@ -54,7 +55,7 @@ struct ExperimentResults {
 std::vector<std::string> incomplete_methods(const ExperimentResults& results);
 
 /// Returns warnings about the results of a run: field_warnings(), and for each method with tied queries (relevant and
-/// other models at equal distance) their number and the range of FT over the orders of tied models.
+/// other models at equal distance) their number and the range of FT over the orders of tied models; and its remark.
 std::vector<std::string> run_warnings(const ExperimentResults& results);
 
 }  // namespace shapegauge

@@ -60,15 +60,16 @@ Signatures gathered(const Signatures& rows, std::size_t all, Communicator& ranks
   return together;
 }
 
-/// Computes derived distances between the models that have all parts.
+/// Computes derived distances between the models that have all parts, and the remark on them.
 DistanceMatrix derived_distances(const SignatureConfiguration& signature, const std::vector<DistanceMatrix>& distances,
-                                 const ModelsWithSignature& holders) {
+                                 const ModelsWithSignature& holders, std::string& remark) {
   std::vector<DistanceMatrix> parts;
   for (const std::size_t part : signature.parts) {
     const DistanceMatrix& all = distances[part];
     parts.push_back(holders.are_all() ? all : DistanceMatrix(all(holders.places(), holders.places())));
   }
   try {
+    if (signature.derived->remark) remark = signature.derived->remark(parts);
     return signature.derived->compute(parts);
   } catch (const ArgumentError& error) {
     throw InputError(fmt::format("signature \"{}\": {}", signature.name, error.what()));
@@ -84,7 +85,8 @@ class MethodsRun {
         context_(&context),
         ranks_(&context.ranks),
         in_derived_(taking_part_in_derived(configuration.signatures)),
-        whole_(configuration.signatures.size()) {}
+        whole_(configuration.signatures.size()),
+        remarks_(configuration.signatures.size()) {}
 
   /// Adds the methods and, on rank 0, their results. Collective.
   void run(ComputedSignatures& computed, ExperimentResults& results) {
@@ -103,7 +105,8 @@ class MethodsRun {
                                  .evaluations = {},
                                  .failures = std::move(computed.without[i]),
                                  .signatures = {},
-                                 .histogram_ranges = {}});
+                                 .histogram_ranges = {},
+                                 .remark = remarks_[i]});
       evaluating += judge(i, labels, computed.signatures[i], results.methods.back());
       results.methods.back().signatures = kept_signatures(i, labels.size(), std::move(computed.signatures[i]));
       if (!computed.histogram_ranges.empty()) {
@@ -153,10 +156,10 @@ class MethodsRun {
   }
 
   /// Computes the distances by one signature; `all` are the signatures of all models, unless it is derived.
-  [[nodiscard]] DistanceMatrix whole_matrix(std::size_t i, const Signatures& all) const {
+  [[nodiscard]] DistanceMatrix whole_matrix(std::size_t i, const Signatures& all) {
     const SignatureConfiguration& signature = configuration_->signatures[i];
     const ModelsWithSignature& holders = holders_[i];
-    if (signature.derived) return holders.spread(derived_distances(signature, whole_, holders));
+    if (signature.derived) return holders.spread(derived_distances(signature, whole_, holders, remarks_[i]));
     const auto distances_of = [&](const Signatures& table) {
       return signature.descriptor ? distances_through_cache(table, signature.descriptor->descriptor, context_->cache)
                                   : distances_through_cache(table, configuration_->distance, context_->cache);
@@ -240,6 +243,7 @@ class MethodsRun {
   std::vector<bool> in_derived_;              ///< by signature
   std::vector<int> subclasses_;               ///< of the models; empty: none
   std::vector<DistanceMatrix> whole_;         ///< by signature; on rank 0
+  std::vector<std::string> remarks_;          ///< by signature; on rank 0
   std::vector<ModelsWithSignature> holders_;  ///< by signature
 };
 

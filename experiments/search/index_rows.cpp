@@ -1,10 +1,7 @@
 #include "shapegauge/experiments/search/index_rows.h"
 
 #include <cstddef>
-#include <map>
 #include <optional>
-#include <string>
-#include <utility>
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
@@ -44,33 +41,6 @@ class TermDistances {
   DistanceMatrix whole_;  ///< or empty
 };
 
-/// Returns the statistics of an earlier index for the remaining models; nothing if most are new.
-std::optional<EarlierSum> earlier_sum(const ShapeIndex& index, const ShapeIndex& before) {
-  std::map<std::pair<std::string, std::string>, Eigen::Index> place_of;
-  for (std::size_t i = 0; i < before.models.size(); ++i) {
-    place_of.emplace(std::pair(before.models[i].id, before.models[i].sha256), static_cast<Eigen::Index>(i));
-  }
-  EarlierSum earlier{.sum = before.sum, .places = {}, .unchanged = {}};
-  std::size_t fresh = 0;
-  for (const IndexedFile& model : index.models) {
-    const auto found = place_of.find({model.id, model.sha256});
-    earlier.places.push_back(found != place_of.end() ? found->second : -1);
-    fresh += found == place_of.end() ? 1 : 0;
-  }
-  if (2 * fresh > index.models.size()) return std::nullopt;
-  for (std::size_t k = 0; k < index.tables.size(); ++k) {
-    const auto now = index.tables[k].signatures();
-    const auto then = before.tables[k].signatures();
-    bool same = now.cols() == then.cols();
-    for (std::size_t i = 0; i < earlier.places.size() && same; ++i) {
-      const Eigen::Index place = earlier.places[i];
-      same = place < 0 || now.row(static_cast<Eigen::Index>(i)) == then.row(place);
-    }
-    earlier.unchanged.push_back(same);
-  }
-  return earlier;
-}
-
 }  // namespace
 
 std::vector<NamedDistance> distances_of(const SearchMethod& method) {
@@ -81,11 +51,9 @@ std::vector<NamedDistance> distances_of(const SearchMethod& method) {
   return distances;
 }
 
-CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control,
-                     const ShapeIndex* before) {
+CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control) {
   const std::size_t models = index.models.size();
-  const std::optional<EarlierSum> earlier = before != nullptr ? earlier_sum(index, *before) : std::nullopt;
-  const bool in_memory = !earlier && models <= most_in_memory;
+  const bool in_memory = models <= most_in_memory;
   std::optional<TermDistances> now;  // one at a time
   std::size_t term = method.terms.size();
   std::vector<RowSource> terms;
@@ -101,8 +69,7 @@ CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const 
       return now->rows(first, count);
     });
   }
-  return collection_sum(static_cast<Eigen::Index>(models), terms, method.weights, method.weight_kind, method.scale,
-                        earlier ? &*earlier : nullptr);
+  return collection_sum(static_cast<Eigen::Index>(models), terms, method.weights, method.weight_kind, method.scale);
 }
 
 std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& distances, const ShapeIndex& index,

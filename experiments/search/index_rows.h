@@ -16,10 +16,8 @@ namespace shapegauge {
 /// Returns, by term, the distance by which the method compares signatures.
 std::vector<NamedDistance> distances_of(const SearchMethod& method);
 
-/// Computes the sum over the models in the index. `before` is an earlier index with the same method, or null: models
-/// with the same id and contents need no new rows then, and the result is the same. Parallel.
-CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control,
-                     const ShapeIndex* before = nullptr);
+/// Computes the sum over the models in the index. Parallel.
+CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control);
 
 /// Computes, by term, the distances from a signature to all models. `member` is its index if it is one of them,
 /// otherwise -1. Parallel. Throws ArgumentError for signatures outside the distance's domain.

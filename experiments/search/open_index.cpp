@@ -160,7 +160,7 @@ std::vector<Eigen::Index> complete_models(ComputedSignatures& computed) {
 
 /// Describes the collection. Shapes without one of the method's signatures are failures.
 ShapeIndex described(const SearchMethod& method, const Collection& collection, std::vector<IndexedFile> files,
-                     const ShapeIndex* before, const RunControl& control, Cache& cache) {
+                     const RunControl& control, Cache& cache) {
   const auto ranks = single_process();
   ComputedSignatures computed = compute_signatures(dataset_of(collection), method.configuration,
                                                    {.control = control, .cache = cache, .ranks = *ranks});
@@ -184,7 +184,7 @@ ShapeIndex described(const SearchMethod& method, const Collection& collection, s
     const bool all = std::ssize(complete) == table.rows();
     index.tables.emplace_back(all ? std::move(table) : Signatures(table(complete, Eigen::all)));
   }
-  index.sum = sum_of(method, index, control, before);
+  index.sum = sum_of(method, index, control);
   return index;
 }
 
@@ -249,8 +249,7 @@ OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::
       if (take_state(index.contents, location, files)) write_index(index, update.notes);
       return;
     }
-    index.contents =
-        described(index.method, index.collection, std::move(files), before ? &*before : nullptr, control, cache);
+    index.contents = described(index.method, index.collection, std::move(files), control, cache);
     index.contents.collection = location;
     update.rebuilt = true;
     update.left_out = new_failures(index.contents, before ? &*before : nullptr);

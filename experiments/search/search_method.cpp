@@ -18,16 +18,13 @@
 
 namespace shapegauge {
 
-/// Returns the text of configs/recommended.json.
-std::string_view recommended_configuration();
-
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// Version of the index format; increment when an index changes.
-constexpr int index_version = 4;
+constexpr int index_version = 5;
 
 bool is_reranked(const SignatureConfiguration& signature) {
   return signature.derived && signature.derived->key == "rerank";
@@ -158,8 +155,13 @@ SearchMethod read_search_method(const fs::path& file, std::span<const std::strin
   return search_method(read_retrieval_document(file, overrides), file.string(), signature);
 }
 
-SearchMethod recommended_search_method() {
-  return search_method(parse_json(recommended_configuration(), "recommended.json"), "recommended.json");
+std::string recommended_file(RecommendedMethod method) {
+  return method == RecommendedMethod::articulated ? "recommended_articulated.json" : "recommended.json";
+}
+
+SearchMethod recommended_search_method(RecommendedMethod method) {
+  const std::string file = recommended_file(method);
+  return search_method(parse_json(recommended_configuration(method), file), file);
 }
 
 }  // namespace shapegauge

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/experiments/configuration/configuration.h"
@@ -38,7 +39,15 @@ SearchMethod search_method(nlohmann::json configuration, const std::string& sour
 SearchMethod read_search_method(const std::filesystem::path& file, std::span<const std::string> overrides = {},
                                 const std::string& signature = {});
 
-/// Returns the method of configs/recommended.json.
-SearchMethod recommended_search_method();
+/// Recommended methods: for any collection, and for one where poses do not count.
+enum class RecommendedMethod { any, articulated };
+
+/// Returns the file name of the method's configuration in configs/.
+std::string recommended_file(RecommendedMethod method);
+
+/// Returns the text of that file.
+std::string_view recommended_configuration(RecommendedMethod method);
+
+SearchMethod recommended_search_method(RecommendedMethod method = RecommendedMethod::any);
 
 }  // namespace shapegauge

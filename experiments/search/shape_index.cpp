@@ -62,18 +62,14 @@ void take(Unpacker& unpacker, NearestModels& nearest) {
 void add(Packer& packer, const CollectionSum& sum) {
   packer.add(sum.scale).add(sum.weights).add(sum.units).add(sum.local_scales.size());
   for (const LocalScales& scales : sum.local_scales) packer.add(scales.roots).add(scales.least);
-  packer.add(sum.nearest.size());
-  for (const NearestModels& nearest : sum.nearest) add(packer, nearest);
-  add(packer, sum.means);
+  add(packer, sum.at_ranks);
 }
 
 void take(Unpacker& unpacker, CollectionSum& sum) {
   unpacker.take(sum.scale).take(sum.weights).take(sum.units);
   sum.local_scales.resize(unpacker.take_value<std::size_t>());
   for (LocalScales& scales : sum.local_scales) unpacker.take(scales.roots).take(scales.least);
-  sum.nearest.resize(unpacker.take_value<std::size_t>());
-  for (NearestModels& nearest : sum.nearest) take(unpacker, nearest);
-  take(unpacker, sum.means);
+  take(unpacker, sum.at_ranks);
 }
 
 void add(Packer& packer, const ShapeIndex& index) {

@@ -467,11 +467,11 @@ def fuse(distances: Any, weight: Optional[Iterable[float]] = None, *, scale: str
     """Sums distances of the same models, without labels. The result is n x n.
 
     distances: a list of n x n distances. weight: a number for each; none: all count alike. scale: what each is divided by
-    first, "median", "mean", "none", "local" (each model's mean distance to its ten nearest) or "local_spread" (the same, then
-    the interquartile range of the result). weights: what the weights are multiplied by, "given" (nothing) or
-    "agreement" (of the nearest models with those of the other distances, and with their own nearest).
+    first, "median", "mean", "none" or "local" (each model's mean distance to its ten nearest); "ranks" replaces
+    the latter by log(1 + mean of the two models' ranks among each other's neighbours). weights: what the weights are multiplied by,
+    "given" (nothing) or "agreement" (of the nearest models with those of the other distances, and with their own nearest).
 
-    >>> both = sg.fuse([first, second], scale="local_spread", weights="agreement")
+    >>> both = sg.fuse([first, second], scale="ranks", weights="agreement")
     """
     listed = ordered(distances, "distances")
     matrices = [square_matrix(matrix) for matrix in listed]

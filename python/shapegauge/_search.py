@@ -78,8 +78,9 @@ class Index:
 
     collection: a folder, a list of files (.txt) or a data set (.cla, .csv, .json). index: file of the index (default:
     beside the collection). method: path of a configuration, or a dict (default: the recommended method). signature: name
-    of one of its signatures. update: check for new, changed and removed files; the first time, all are described. cache:
-    folder of the cache; "" for none. on_progress: called with stage, done and total.
+    of one of its signatures. articulated: use the recommended method for shapes whose pose does not count. update: check
+    for new, changed and removed files; the first time, all are described. cache: folder of the cache; "" for none.
+    on_progress: called with stage, done and total.
 
     >>> index = sg.Index("models")
     >>> index.search("chair.obj", k=3).names
@@ -87,9 +88,9 @@ class Index:
     """
 
     def __init__(self, collection: PathLike, index: Optional[PathLike] = None, *,
-                 method: Union[None, PathLike, _abc.Mapping[str, Any]] = None, signature: str = "", update: bool = True,
-                 cache: Optional[PathLike] = None, threads: int = 0, on_progress: Optional[Progress] = None) -> None:
-        wanted, method_file = _wanted_method(method, word(signature, "signature"))
+                 method: Union[None, PathLike, _abc.Mapping[str, Any]] = None, signature: str = "", articulated: bool = False,
+                 update: bool = True, cache: Optional[PathLike] = None, threads: int = 0, on_progress: Optional[Progress] = None) -> None:
+        wanted, method_file = _wanted_method(method, word(signature, "signature"), switch(articulated, "articulated"))
         self._threads = number_of_threads(threads)
         self._native = _native.open_index(path_of(collection, "collection"),
                                           None if index is None else path_of(index, "index"), wanted, method_file,
@@ -161,19 +162,21 @@ class Index:
         return Answer(query, None if member is None else self._models[member][0], found, failure)
 
 
-def _wanted_method(method: Any, signature: str) -> tuple[_native.WantedMethod, str]:
+def _wanted_method(method: Any, signature: str, articulated: bool) -> tuple[_native.WantedMethod, str]:
     """Returns the method, and the file that its index is named after."""
+    if articulated and method is not None:
+        raise InputError("articulated selects a method; omit one of articulated and method")
     if method is None:
         if signature:
             raise InputError("signature requires a method")
-        return _native.WantedMethod("", "", ""), ""
+        return _native.WantedMethod("", "", "", articulated), ""
     if isinstance(method, _abc.Mapping):
         document = plain(method, "method")
         name = document.get("name", "method")
-        return (_native.WantedMethod(_json.dumps(document), "method", signature),
+        return (_native.WantedMethod(_json.dumps(document), "method", signature, False),
                 f"{_os.path.basename(word(name, 'method.name'))}.json")
     file = path_of(method, "method")
-    return _native.WantedMethod("", file, signature), file
+    return _native.WantedMethod("", file, signature, False), file
 
 
 def _query(query: Any) -> Any:

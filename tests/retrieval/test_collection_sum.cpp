@@ -70,13 +70,15 @@ INSTANTIATE_TEST_SUITE_P(All, CollectionSumOf,
                          testing::Combine(testing::Values(SumWeights::given, SumWeights::agreement),
                                           testing::Values(DistanceScale::none, DistanceScale::median,
                                                           DistanceScale::mean, DistanceScale::local,
-                                                          DistanceScale::local_spread)));
+                                                          DistanceScale::ranks)));
 
 TEST(CollectionSum, ACopyOfAMemberHasTheMembersRow) {
   const Terms terms(grouped_points(80, 2));
-  const CollectionSum sum = terms.sum(SumWeights::agreement, DistanceScale::local);
-  for (const Eigen::Index i : {0, 7, 79}) {
-    EXPECT_EQ(sum_row(sum, terms.rows_at(i)), sum_row(sum, terms.rows_at(i), i)) << i;
+  for (const DistanceScale scale : {DistanceScale::local, DistanceScale::ranks}) {
+    const CollectionSum sum = terms.sum(SumWeights::agreement, scale);
+    for (const Eigen::Index i : {0, 7, 79}) {
+      EXPECT_EQ(sum_row(sum, terms.rows_at(i)), sum_row(sum, terms.rows_at(i), i)) << i;
+    }
   }
 }
 
@@ -103,85 +105,6 @@ TEST(CollectionSum, AQueryAmongDoublesIsScaledByAHundredthOfTheMedian) {
   const LocalScales& scales = sum.local_scales.front();
   EXPECT_EQ(scales.root_of(0.5 * scales.least), std::sqrt(scales.least));
   EXPECT_GT(scales.least, 0);
-}
-
-/// Sum for the points, optionally updated from an earlier one, and the number of rows requested.
-CollectionSum sum_over(const Eigen::MatrixX2d& points, const EarlierSum* earlier, Eigen::Index& asked,
-                       DistanceScale scale = DistanceScale::local) {
-  const Terms terms(points);
-  std::vector<RowSource> rows;
-  asked = 0;
-  for (const DistanceMatrix& matrix : terms.matrices) {
-    rows.emplace_back([&](Eigen::Index first, Eigen::Index count) -> DistanceMatrix {
-      asked += count;
-      return matrix.middleRows(first, count);
-    });
-  }
-  return collection_sum(points.rows(), rows, terms.weights, SumWeights::agreement, scale, earlier);
-}
-
-void expect_same_sum(const CollectionSum& found, const CollectionSum& expected) {
-  EXPECT_EQ(found.weights, expected.weights);
-  EXPECT_EQ(found.units, expected.units);
-  for (std::size_t k = 0; k < 2; ++k) {  // the third has no weight
-    EXPECT_EQ(found.nearest[k].indices, expected.nearest[k].indices);
-    EXPECT_EQ(found.nearest[k].distances, expected.nearest[k].distances);
-    EXPECT_EQ(found.means[k], expected.means[k]);
-    EXPECT_EQ(found.local_scales[k].roots, expected.local_scales[k].roots);
-    EXPECT_EQ(found.local_scales[k].least, expected.local_scales[k].least);
-  }
-}
-
-TEST(CollectionSum, AnUpdateIsTheSameAndAsksForFewRows) {
-  Eigen::MatrixX2d all = grouped_points(90, 6);
-  all.middleRows(40, 15).rowwise() = all.row(40).eval();  // more duplicates than the neighbours averaged
-  for (const auto& [before, after] : std::vector<std::pair<std::vector<int>, std::vector<int>>>{
-           {{3, 50, 89}, {}}, {{}, {7}}, {{2, 41}, {0, 88}}, {{60, 61}, {62, 63, 64}}}) {
-    // `before`: absent then; `after`: absent now.
-    std::vector<Eigen::Index> then;
-    std::vector<Eigen::Index> now;
-    std::vector<Eigen::Index> places;
-    for (int i = 0; i < 90; ++i) {
-      const bool was = std::ranges::find(before, i) == before.end();
-      if (std::ranges::find(after, i) == after.end()) {
-        now.push_back(i);
-        places.push_back(was ? std::ssize(then) : -1);
-      }
-      if (was) then.push_back(i);
-    }
-    Eigen::Index asked = 0;
-    const CollectionSum old = sum_over(all(then, Eigen::all), nullptr, asked);
-    const CollectionSum expected = sum_over(all(now, Eigen::all), nullptr, asked);
-    const Eigen::Index whole = asked;
-    const EarlierSum earlier{.sum = old, .places = places, .unchanged = {true, true, true}};
-    expect_same_sum(sum_over(all(now, Eigen::all), &earlier, asked), expected);
-    EXPECT_LT(asked, whole);
-    const EarlierSum changed{.sum = old, .places = places, .unchanged = {false, true, true}};
-    expect_same_sum(sum_over(all(now, Eigen::all), &changed, asked), expected);
-  }
-}
-
-TEST(CollectionSum, AnUpdateAsksForTheRowsOfTheSpreadToo) {
-  const Eigen::MatrixX2d all = grouped_points(200, 8);
-  Eigen::Index asked = 0;
-  const CollectionSum old = sum_over(all.topRows(199), nullptr, asked, DistanceScale::local_spread);
-  const CollectionSum expected = sum_over(all, nullptr, asked, DistanceScale::local_spread);
-  EarlierSum earlier{.sum = old, .places = {}, .unchanged = {true, true, true}};
-  for (Eigen::Index i = 0; i < 200; ++i) earlier.places.push_back(i < 199 ? i : -1);
-  expect_same_sum(sum_over(all, &earlier, asked, DistanceScale::local_spread), expected);
-  EXPECT_LE(asked, 2 * (64 + 1 + 10));  // of two terms; a few have lost their nearest
-  EXPECT_NE(expected.units[0], 1);
-}
-
-TEST(CollectionSum, AnUpdateOfAFewModelsIsTheSame) {
-  const Eigen::MatrixX2d all = grouped_points(12, 7);
-  for (Eigen::Index few = 1; few < 12; ++few) {
-    Eigen::Index asked = 0;
-    const CollectionSum old = sum_over(all.topRows(few), nullptr, asked);
-    EarlierSum earlier{.sum = old, .places = {}, .unchanged = {true, true, true}};
-    for (Eigen::Index i = 0; i < 12; ++i) earlier.places.push_back(i < few ? i : -1);
-    expect_same_sum(sum_over(all, &earlier, asked), sum_over(all, nullptr, asked));
-  }
 }
 
 TEST(CollectionSum, RefusesWeightsAndUnitsThatMeanNothing) {

@@ -230,6 +230,31 @@ TEST(DiffusedNearest, AreTheFirstOfTheRowOfAllModels) {
   }
 }
 
+TEST(KeptNearest, IsTheNearestBeforeAndTheOthersAreUnchanged) {
+  const DistanceMatrix distances = distances_of(arcs(20, 4, 3));
+  const DiffusionOptions plain{.neighbours = {}};
+  const DiffusionOptions keeping{.neighbours = {}, .keep_nearest = true};
+  const NearestModels nearest = nearest_models(80, 20, rows_of(distances));
+  const DistanceMatrix moved = diffused(distances, plain);
+  const DistanceMatrix kept = diffused(distances, keeping);
+  int changed = 0;
+  for (Eigen::Index i = 0; i < 80; ++i) {
+    const std::int32_t first = nearest.indices(i, 0);
+    EXPECT_EQ(nearest_in_row(kept, i, 1).front().model, first);
+    for (Eigen::Index j = 0; j < 80; ++j) {
+      if (j != first) EXPECT_EQ(kept(i, j), moved(i, j));
+    }
+    EXPECT_LE(kept(i, first), moved(i, first));
+    changed += kept(i, first) < moved(i, first) ? 1 : 0;
+    for (const std::size_t count : {std::size_t{1}, std::size_t{10}}) {
+      expect_same_answer(diffused_nearest(nearest, i, distances.row(i), keeping, count),
+                         nearest_in_row(kept, i, count));
+    }
+  }
+  EXPECT_GT(changed, 0);
+  EXPECT_LT(largest_difference(diffused_by_rows(distances, keeping), kept), 2e-6);
+}
+
 TEST(WithQuery, AreTheNearestOfAllModelsTogether) {
   for (const Eigen::Index models : {1, 3, 6, 40}) {
     Eigen::MatrixXd points = clusters(models + 1, 1, 8);

@@ -230,59 +230,6 @@ TEST(LocalScale, FewModelsEqualOnesAndFarOnesAreNoTrouble) {
   }
 }
 
-double interquartile_range(const DistanceMatrix& distances) {
-  std::vector<double> values;
-  for (Eigen::Index i = 0; i < distances.rows(); ++i) {
-    for (Eigen::Index j = 0; j < distances.cols(); ++j) {
-      if (i != j && std::isfinite(distances(i, j))) values.push_back(distances(i, j));
-    }
-  }
-  std::ranges::sort(values);
-  return values[(values.size() - 1) * 3 / 4] - values[(values.size() - 1) / 4];
-}
-
-TEST(LocalSpread, DividesEachMatrixByItsInterquartileRange) {
-  std::vector matrices = {random_distances(40, 1), test::with_gaps(test::distances_of(test::arcs(20, 2, 2)))};
-  const std::vector<double> one = {1};
-  const DistanceMatrix found = sum_of_distances(matrices, unequal, DistanceScale::local_spread);
-  DistanceMatrix expected = DistanceMatrix::Zero(40, 40);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const DistanceMatrix scaled = sum_of_distances({&matrices[k], 1}, one, DistanceScale::local);
-    expected += unequal[k] / interquartile_range(scaled) * scaled;
-  }
-  test::expect_near(found, expected, 1e-10 * test::largest_finite(found));
-}
-
-TEST(LocalSpread, OfManyModelsIsAboutThatOfAllAndOfAnyOrder) {
-  const DistanceMatrix matrix = random_distances(300, 3);
-  const std::vector<double> one = {1};
-  const DistanceMatrix found = sum_of_distances({&matrix, 1}, one, DistanceScale::local_spread);
-  EXPECT_NEAR(interquartile_range(found), 1, 0.05);
-  const std::vector<Eigen::Index> order = test::random_order(300, 4);
-  const DistanceMatrix permuted = matrix(order, order);
-  EXPECT_LT(
-      test::largest_difference(sum_of_distances({&permuted, 1}, one, DistanceScale::local_spread), found(order, order)),
-      1e-12);
-}
-
-TEST(LocalSpread, IsHardlyChangedByAFarModel) {
-  DistanceMatrix matrix = random_distances(200, 5);
-  const std::vector<double> one = {1};
-  const DistanceMatrix before = sum_of_distances({&matrix, 1}, one, DistanceScale::local_spread);
-  matrix.row(7).setConstant(1e6);
-  matrix.col(7).setConstant(1e6);
-  matrix(7, 7) = 0;
-  const DistanceMatrix after = sum_of_distances({&matrix, 1}, one, DistanceScale::local_spread);
-  EXPECT_NEAR(after(0, 1) / before(0, 1), 1, 0.1);
-}
-
-TEST(LocalSpread, OfEqualDistancesIsNone) {
-  DistanceMatrix equal_ones = DistanceMatrix::Constant(20, 20, 3);
-  equal_ones.diagonal().setZero();
-  const std::vector<double> one = {1};
-  EXPECT_NEAR(sum_of_distances({&equal_ones, 1}, one, DistanceScale::local_spread)(0, 1), 1, 1e-15);
-}
-
 /// Distances of three classes of ten models, with noise.
 DistanceMatrix noisy_classes(double noise, std::uint64_t seed) {
   RandomNumbers random(seed);
@@ -329,7 +276,7 @@ TEST(SumWeights, AreWhatTheDefinitionSays) {
       }
     }
     // Compared before the power, after which most of the factors are below any absolute tolerance.
-    EXPECT_NEAR(std::pow(found[m] / given[m], 1.0 / 7), agreement * cohesion, 1e-12);
+    EXPECT_NEAR(std::pow(found[m] / given[m], 1.0 / 4), agreement * cohesion, 1e-12);
   }
   EXPECT_EQ(sum_weights(matrices, given, SumWeights::given), given);
 }
@@ -364,6 +311,24 @@ TEST(SumWeights, AreAsGivenWhereNothingIsFound) {
   EXPECT_EQ(sum_weights(both, std::vector<double>{3, 0}, SumWeights::agreement), (std::vector<double>{3, 0}));
   const std::vector<DistanceMatrix> few = {line_distances({0, 1, 3}), line_distances({0, 5, 1})};
   EXPECT_EQ(sum_weights(few, unequal, SumWeights::agreement), unequal);  // all models are near each other
+}
+
+TEST(LocalSpread, IsAnotherWordForRanks) {
+  const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), random_distances(30, 3)};
+  EXPECT_EQ(sum_of_distances(matrices, unequal, DistanceScale::local_spread),
+            sum_of_distances(matrices, unequal, DistanceScale::ranks));
+}
+
+TEST(Disagreement, IsBetweenMatricesThatFindDifferentGroups) {
+  const DistanceMatrix groups = test::distances_of(test::clusters(20, 6, 1));
+  const std::vector<Eigen::Index> order = test::random_order(120, 5);
+  const std::vector<DistanceMatrix> others = {groups, groups.cwiseAbs2(), groups(order, order)};
+  const auto found = find_disagreement(others, std::vector<double>(3, 1));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->second, 2U);
+  EXPECT_LT(found->agreement, 0.5 * found->cohesion);
+  EXPECT_FALSE(find_disagreement(others, std::vector<double>{1, 1, 0}));
+  EXPECT_FALSE(find_disagreement({others.data(), 2}, equal));
 }
 
 TEST(Fusion, SameBytesOnAnyNumberOfThreads) {

@@ -29,15 +29,5 @@ TEST(LocalScales, AreSquareRootsOfMeansFromAHundredthOfTheMedianOn) {
   EXPECT_EQ(scales.root_of(16), 4);
 }
 
-TEST(SpreadOfScaled, IsTheInterquartileRange) {
-  // Models on a line; all scales are 1.
-  const Eigen::VectorXd means = Eigen::VectorXd::Ones(3);
-  const DistanceMatrix matrix{{0, 1, 9}, {1, 0, 8}, {9, 8, 0}};
-  // 1, 1, 8, 8, 9, 9: the entries at (6 - 1) / 4 = 1 and 3 * 5 / 4 = 3.
-  EXPECT_EQ(spread_of_scaled(means, LocalScales::of_means(means), rows_of(matrix)), 7);
-  const DistanceMatrix equal = DistanceMatrix::Ones(3, 3);
-  EXPECT_EQ(spread_of_scaled(means, LocalScales::of_means(means), rows_of(equal)), 1);
-}
-
 }  // namespace
 }  // namespace shapegauge

@@ -65,11 +65,26 @@ TEST(Derived, ScaleAndWeightsOfSumsAreThoseOfTheLibrary) {
                                     {"median", DistanceScale::median},
                                     {"mean", DistanceScale::mean},
                                     {"local", DistanceScale::local},
+                                    {"ranks", DistanceScale::ranks},
                                     {"local_spread", DistanceScale::local_spread}}) {
     const auto sum = derived_signature({{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}, {"scale", word}});
     EXPECT_EQ(sum.derived->compute(two_matrices), sum_of_distances(two_matrices, given, scale)) << word;
     EXPECT_EQ(sum_settings(*sum.derived).options.scale, scale) << word;
   }
+}
+
+TEST(Derived, SumsByAgreementNameTermsThatFindDifferentGroups) {
+  Eigen::VectorXd positions(60);
+  for (Eigen::Index i = 0; i < 60; ++i) positions[i] = static_cast<double>(i / 20 * 1000 + i % 20);
+  const DistanceMatrix groups = (positions.replicate(1, 60).rowwise() - positions.transpose()).cwiseAbs();
+  std::vector<Eigen::Index> order;
+  for (Eigen::Index i = 0; i < 60; ++i) order.push_back(i * 7 % 60);
+  const std::vector<DistanceMatrix> matrices{groups, groups(order, order)};
+  const Json terms{{{"of", "a"}}, {{"of", "b"}}};
+  const auto sum = derived_signature({{"sum", terms}, {"weights", "agreement"}});
+  EXPECT_THAT(sum.derived->remark(matrices), HasSubstr("\"a\" and \"b\" find different groups"));
+  EXPECT_EQ(sum.derived->remark(std::vector<DistanceMatrix>{groups, groups}), "");
+  EXPECT_FALSE(derived_signature({{"sum", terms}}).derived->remark);
 }
 
 TEST(Derived, AnUnknownWordIsNoDefault) {

@@ -41,6 +41,12 @@ TEST(IncompleteMethods, AreNamedWithTheFirstThreeModels) {
               ElementsAre("method \"second\" cannot take 1 of 5 models, which count as not found: a (empty)"));
 }
 
+TEST(RunWarnings, IncludeTheRemarksOfMethods) {
+  ExperimentResults results = two_methods();
+  results.methods[1].remark = "odd";
+  EXPECT_THAT(run_warnings(results), ElementsAre("method \"second\": odd"));
+}
+
 TEST(RunWarnings, TiesAreReportedWithTheirEffectUnderEachProtocol) {
   ExperimentResults results = two_methods();
   EXPECT_THAT(run_warnings(results), IsEmpty());

@@ -43,6 +43,7 @@ class SearchedFolder {
          {"descriptor", {{"type", "bag_of_features"}, {"words", 6}, {"standardise", true}, {"fields", {cone}}}}},
         {{"name", "d2"}, {"descriptor", {{"type", "d2"}}}},
         {{"name", "median"}, {"sum", {{{"of", "both"}}, {{"of", "d2"}, {"weight", 0.5}}}}},
+        {{"name", "mutual ranks"}, {"sum", {{{"of", "both"}}, {{"of", "d2"}}}}, {"scale", "ranks"}},
         {{"name", "local"},
          {"sum", {{{"of", "range of all"}}, {{"of", "bag"}}, {{"of", "d2"}}}},
          {"scale", "local"},

@@ -74,51 +74,10 @@ TEST(IndexRows, DistancesByTermAreThoseOfEachPair) {
 
 TEST(IndexRows, TheSumIsThatOfWholeMatrices) {
   const SearchedFolder folder;
-  for (const char* signature : {"local", "median", "d2"}) {
+  for (const char* signature : {"local", "median", "mutual ranks", "d2"}) {
     SCOPED_TRACE(signature);
     const OpenIndex index = folder.open(signature);
     expect_sum_of(sum_of(index.method, index.contents, {}), index, whole_sum(index));
-  }
-}
-
-TEST(IndexRows, TheSumIsTheSameWithAnEarlierIndex) {
-  const SearchedFolder folder;
-  for (const char* signature : {"local", "median"}) {
-    SCOPED_TRACE(signature);
-    const OpenIndex now = folder.open(signature);
-    // Earlier indexes: without two of the models, with one that has changed since, and with most of them new.
-    for (const std::vector<Eigen::Index>& kept :
-         {std::vector<Eigen::Index>{0, 1, 2, 4, 5, 7, 8}, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {3, 7}}) {
-      ShapeIndex before;
-      for (const Eigen::Index i : kept) before.models.push_back(now.contents.models[static_cast<std::size_t>(i)]);
-      if (kept.size() == 9) before.models[4].sha256 = "another";
-      for (const IndexTable& table : now.contents.tables) {
-        Signatures rows = table.signatures()(kept, Eigen::all);
-        if (kept.size() == 9) rows.row(4) = rows.row(5);
-        before.tables.emplace_back(rows);
-      }
-      before.sum = sum_of(now.method, before, {});
-      const CollectionSum updated = sum_of(now.method, now.contents, {}, &before);
-      const CollectionSum fresh = sum_of(now.method, now.contents, {});
-      EXPECT_EQ(updated.weights, fresh.weights);
-      EXPECT_EQ(updated.units, fresh.units);
-      expect_sum_of(updated, now, whole_sum(now));
-    }
-  }
-}
-
-TEST(IndexRows, TheSumIsTheSameAfterSignaturesOfUnchangedModelsChange) {
-  // What a descriptor learns depends on the whole collection.
-  const SearchedFolder folder;
-  const OpenIndex now = folder.open("local");
-  for (std::size_t term = 0; term < now.contents.tables.size(); ++term) {
-    ShapeIndex before;
-    before.models = now.contents.models;
-    before.tables = now.contents.tables;
-    const Signatures reversed = now.contents.tables[term].signatures().colwise().reverse();
-    before.tables[term] = IndexTable(reversed);
-    before.sum = sum_of(now.method, before, {});
-    expect_sum_of(sum_of(now.method, now.contents, {}, &before), now, whole_sum(now));
   }
 }
 

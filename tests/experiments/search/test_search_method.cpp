@@ -14,15 +14,19 @@ using test::SearchedFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(SearchMethodOf, TheRecommendedConfigurationIsItsSum) {
-  const SearchMethod method = recommended_search_method();
-  const SearchMethod of_file =
-      search_method(read_json(SHAPEGAUGE_CONFIGS_FOLDER "/recommended.json"), "recommended.json");
-  EXPECT_EQ(method.key(), of_file.key());
-  EXPECT_GE(method.terms.size(), 2U);
-  EXPECT_EQ(method.scale, DistanceScale::local_spread);
-  EXPECT_EQ(method.weight_kind, SumWeights::agreement);
-  EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing unneeded
+TEST(SearchMethodOf, TheRecommendedConfigurationsAreTheirSums) {
+  for (const auto& [recommended, terms] :
+       {std::pair(RecommendedMethod::any, 5U), std::pair(RecommendedMethod::articulated, 3U)}) {
+    const std::string file = recommended_file(recommended);
+    const SearchMethod method = recommended_search_method(recommended);
+    const SearchMethod of_file = search_method(read_json(SHAPEGAUGE_CONFIGS_FOLDER "/" + file), file);
+    EXPECT_EQ(method.key(), of_file.key());
+    EXPECT_EQ(method.terms.size(), terms);
+    EXPECT_EQ(method.scale, DistanceScale::ranks);
+    EXPECT_EQ(method.weight_kind, SumWeights::agreement);
+    EXPECT_TRUE(method.diffusion.keep_nearest);
+    EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing unneeded
+  }
 }
 
 TEST(SearchMethodOf, ASignatureThatIsNotComputedFromEachShapeIsAnError) {

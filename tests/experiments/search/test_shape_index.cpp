@@ -25,13 +25,11 @@ TEST(ShapeIndex, ComesBackFromItsBytes) {
   }
   index.learnt = {LearntFeatures{{1.5F, 2}, {3, 4}}, {}};
   index.field_ranges = {{.low = -1, .high = 2}};
-  index.sum = {
-      .scale = DistanceScale::local,
-      .weights = {2, 0},
-      .units = {},
-      .local_scales = {{Eigen::VectorXd{{3, 4}}, 0.5}, {}},
-      .nearest = {{.indices = decltype(NearestModels::indices){{1}, {0}}, .distances = DistanceMatrix{{2}, {2}}}, {}},
-      .means = {Eigen::VectorXd{{2, 2}}, {}}};
+  index.sum = {.scale = DistanceScale::local,
+               .weights = {2, 0},
+               .units = {},
+               .local_scales = {{Eigen::VectorXd{{3, 4}}, 0.5}, {}},
+               .at_ranks = {DistanceMatrix{{1, 2}, {3, 4}}, {}}};
   const std::string key(64, 'k');
   const std::string bytes = encode_index(index, key);
   const MappedBytes file = in_memory(bytes);
