@@ -31,6 +31,7 @@ function(shapegauge_add_library name folder)
   target_link_libraries(shapegauge_${name} PUBLIC ${arg_USES} PRIVATE ${arg_USES_PRIVATELY})
   set_target_properties(shapegauge_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   shapegauge_configure_target(shapegauge_${name})
+  shapegauge_precompile_headers(shapegauge_${name})
   if(arg_SEPARATELY)
     set_target_properties(shapegauge_${name} PROPERTIES UNITY_BUILD OFF)
   endif()
@@ -86,6 +87,8 @@ function(shapegauge_configure_target target)
     # Shadowing of names between the sources of a batch is harmless.
     target_compile_options(${target} PRIVATE -Wno-shadow)
   endif()
+  # GCC collects its garbage less often: a tenth less time, a tenth more memory.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=500000>)
   # GCC 12 wrongly warns of overlap inside std::string's own operator+ (GCC bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
@@ -104,9 +107,33 @@ function(shapegauge_configure_target target)
     target_link_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE})
   endif()
 endfunction()
-# Less optimisation for code without hot loops (options, messages, tables, JSON) saves a third of the compile time.
+# Less optimisation than CMake's -O3: -O1 for code without hot loops (options, messages, tables, JSON), which saves a third
+# of the compile time, and -O2 for code whose hot loops are in other libraries or memory-bound.
 function(shapegauge_optimise_little)
   foreach(target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endforeach()
+endfunction()
+function(shapegauge_optimise_moderately)
+  foreach(target IN LISTS ARGN)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
+  endforeach()
+endfunction()
+# The heaviest headers, parsed once for all position-independent targets of a build in batches; the sources still include
+# what they use. GCC accepts them at every level of optimisation. A compiler cache is more efficient without them.
+function(shapegauge_precompile_headers target)
+  if(NOT SHAPEGAUGE_UNITY_BUILD OR CMAKE_CXX_COMPILER_LAUNCHER OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    return()
+  endif()
+  if(NOT TARGET shapegauge_common_headers)
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/common_headers.cpp CONTENT "")
+    add_library(shapegauge_common_headers OBJECT ${PROJECT_BINARY_DIR}/common_headers.cpp)
+    shapegauge_configure_target(shapegauge_common_headers)
+    set_target_properties(shapegauge_common_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(shapegauge_common_headers PRIVATE Eigen3::Eigen TBB::tbb nlohmann_json::nlohmann_json)
+    target_precompile_headers(shapegauge_common_headers PRIVATE <Eigen/Dense> <Eigen/SparseCore> <nlohmann/json.hpp>
+                              <tbb/parallel_for.h> <tbb/parallel_reduce.h> <algorithm> <filesystem> <fstream>
+                              <functional> <map> <memory> <mutex> <optional> <string> <vector>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM shapegauge_common_headers)
 endfunction()
