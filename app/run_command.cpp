@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <thread>

@@ -1,6 +1,6 @@
 #include "shapegauge/pages/leaderboard_page.h"
 
-#include <array>
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -43,7 +43,7 @@ OrderedJson standings_json(const std::vector<std::vector<MethodStanding>>& by_me
                        {"rank", one.rank},
                        {"ranks", {one.best_rank, one.worst_rank}},
                        {"letters", one.letters}};
-      if (one.interval) json["interval"] = rounded_scores(std::array{one.interval->low, one.interval->high});
+      if (one.interval) json["interval"] = rounded_scores(Eigen::Vector2d(one.interval->low, one.interval->high));
       methods.push_back(std::move(json));
     }
   }

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "shapegauge/metrics/evaluation.h"
-#include "shapegauge/pages/html_page.h"
 
 /// Scores as the scripts of pages read them.
 
@@ -14,12 +13,7 @@ namespace shapegauge {
 inline constexpr int score_digits = 6;
 
 /// The scores as an array, rounded.
-template <typename Values>
-nlohmann::ordered_json rounded_scores(const Values& values) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const double value : values) json.push_back(rounded_to_digits(value, score_digits));
-  return json;
-}
+nlohmann::ordered_json rounded_scores(const Eigen::Ref<const Eigen::VectorXd>& scores);
 
 /// The rows of a table of scores, rounded.
 nlohmann::ordered_json rounded_rows(const Eigen::MatrixXd& scores);

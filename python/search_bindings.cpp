@@ -1,6 +1,7 @@
 // Searches, for shapegauge/_search.py.
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>

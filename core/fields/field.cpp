@@ -13,6 +13,7 @@
 #include "shapegauge/core/fields/bilateral.h"
 #include "shapegauge/core/fields/field_types.h"
 #include "shapegauge/core/fields/laplacian.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 
 namespace shapegauge {
@@ -70,7 +71,7 @@ FieldFunction with_outcomes(FieldFunction compute) {
 }  // namespace
 
 FieldSource::FieldSource(const Shape& shape, std::optional<ShapeDiagnostics> known)
-    : shape_(&shape), known_(known), proxy_(shape) {}
+    : shape_(&shape), known_(known), proxy_(std::make_unique<ProxySource>(shape)) {}
 
 FieldSource::~FieldSource() = default;
 

@@ -14,7 +14,6 @@
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/registry.h"
-#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/shape/samples.h"
@@ -23,6 +22,8 @@
 namespace shapegauge {
 
 class OffsetSdfSolver;
+class ProxySource;
+struct Spectrum;
 
 /// Shape for which several fields are computed, with the data they share. Keeps a reference to the shape.
 class FieldSource {
@@ -48,7 +49,7 @@ class FieldSource {
   const Spectrum& spectrum(int eigenvalues);
 
   /// Returns the shape's surface proxy and the data computed on it, shared with descriptors.
-  ProxySource& proxy() { return proxy_; }
+  ProxySource& proxy() { return *proxy_; }
 
  private:
   const Shape* shape_;
@@ -56,7 +57,7 @@ class FieldSource {
   std::unique_ptr<OffsetSdfSolver> offset_sdf_solver_;
   std::optional<AutomaticOffset> automatic_offset_;
   std::map<int, std::unique_ptr<Spectrum>> spectra_;  ///< by number of eigenvalues
-  ProxySource proxy_;
+  std::unique_ptr<ProxySource> proxy_;
 };
 
 /// Sampling sites of a field.

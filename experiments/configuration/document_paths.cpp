@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/configuration/document_paths.h"
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 

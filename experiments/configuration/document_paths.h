@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -18,7 +18,7 @@ struct DocumentPaths {
 using PathsOfDocument = std::function<DocumentPaths(const nlohmann::json& document)>;
 
 /// Returns the positions in the document that match one of the patterns.
-std::vector<nlohmann::json::json_pointer> matching_places(const nlohmann::json& document,
-                                                          const std::vector<std::string>& patterns);
+std::vector<nlohmann::json_pointer<std::string>> matching_places(const nlohmann::json& document,
+                                                                 const std::vector<std::string>& patterns);
 
 }  // namespace shapegauge

@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/configuration/field_settings.h"
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,7 +14,7 @@ namespace shapegauge {
 class ConfigurationError : public InputError {
  public:
   ConfigurationError(std::string_view at, std::string_view fault)
-      : InputError(fmt::format("{}: {}", at, fault)), path(at), message(fault) {}
+      : InputError(std::string(at).append(": ").append(fault)), path(at), message(fault) {}
 
   std::string path;
   std::string message;
@@ -28,14 +27,14 @@ auto at_key(const std::string& key, Step step) {
   try {
     return step();
   } catch (const ConfigurationError& error) {
-    throw ConfigurationError{fmt::format("{}.{}", key, error.path), error.message};
+    throw ConfigurationError{key + "." + error.path, error.message};
   } catch (const InputError& error) {
     throw ConfigurationError{key, error.what()};
   }
 }
 
 /// Returns the position in the notation of `--set`: "datasets.0.root".
-std::string dotted(const nlohmann::json::json_pointer& place);
+std::string dotted(const nlohmann::json_pointer<std::string>& place);
 
 /// Parses a JSON text. Throws InputError for invalid JSON, with line and column, for a repeated key of an object, and
 /// for values nested more than 100 deep. `source`, such as the name of the file, is the text's name in messages.
@@ -62,6 +61,6 @@ std::filesystem::path path_value(const nlohmann::json& object, const std::string
 /// path are created. Returns the position of the value. Throws InputError for an assignment without key or `=`, an
 /// index out of range, an unknown name, a key into something that is neither object nor array, bytes that are not
 /// UTF-8, and a value that parse_json() rejects.
-nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment);
+nlohmann::json_pointer<std::string> apply_override(nlohmann::json& document, std::string_view assignment);
 
 }  // namespace shapegauge

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"

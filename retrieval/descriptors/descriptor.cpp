@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/retrieval/descriptors/bag_of_features.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
@@ -47,6 +48,12 @@ void check_descriptor(const Descriptor& added) {
 }
 
 }  // namespace
+
+Eigen::VectorXf on_proxy(const DescriptorInput& input, const std::function<Eigen::VectorXf(ProxySource&)>& use) {
+  if (input.proxy != nullptr) return use(*input.proxy);
+  ProxySource own(input.shape);
+  return use(own);
+}
 
 Registry<Descriptor>& descriptors() {
   static Registry<Descriptor> all("descriptor", own_descriptors(),

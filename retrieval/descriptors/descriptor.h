@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,13 +10,14 @@
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/registry.h"
-#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {
+
+class ProxySource;
 
 /// Settings of a descriptor.
 struct DescriptorSettings {
@@ -31,12 +33,7 @@ struct DescriptorInput {
 };
 
 /// Calls use(ProxySource&) with the input's proxy, or with a new one if it has none.
-template <typename Use>
-auto on_proxy(const DescriptorInput& input, Use use) {
-  if (input.proxy != nullptr) return use(*input.proxy);
-  ProxySource own(input.shape);
-  return use(own);
-}
+Eigen::VectorXf on_proxy(const DescriptorInput& input, const std::function<Eigen::VectorXf(ProxySource&)>& use);
 
 /// Features learnt from the whole data set before shapes are described, such as a codebook. Empty for most descriptors.
 using LearntFeatures = Eigen::MatrixXf;

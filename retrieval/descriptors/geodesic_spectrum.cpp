@@ -11,6 +11,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {

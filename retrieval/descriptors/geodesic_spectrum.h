@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 
-#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
 namespace shapegauge {

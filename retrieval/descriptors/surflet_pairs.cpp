@@ -12,6 +12,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
 namespace shapegauge {

@@ -12,6 +12,7 @@
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/fields/heat_kernel.h"
 #include "shapegauge/core/fields/laplacian.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"

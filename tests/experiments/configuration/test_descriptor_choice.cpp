@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/field_settings.h"

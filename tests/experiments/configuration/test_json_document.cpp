@@ -1,6 +1,7 @@
 #include <cstdlib>
 #include <exception>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "tests/support/test_files.h"

@@ -1,5 +1,6 @@
 #include <atomic>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/experiments/configuration/json_document.h"

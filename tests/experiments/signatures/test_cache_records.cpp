@@ -2,6 +2,7 @@
 #include <cstring>
 #include <gmock/gmock.h>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "shapegauge/experiments/configuration/field_settings.h"

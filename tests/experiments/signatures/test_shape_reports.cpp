@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"

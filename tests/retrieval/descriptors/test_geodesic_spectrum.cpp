@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
 #include "shapegauge/retrieval/descriptors/shape_dna.h"
 #include "tests/retrieval/descriptors/default_settings.h"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/retrieval/descriptors/surflet_pairs.h"
 #include "shapegauge/retrieval/l1_distance.h"
 #include "tests/retrieval/descriptors/default_settings.h"
