@@ -256,27 +256,24 @@ void require_vertices(const PlyHeader& header, const TextScanner& scanner) {
 }
 
 void require_readable_faces(const PlyHeader& header, const TextScanner& scanner) {
-  if (find_element(header, "tristrips") != nullptr) {
-    scanner.fail_whole("triangle strips are not supported; convert them to faces");
-  }
-  if (std::ranges::count(header.elements, "face", &PlyElement::name) > 1) {
-    scanner.fail_whole("its header has two elements \"face\"");
-  }
-  const PlyElement* const face = find_element(header, "face");
-  if (face == nullptr || face->count == 0) return;
-  if (face->count > std::numeric_limits<std::int32_t>::max()) {
-    scanner.fail_whole(
-        fmt::format("{} faces: at most {} can be read", face->count, std::numeric_limits<std::int32_t>::max()));
-  }
-  const auto corners = std::ranges::find_if(face->properties, holds_corners);
-  if (corners == face->properties.end()) {
-    scanner.fail_whole("its element \"face\" has no list \"vertex_indices\" or \"vertex_index\"");
-  }
-  if (std::any_of(corners + 1, face->properties.end(), holds_corners)) {
-    scanner.fail_whole("its element \"face\" has two lists of vertices");
-  }
-  if (corners->type == PlyType::float32 || corners->type == PlyType::float64) {
-    scanner.fail_whole("the indices of its faces are not of an integer type");
+  for (const std::string name : {"face", "tristrips"}) {
+    if (std::ranges::count(header.elements, name, &PlyElement::name) > 1) {
+      scanner.fail_whole(fmt::format("its header has two elements \"{}\"", name));
+    }
+    const PlyElement* const face = find_element(header, name);
+    if (face == nullptr || face->count == 0) continue;
+    if (face->count > std::numeric_limits<std::int32_t>::max()) {
+      scanner.fail_whole(
+          fmt::format("{} faces: at most {} can be read", face->count, std::numeric_limits<std::int32_t>::max()));
+    }
+    const auto corners = std::ranges::find_if(face->properties, holds_corners);
+    if (corners == face->properties.end()) {
+      scanner.fail_whole(fmt::format("its element \"{}\" has no list \"vertex_indices\" or \"vertex_index\"", name));
+    }
+    if (std::any_of(corners + 1, face->properties.end(), holds_corners)) {
+      scanner.fail_whole(fmt::format("its element \"{}\" has two lists of vertices", name));
+    }
+    if (!is_integer(corners->type)) scanner.fail_whole("the indices of its faces are not of an integer type");
   }
 }
 
@@ -310,7 +307,7 @@ class PlyBody {
       for (std::int64_t i = 0; i < element.count; ++i) {
         if (!read_item(element, i)) source_.fail(message_truncated(i, element.count, name_of_items(element)));
       }
-      if (element.name == "face" && element.count > 0 && soup_.triangles() == 0) {
+      if ((element.name == "face" || element.name == "tristrips") && element.count > 0 && soup_.triangles() == 0) {
         source_.fail(message_no_triangles(element.count));
       }
     }
@@ -327,7 +324,9 @@ class PlyBody {
   bool read_item(const PlyElement& element, std::int64_t i) {
     if (element.name == "vertex") return read_vertex(element, i);
     return std::ranges::all_of(element.properties, [&](const PlyProperty& property) {
-      return element.name == "face" && holds_corners(property) ? read_corners(property, i) : skip(property);
+      if (!holds_corners(property)) return skip(property);
+      if (element.name == "tristrips") return read_strips(property, i);
+      return element.name == "face" ? read_corners(property, i) : skip(property);
     });
   }
 
@@ -365,6 +364,35 @@ class PlyBody {
       soup_.add_corner(static_cast<std::int32_t>(vertex));
     }
     return true;
+  }
+
+  /// Reads a list of triangle strips, which -1 separates. Each corner after two others makes a triangle; every second
+  /// one is turned round.
+  bool read_strips(const PlyProperty& property, std::int64_t i) {
+    std::int64_t length = 0;
+    if (!source_.read_whole(length, property.count_type)) return false;
+    if (length < 0) source_.fail(fmt::format("strip {} cannot have {} vertices", i, length));
+    std::array<std::int32_t, 3> corners = {};
+    for (std::int64_t k = 0, in_strip = 0; k < length; ++k) {
+      std::int64_t vertex = 0;
+      if (!source_.read_whole(vertex, property.type)) return false;
+      if (vertex < -1 || vertex >= vertices_) source_.fail(message_no_such_vertex(i, vertex, vertices_));
+      if (vertex == -1) {
+        in_strip = 0;
+        continue;
+      }
+      corners = {corners[1], corners[2], static_cast<std::int32_t>(vertex)};
+      if (++in_strip >= 3) add_triangle_of_strip(corners, in_strip % 2 == 0);
+    }
+    return true;
+  }
+
+  /// Adds a triangle; one with a repeated corner only leads to another place of the strip.
+  void add_triangle_of_strip(const std::array<std::int32_t, 3>& corners, bool turned) {
+    const auto [a, b, c] = corners;
+    if (a == b || b == c || c == a) return;
+    soup_.begin_face();
+    for (const std::int32_t corner : {turned ? b : a, turned ? a : b, c}) soup_.add_corner(corner);
   }
 
   bool skip(const PlyProperty& property) {

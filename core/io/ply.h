@@ -21,7 +21,7 @@ struct ShapeFormat;
 /// vertex properties nx, ny, nz if present.
 ///
 /// `name` prefixes error messages. Throws InputError, with the line or the element, for truncated files, indices out of
-/// range, coordinates that are not finite, and triangle strips.
+/// range, and coordinates that are not finite. Triangle strips (the element tristrips) are read as triangles.
 Shape read_ply(const std::string& bytes, const std::string& name);
 
 /// Throws InputError if the bytes do not begin with the header of a PLY file that has vertices.

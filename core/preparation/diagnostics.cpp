@@ -3,8 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -39,18 +37,6 @@ std::size_t count_unreferenced(const Shape& shape) {
   return static_cast<std::size_t>(std::ranges::count(used_vertices(shape), false));
 }
 
-bool is_degenerate(const Shape& shape, Eigen::Index triangle) {
-  const Eigen::Vector3d a = shape.vertices.row(shape.triangles(triangle, 0));
-  const Eigen::Vector3d b = shape.vertices.row(shape.triangles(triangle, 1));
-  const Eigen::Vector3d c = shape.vertices.row(shape.triangles(triangle, 2));
-  const double unit = std::max((b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff());
-  if (!(unit > 0)) return true;
-  const double largest = std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
-  // Coordinates rounded to double move each corner by up to an epsilon of their size.
-  const double tolerance = 4 * std::numeric_limits<double>::epsilon() * (largest / unit);
-  return ((b - a) / unit).cross((c - a) / unit).norm() <= tolerance;
-}
-
 std::size_t count_degenerate(const Shape& shape) {
   std::size_t count = 0;
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) count += is_degenerate(shape, f) ? 1 : 0;
@@ -76,7 +62,7 @@ std::size_t count_components(const std::vector<CornerIndices>& corners, std::siz
 }
 
 void diagnose_edges(const Shape& shape, const Welding& welding, ShapeDiagnostics& found) {
-  const std::vector<HalfEdge> uses = half_edges(shape.triangles, welding);
+  const std::vector<HalfEdge> uses = surface_half_edges(shape, welding);
   std::vector<double> boundary;
   found.closed = !uses.empty();
   for_each_edge(uses, [&](std::span<const HalfEdge> edge) {

@@ -66,13 +66,13 @@ std::vector<HalfEdge> sorted(const std::vector<HalfEdge>& uses, std::size_t vert
 
 /// Returns true if there are edges, and all of them satisfy a condition.
 template <typename Condition>
-bool all_edges(const Shape& shape, Condition condition) {
-  require_usable(shape);
-  const std::vector<HalfEdge> uses = half_edges(shape.triangles, welded_vertices(shape.vertices));
+bool all_edges(std::span<const HalfEdge> uses, Condition condition) {
   bool all = !uses.empty();
   for_each_edge(uses, [&](std::span<const HalfEdge> edge) { all = all && condition(edge); });
   return all;
 }
+
+bool has_even_number(std::span<const HalfEdge> edge) { return edge.size() % 2 == 0; }
 
 }  // namespace
 
@@ -131,12 +131,22 @@ std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std
   return half_edges(triangles, {{merged.begin(), merged.end()}, first_duplicates(triangles, merged)});
 }
 
+std::vector<HalfEdge> surface_half_edges(const Shape& shape, const Welding& welding) {
+  std::vector<HalfEdge> uses = half_edges(shape.triangles, welding);
+  if (all_edges(uses, has_even_number)) return uses;
+  std::vector<HalfEdge> of_others = uses;
+  std::erase_if(of_others, [&](const HalfEdge& use) { return is_degenerate(shape, use.triangle); });
+  return all_edges(of_others, has_even_number) ? of_others : uses;
+}
+
 bool is_closed(const Shape& shape) {
-  return all_edges(shape, [](std::span<const HalfEdge> edge) { return edge.size() % 2 == 0; });
+  require_usable(shape);
+  return all_edges(surface_half_edges(shape, welding_of(shape)), has_even_number);
 }
 
 bool is_closed_and_oriented(const Shape& shape) {
-  return all_edges(shape, [](std::span<const HalfEdge> edge) {
+  require_usable(shape);
+  return all_edges(surface_half_edges(shape, welding_of(shape)), [](std::span<const HalfEdge> edge) {
     return 2 * std::ranges::count(edge, true, &HalfEdge::forward) == std::ssize(edge);
   });
 }

@@ -95,6 +95,10 @@ std::vector<HalfEdge> half_edges(const Triangles& triangles, const Welding& weld
 /// The same for the welded_vertices().
 std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std::int32_t> merged);
 
+/// Returns the half-edges of the surface: those of all triangles or, if only degenerate triangles (is_degenerate())
+/// keep it from being closed, those of the others.
+std::vector<HalfEdge> surface_half_edges(const Shape& shape, const Welding& welding);
+
 /// Calls visit(std::span<const HalfEdge>) with the half-edges of each edge.
 template <typename Visit>
 void for_each_edge(std::span<const HalfEdge> uses, Visit visit) {

@@ -1,7 +1,9 @@
 #include "shapegauge/core/shape/shape.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/connectivity.h"
@@ -40,6 +42,18 @@ Eigen::VectorXd triangle_areas(const Shape& shape) {
   Eigen::VectorXd areas(shape.triangles.rows());
   for (Eigen::Index f = 0; f < areas.size(); ++f) areas[f] = triangle_area(shape, f);
   return areas;
+}
+
+bool is_degenerate(const Shape& mesh, Eigen::Index triangle) {
+  const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(triangle, 0));
+  const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(triangle, 1));
+  const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(triangle, 2));
+  const double unit = std::max((b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff());
+  if (!(unit > 0)) return true;
+  const double largest = std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+  // Coordinates rounded to double move each corner by up to an epsilon of their size.
+  const double tolerance = 4 * std::numeric_limits<double>::epsilon() * (largest / unit);
+  return ((b - a) / unit).cross((c - a) / unit).norm() <= tolerance;
 }
 
 Eigen::RowVector3d triangle_normal(const Shape& mesh, Eigen::Index triangle) {

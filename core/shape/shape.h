@@ -44,6 +44,9 @@ Eigen::VectorXd triangle_areas(const Shape& shape);
 /// Computes the unit normal of a triangle by the order of its corners; zero if the triangle is degenerate.
 Eigen::RowVector3d triangle_normal(const Shape& mesh, Eigen::Index triangle);
 
+/// Returns true for a triangle of zero area, up to the rounding of coordinates.
+bool is_degenerate(const Shape& mesh, Eigen::Index triangle);
+
 /// Returns true for a point cloud: a shape without triangles.
 inline bool is_cloud(const Shape& shape) { return shape.triangles.rows() == 0; }
 

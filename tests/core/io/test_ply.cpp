@@ -160,6 +160,14 @@ TEST(ReadPly, UnusableHeaders) {
                    "t.ply: 3000000000 vertices: at most 2147483647 can be read");
 }
 
+TEST(ReadPly, TriangleStrips) {
+  const std::string header = vertex_header + "element tristrips 1\nproperty list int int vertex_indices\n";
+  const Shape shape = read_ply(ascii(header, ply_vertices + "9 0 1 2 3 3 -1 1 3 2\n"), "t.ply");
+  EXPECT_EQ(shape.triangles, (Triangles(3, 3) << 0, 1, 2, 2, 1, 3, 1, 3, 2).finished());
+  expect_ply_error(ascii(header, ply_vertices + "3 0 1 9\n"),
+                   "t.ply:14: face 0 refers to vertex 9, but the vertices are numbered 0 to 3");
+}
+
 TEST(ReadPly, UnusableFaces) {
   expect_ply_error(ascii(vertex_header + "element face 1\nproperty int a\n", ply_vertices + "1\n"),
                    "t.ply: its element \"face\" has no list \"vertex_indices\" or \"vertex_index\"");
@@ -169,9 +177,6 @@ TEST(ReadPly, UnusableFaces) {
                    "t.ply: its element \"face\" has two lists of vertices");
   expect_ply_error(ascii(vertex_header + "element face 1\nproperty list float int vertex_indices\n", ply_vertices),
                    "t.ply:8: the length of a list must be of an integer type");
-  expect_ply_error(
-      ascii(vertex_header + "element tristrips 1\nproperty list int int vertex_indices\n", ply_vertices + "1 0\n"),
-      "t.ply: triangle strips are not supported; convert them to faces");
   expect_ply_error(
       ascii(vertex_header + "element face 1\nproperty list uchar int vertex_indices\n", ply_vertices + "2 0 1\n"),
       "t.ply:14: none of its 1 faces has three vertices");

@@ -117,6 +117,27 @@ TEST(Closedness, EndsWithOneTriangle) {
   EXPECT_FALSE(is_closed(Shape{}));
 }
 
+TEST(Closedness, IsNotChangedByATriangleWithoutArea) {
+  for (const Eigen::Matrix3d& rotation : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), test::rotation(1)}) {
+    Shape box = test::box({1, 1, 1}, 2);
+    std::vector<std::int32_t> edge;
+    for (std::int32_t v = 0; v < box.vertices.rows(); ++v) {
+      const auto same = [&](std::int32_t other) { return box.vertices.row(other) == box.vertices.row(v); };
+      if (box.vertices(v, 0) == -0.5 && box.vertices(v, 1) == -0.5 && std::ranges::none_of(edge, same)) {
+        edge.push_back(v);
+      }
+    }
+    ASSERT_EQ(edge.size(), 3U);
+    box = test::transformed(box, 1, rotation, {0, 0, 0});
+    box.triangles.conservativeResize(box.triangles.rows() + 1, Eigen::NoChange);
+    box.triangles.bottomRows<1>() << edge[0], edge[1], edge[2];
+    EXPECT_TRUE(is_closed(box));
+    EXPECT_TRUE(is_closed_and_oriented(box));
+    box.triangles = box.triangles.bottomRows(box.triangles.rows() - 1).eval();
+    EXPECT_FALSE(is_closed(box)) << "a triangle with area is missing";
+  }
+}
+
 TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) { EXPECT_TRUE(is_closed(test::soup(test::sphere(1, 1)))); }
 
 TEST(Closedness, LeavesOutTrianglesWithoutArea) {
