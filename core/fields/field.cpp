@@ -94,9 +94,14 @@ const Spectrum& FieldSource::spectrum(int eigenvalues) {
 }
 
 std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> warned{
+  // The offset SDF counts the samples that it answers directly.
+  const char* const missing =
+      outcomes.contains("direct")
+          ? "missing: vertices without triangles"
+          : "missing: parts that are open or inside out (offset_sdf measures these), or vertices without triangles";
+  const std::array<std::pair<const char*, const char*>, 4> warned{
       {{"undecided", "undecided"},
-       {"missing", "missing"},
+       {"missing", missing},
        {"two_sided",
         "have the outside on both sides, closer than half the offset: the shape is open there (a hole, a missing base) "
         "or a sheet; their thickness is about 0 and the side of their normals arbitrary"},

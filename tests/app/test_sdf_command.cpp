@@ -229,7 +229,10 @@ TEST_F(SdfCommand, MissingValuesAreTold) {
   write_text(at("sphere.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Outcome outcome = sdf("--method cone_sdf -o '" + at("x.csv") + "'");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.errors, "shapegauge: warning: 1 of 1 samples missing\n");
+  EXPECT_EQ(
+      outcome.errors,
+      "shapegauge: warning: 1 of 1 samples missing: parts that are open or inside out (offset_sdf measures these), or "
+      "vertices without triangles\n");
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("0,nan,0.5"));
 }
 
