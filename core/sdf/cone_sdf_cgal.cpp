@@ -38,6 +38,18 @@ Mesh mesh_of(const Shape& shape) {
   return mesh;
 }
 
+/// Throws InputError for a mesh without area: its search tree would be empty, in which CGAL 5.5 crashes.
+void require_area(const Mesh& mesh) {
+  for (const Mesh::Face_index face : mesh.faces()) {
+    const auto side = mesh.halfedge(face);
+    if (!CGAL::collinear(mesh.point(mesh.source(side)), mesh.point(mesh.target(side)),
+                         mesh.point(mesh.target(mesh.next(side))))) {
+      return;
+    }
+  }
+  throw InputError("the mesh has no area: all triangles are degenerate, and the cgal engine needs one that is not");
+}
+
 /// At least one face must have a value: CGAL fills the others from their neighbours or with the lowest.
 void postprocess(const Mesh& mesh, const FaceValues& values) {
   const auto [lowest, highest] = CGAL::sdf_values_postprocessing(mesh, values);
@@ -51,6 +63,7 @@ void postprocess(const Mesh& mesh, const FaceValues& values) {
 ConeSdfResult cone_sdf_cgal(const Shape& shape, const ConeSdfOptions& options) {
   const Stopwatch building;
   Mesh mesh = mesh_of(shape);
+  require_area(mesh);
   const FaceValues values = mesh.add_property_map<Mesh::Face_index, double>("f:sdf", no_answer).first;
   ConeSdfResult result;
   result.build_seconds = building.seconds();

@@ -126,6 +126,20 @@ TEST(ConeSdfCgal, PostprocessingWithoutAnyValueLeavesAllMissing) {
   EXPECT_EQ(result.missing, static_cast<std::size_t>(box.triangles.rows()));
 }
 
+TEST(ConeSdfCgal, RefusesMeshesWithoutArea) {
+  Shape line = test::box({1, 1, 1}, 1);
+  line.vertices.conservativeResize(3, 3);
+  line.vertices << 0, 0, 0, 1, 0, 0, 2, 0, 0;
+  line.triangles.conservativeResize(1, 3);
+  line.triangles << 0, 1, 2;
+  try {
+    cone_sdf_by(ConeSdfEngine::cgal, line);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("no area"), std::string::npos) << error.what();
+  }
+}
+
 TEST(ConeSdfCgal, RefusesWhatIsNoOrientedManifold) {
   const Shape box = test::box({1, 2, 3}, 2);
   EXPECT_NO_THROW(cone_sdf_by(ConeSdfEngine::cgal, box));
