@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/samples.h"
@@ -10,12 +11,12 @@
 namespace shapegauge {
 
 /// Cache version of inscribed_ball(); see docs/manual/cache.md.
-inline constexpr int inscribed_ball_version = 1;
+inline constexpr int inscribed_ball_version = 2;
 
 /// Options of inscribed_ball().
 struct InscribedBallOptions {
-  double separation_angle_degrees = 60;  ///< minimum angle between the outward normals of sample and contact
-  bool parallel = true;                  ///< distribute the samples over the threads of the calling TBB arena
+  double separation_angle_degrees = 105;  ///< minimum angle at the ball's centre between the sample and the contact
+  bool parallel = true;                   ///< distribute the samples over the threads of the calling TBB arena
 };
 
 /// Parameters of InscribedBallOptions.
@@ -26,23 +27,46 @@ inline constexpr std::array inscribed_ball_table = {
                     "Minimum angle at the ball's centre between the sample and the contact that stops the ball.")),
 };
 
-/// Computes the diameter of the largest ball inside the shape that touches its surface at the sample, in the shape's
-/// units. It is twice the medial radius, and the wall thickness between parallel sides.
+/// Side of the surface on which a ball lies.
+enum class BallSide {
+  inside,   ///< opposite to the outward normal of the sample: thickness
+  outside,  ///< at the outward normal of the sample: width of a gap
+};
+
+/// Balls that touch a shape's surface at samples. Several queries on the same shape share its search tree.
+class TouchingBalls {
+ public:
+  /// Keeps a reference to the shape. Throws InputError for an angle out of range, an unusable shape, and a cloud
+  /// without normals.
+  TouchingBalls(const Shape& shape, const InscribedBallOptions& options);
+  ~TouchingBalls();
+  TouchingBalls(TouchingBalls&&) noexcept;
+  TouchingBalls& operator=(TouchingBalls&&) noexcept;
+  TouchingBalls(const TouchingBalls&) = delete;
+  TouchingBalls& operator=(const TouchingBalls&) = delete;
+
+  /// Returns the diameters as inscribed_ball() does, on either side of the surface. Throws InputError for samples
+  /// without one normal each.
+  [[nodiscard]] Eigen::VectorXd diameters(const Samples& samples, BallSide side) const;
+
+ private:
+  class Search;
+  std::unique_ptr<Search> search_;
+};
+
+/// Computes the diameter of the largest ball that touches the surface at the sample from inside and contains no
+/// opposite point of the surface, in the shape's units: the wall thickness
+/// (docs/reference/definitions.md#inscribed-ball).
 ///
-/// The ball lies opposite to the outward normal of the sample and shrinks until nothing intersects it. This is the
-/// shrinking ball of Ma, Bae and Choi (2012, 3D medial axis point approximation using nearest neighbors and the normal
-/// field), made exact by using triangles instead of sampled points. A triangle stops the ball only if its outward
-/// normal differs from the sample's by at least the separation angle, because a tessellated or noisy surface bends
-/// towards the ball next to the sample. At 0 every triangle can stop it. Above 90 degrees the sides next to a
-/// right-angled edge cannot, which leaves the thickness between opposite sides. The triangles around a sampled vertex
-/// never stop the ball. The outward side of a triangle is the one facing away from the sample, whatever its
-/// orientation.
+/// A point is opposite if it is at least the separation angle away from the sample, seen from the centre of the ball
+/// through both, and if the same holds for the angle between the outward normals. The outward side of a triangle is the
+/// one facing away from the sample, whatever its orientation. At 0 every point is opposite. Above 90 degrees the sides
+/// next to a right-angled edge are not. The triangles around a sampled vertex never stop the ball.
 ///
-/// Sphere: the diameter. Slab: its thickness. Box: 2 d at distance d from an edge, where that is less than the
-/// thickness. NaN if the sample has no normal, and if no triangle stops the ball before its diameter reaches the
-/// bounding-box diagonal. For a cloud the points are the surface, and the cloud must have normals. The same bytes on
-/// any number of threads. Throws InputError for an angle out of range, an unusable shape, a cloud without normals, and
-/// samples without one normal each.
+/// The diameter is exact unless very many triangles are equally near to the centre, as in a finely tessellated sphere;
+/// then it is at most 0.1 % too large. NaN if the sample has no normal, and if nothing stops the ball before its
+/// diameter reaches the bounding-box diagonal. For a cloud the points are the surface, and the cloud must have normals.
+/// The same bytes on any number of threads. Throws InputError as TouchingBalls does.
 Eigen::VectorXd inscribed_ball(const Shape& shape, const Samples& samples, const InscribedBallOptions& options = {});
 
 }  // namespace shapegauge

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 
 #include "shapegauge/core/spatial/closest_point.h"
 
@@ -11,38 +10,23 @@ namespace shapegauge {
 /// Returns the unit normal by the order of the corners; zero for a degenerate triangle.
 Eigen::Vector3d oriented_normal(const Triangle& triangle);
 
-/// Triangle relative to an origin, with its plane.
-struct FacingTriangle {
-  std::array<Eigen::Vector3d, 3> corners;
-  Eigen::Vector3d normal;  ///< by the order of the corners; zero where it has no area
-  double distance;         ///< of the plane, along the normal
-  double rounding;         ///< distance below which points coincide with the origin
-
-  /// `unit_normal` is oriented_normal() of the triangle, `tolerance` is `rounding`.
-  FacingTriangle(const Triangle& triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& unit_normal,
-                 double tolerance)
-      : corners{triangle.a - origin, triangle.b - origin, triangle.c - origin},
-        normal(unit_normal),
-        distance(unit_normal.dot(corners[0])),
-        rounding(tolerance) {}
-
-  /// Returns the normal that points away from the origin.
-  [[nodiscard]] Eigen::Vector3d away() const { return distance < 0 ? Eigen::Vector3d(-normal) : normal; }
-
-  [[nodiscard]] bool has_corner_at_origin() const;
-
-  /// Returns true if a point of the plane is inside the triangle.
-  [[nodiscard]] bool contains(const Eigen::Vector3d& q) const;
+/// Points opposite to the origin, which may stop a ball.
+struct OppositePoints {
+  Eigen::Vector3d direction;  ///< from the origin to the centres of the balls
+  double cone_cosine;         ///< of the largest angle between `direction` and a point
+  double min_cosine;          ///< of the largest angle between `direction` and the normal of a triangle
+  double rounding;            ///< distance below which points coincide with the origin
 };
 
-/// Returns the radius of the ball through q that touches the plane at the origin on the side of its unit normal;
-/// infinity if q is not above the plane or closer to the origin than `rounding`.
-double touching_radius(const Eigen::Vector3d& q, const Eigen::Vector3d& normal, double rounding);
+/// Returns the radius of the ball through q that touches the plane at the origin; infinity if q is not opposite.
+double touching_radius(const Eigen::Vector3d& q, const OppositePoints& opposite);
 
-/// Returns the radius of the largest ball that touches the plane at the origin, lies on the side of its unit normal and
-/// does not intersect the interior of the triangle: the minimum of |q|^2 / (2 q.normal) over the triangle's points q
-/// above the plane. Infinity if there is no such point, and for a triangle with a corner at the origin. Degenerate
-/// triangles are handled as segments or points. A value that is not below the limit may be any such value.
-double touching_radius(const FacingTriangle& triangle, const Eigen::Vector3d& normal, double limit);
+/// Returns the radius of the largest ball that touches the plane at the origin and contains no opposite point of the
+/// triangle: the minimum of |q|^2 / (2 q.direction) over these points q. Infinity if there is none, if the triangle's
+/// normal that points away from the origin is not within the angle, and if a corner is at the origin. A degenerate
+/// triangle has no normal and is handled as a segment or point. `normal` is oriented_normal() of the triangle. A value
+/// that is not below the limit may be any such value.
+double touching_radius(const Triangle& triangle, const Eigen::Vector3d& normal, const OppositePoints& opposite,
+                       double limit);
 
 }  // namespace shapegauge

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 #include "shapegauge/core/spatial/triangle_bvh_layout.h"
 
@@ -21,55 +21,123 @@ float widened_square(double distance) {
                                                     : std::numeric_limits<float>::infinity();
 }
 
-/// Returns the squared distance from x to the box of a node's child.
-float squared_distance_to_box(const TriangleBvhNode& node, std::size_t child, const Eigen::Vector3f& x) {
-  float sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const float coordinate = x[static_cast<Eigen::Index>(k)];
-    const float outside = std::max({node.low[k][child] - coordinate, coordinate - node.high[k][child], 0.0F});
-    sum += outside * outside;
-  }
-  return sum;
-}
-
-/// Shrinks a ball by the triangles below a node.
-class BallShrinking {
+/// Visits the leaves in a cone that intersect a ball, while the ball shrinks.
+class ConeSearch {
  public:
-  BallShrinking(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
-                const std::function<void(std::int32_t, Ball&)>& shrink, Ball& ball)
-      : nodes_(nodes), leaves_(leaves), shrink_(shrink), ball_(ball) {}
+  using Visit = std::function<void(std::span<const std::int32_t>, Ball&)>;
+
+  ConeSearch(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves, const Cone& cone,
+             const Visit& visit, Ball& ball)
+      : nodes_(nodes),
+        leaves_(leaves),
+        apex_(cone.apex.cast<float>()),
+        axis_(cone.axis.cast<float>()),
+        squared_cosine_(static_cast<float>(cone.cosine * cone.cosine)),
+        sine_(static_cast<float>(std::sqrt(std::max(0.0, 1 - cone.cosine * cone.cosine)))),
+        visit_(visit),
+        ball_(ball) {
+    set_ball();
+  }
 
   void visit(const TriangleBvhNode& node) {
-    std::array<std::pair<float, std::size_t>, children_per_node> met;  // squared distances, and which children
+    Keys keys = keys_of(node);
+    float radius = radius_;
+    std::array<std::size_t, children_per_node> order;
     std::size_t count = 0;
     for (std::size_t i = 0; i < children_per_node; ++i) {
-      const float square = squared_distance_to_box(node, i, ball_.centre.cast<float>());
-      if (square > widened_square_of_radius()) continue;
-      std::size_t place = count++;
-      for (; place > 0 && met[place - 1].first > square; --place) met[place] = met[place - 1];
-      met[place] = {square, i};
+      if (!(keys[i] < unreachable)) continue;
+      std::size_t rank = count++;
+      for (; rank > 0 && keys[order[rank - 1]] > keys[i]; --rank) order[rank] = order[rank - 1];
+      order[rank] = i;
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t child = met[i].second;
-      const float square = squared_distance_to_box(node, child, ball_.centre.cast<float>());  // it may have shrunk
-      if (square <= widened_square_of_radius()) visit_child(node.child[child]);
+    for (std::size_t rank = 0; rank < count; ++rank) {
+      if (radius_ < radius) keys = keys_of(node);
+      radius = radius_;
+      if (keys[order[rank]] < unreachable) visit_child(node.child[order[rank]]);
     }
   }
 
  private:
+  using Keys = std::array<float, children_per_node>;
+  static constexpr float unreachable = std::numeric_limits<float>::infinity();
+
   void visit_child(std::int32_t child) {
     if (child >= 0) return visit(nodes_[static_cast<std::size_t>(child)]);
-    const std::int32_t leaf = ~child;
-    for (const std::int32_t triangle : leaves_[static_cast<std::size_t>(leaf)].triangle) shrink_(triangle, ball_);
+    visit_leaf(leaves_[static_cast<std::size_t>(~child)]);
   }
 
-  /// Widened by the error of single precision for coordinates of the order of 1.
-  [[nodiscard]] float widened_square_of_radius() const { return widened_square(ball_.radius + 1e-6); }
+  /// Visits the triangles whose planes intersect the ball.
+  void visit_leaf(const TriangleBvhLeaf& leaf) {
+    const Eigen::Vector3f centre = (ball_.centre - leaf.origin).cast<float>();
+    alignas(64) LeafLane heights;
+    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
+      heights[lane] = std::abs((centre[0] - leaf.a[0][lane]) * leaf.normal[0][lane] +
+                               (centre[1] - leaf.a[1][lane]) * leaf.normal[1][lane] +
+                               (centre[2] - leaf.a[2][lane]) * leaf.normal[2][lane]);
+    }
+    int any = 0;
+    for (const float height : heights) any |= static_cast<int>(height <= radius_);
+    if (any == 0) return;
+    std::array<std::int32_t, triangles_per_leaf> triangles;
+    std::size_t count = 0;
+    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
+      const bool repeated = lane > 0 && leaf.triangle[lane] == leaf.triangle[lane - 1];
+      if (heights[lane] <= radius_ && !repeated) triangles[count++] = leaf.triangle[lane];
+    }
+    visit_(std::span(triangles).first(count), ball_);
+    set_ball();
+  }
+
+  /// Caches the ball, enlarged by the error of single precision for coordinates of the order of 1.
+  void set_ball() {
+    centre_ = ball_.centre.cast<float>();
+    radius_ = static_cast<float>(ball_.radius * (1 + rounding_) + rounding_);
+  }
+
+  /// Returns the squared distances from the apex to the boxes of the children that may intersect ball and cone.
+  /// The inner loops are vectorised by the compiler.
+  [[nodiscard]] Keys keys_of(const TriangleBvhNode& node) const {
+    alignas(64) Keys to_ball2{};
+    alignas(64) Keys to_apex2{};
+    alignas(64) Keys height{};  // of the disk above the ball's centre
+    alignas(64) Keys along{};   // the axis, from the apex to the middle of the disk
+    alignas(64) Keys from_apex2{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float centre = centre_[static_cast<Eigen::Index>(k)];
+      const float apex = apex_[static_cast<Eigen::Index>(k)];
+      const float axis = axis_[static_cast<Eigen::Index>(k)];
+      for (std::size_t i = 0; i < children_per_node; ++i) {
+        const float beside_ball = std::max(std::max(node.low[k][i] - centre, centre - node.high[k][i]), 0.0F);
+        const float beside_apex = std::max(std::max(node.low[k][i] - apex, apex - node.high[k][i]), 0.0F);
+        const float from_apex = node.centre[k][i] - apex;
+        to_ball2[i] += beside_ball * beside_ball;
+        to_apex2[i] += beside_apex * beside_apex;
+        height[i] += (node.centre[k][i] - centre) * node.normal[k][i];
+        along[i] += from_apex * axis;
+        from_apex2[i] += from_apex * from_apex;
+      }
+    }
+    for (std::size_t i = 0; i < children_per_node; ++i) {
+      const float reach = along[i] * sine_ + node.half_height[i] + node.radius[i] + static_cast<float>(rounding_);
+      const bool in_cone = reach >= 0 && (from_apex2[i] - along[i] * along[i]) * squared_cosine_ <= reach * reach;
+      const bool in_ball = std::abs(height[i]) - node.half_height[i] <= radius_ && to_ball2[i] <= radius_ * radius_;
+      if (!in_cone || !in_ball) to_apex2[i] = unreachable;
+    }
+    return to_apex2;
+  }
+
+  static constexpr double rounding_ = 1e-6;
 
   const std::vector<TriangleBvhNode>& nodes_;
   const std::vector<TriangleBvhLeaf>& leaves_;
-  const std::function<void(std::int32_t, Ball&)>& shrink_;
+  Eigen::Vector3f apex_;
+  Eigen::Vector3f axis_;
+  float squared_cosine_;
+  float sine_;
+  const Visit& visit_;
   Ball& ball_;
+  Eigen::Vector3f centre_;
+  float radius_ = 0;
 };
 
 }  // namespace
@@ -106,10 +174,9 @@ std::optional<ClosestHit> TriangleBVH::closest(const Eigen::Vector3d& x, double 
   return ClosestHit{found, distance, point};
 }
 
-Ball TriangleBVH::shrunk_ball(Ball ball, const std::function<void(std::int32_t, Ball&)>& shrink) const {
-  if (layout_->nodes.empty()) return ball;
-  BallShrinking(layout_->nodes, layout_->leaves, shrink, ball).visit(layout_->nodes.front());
-  return ball;
+void TriangleBVH::search(const Cone& cone, Ball& ball, const ConeSearch::Visit& visit) const {
+  if (!layout_->nodes.empty())
+    ConeSearch(layout_->nodes, layout_->leaves, cone, visit, ball).visit(layout_->nodes.front());
 }
 
 const Triangle& TriangleBVH::triangle(std::int32_t index) const {

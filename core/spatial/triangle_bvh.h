@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/closest_point.h"
@@ -23,6 +24,13 @@ struct ClosestHit {
 struct Ball {
   Eigen::Vector3d centre;
   double radius;
+};
+
+/// Cone, filled, of all directions from an apex that differ from the unit axis by at most an angle.
+struct Cone {
+  Eigen::Vector3d apex;
+  Eigen::Vector3d axis;
+  double cosine;  ///< of the angle, which is at most 90 degrees
 };
 
 /// Bounding volume hierarchy over the triangles of a shape for proximity queries. Nodes have eight children and leaves
@@ -48,10 +56,11 @@ class TriangleBVH {
                                                   double max_distance = std::numeric_limits<double>::infinity(),
                                                   std::int32_t hint = -1) const;
 
-  /// Calls `shrink(triangle, ball)` for all triangles that intersect the ball and some that do not, roughly from near
-  /// to far. `shrink` may replace the ball by a smaller one inside it, which prunes the search. Returns the final ball.
-  /// Radii must be finite.
-  [[nodiscard]] Ball shrunk_ball(Ball ball, const std::function<void(std::int32_t, Ball&)>& shrink) const;
+  /// Calls `visit(triangles, ball)` for groups of triangles, roughly in order of their distance from the cone's apex:
+  /// at least for all that intersect both ball and cone. `visit` may replace
+  /// the ball by a smaller one inside it, which prunes the search. Radii must be finite.
+  void search(const Cone& cone, Ball& ball,
+              const std::function<void(std::span<const std::int32_t>, Ball&)>& visit) const;
 
   /// Returns the corners of a triangle, by its index in the shape.
   [[nodiscard]] const Triangle& triangle(std::int32_t index) const;

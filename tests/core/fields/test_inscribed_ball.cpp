@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/fields/inscribed_ball.h"
 #include "shapegauge/core/spatial/closest_point.h"
@@ -11,7 +13,8 @@
 namespace shapegauge {
 namespace {
 
-Eigen::VectorXd at_faces(const Shape& shape, double separation_angle_degrees = 60) {
+Eigen::VectorXd at_faces(const Shape& shape,
+                         double separation_angle_degrees = InscribedBallOptions{}.separation_angle_degrees) {
   return inscribed_ball(shape, sample_shape(shape, SampleSite::faces),
                         {.separation_angle_degrees = separation_angle_degrees});
 }
@@ -26,7 +29,7 @@ TEST(InscribedBall, OfASphereIsItsDiameter) {
 TEST(InscribedBall, OfABoxIsItsThicknessOrTwiceTheDistanceToAnEdge) {
   const Shape shape = test::box({4, 3, 1}, 12);
   const Samples samples = sample_shape(shape, SampleSite::faces);
-  const Eigen::VectorXd diameters = inscribed_ball(shape, samples, {});
+  const Eigen::VectorXd diameters = inscribed_ball(shape, samples, {.separation_angle_degrees = 60});
   const Eigen::Array3d half(2, 1.5, 0.5);
   for (Eigen::Index i = 0; i < diameters.size(); ++i) {
     Eigen::Array3d to_side = half - samples.points.row(i).transpose().array().abs();
@@ -39,25 +42,25 @@ TEST(InscribedBall, OfABoxIsItsThicknessOrTwiceTheDistanceToAnEdge) {
     EXPECT_NEAR(diameters[i], expected, 1e-9) << i;
   }
   // Sides at right angles do not count as contacts beyond a right angle.
-  const Eigen::VectorXd walls = at_faces(shape, 120);
+  const Eigen::VectorXd walls = at_faces(shape);
   for (Eigen::Index i = 0; i < walls.size(); ++i) {
-    if (std::abs(samples.points(i, 2)) > 0.49) {
-      EXPECT_NEAR(walls[i], 1, 1e-9);
-    }
+    Eigen::Index own = 0;
+    (half - samples.points.row(i).transpose().array().abs()).minCoeff(&own);
+    EXPECT_NEAR(walls[i], 2 * half[own], 1e-9) << i;
   }
 }
 
 TEST(InscribedBall, OfACapsuleIsItsDiameter) {
-  const Eigen::VectorXd diameters = at_faces(test::capsule(1, 4, 64, 16));
+  const Eigen::VectorXd diameters = at_faces(test::capsule(1, 4, 64, 16), 60);
   EXPECT_NEAR(diameters.minCoeff(), 2, 0.09);  // a centroid is not in the middle of its strip
-  EXPECT_LE(diameters.maxCoeff(), 2 + 1e-9);
+  EXPECT_LE(diameters.maxCoeff(), 2.002);
 }
 
 TEST(InscribedBall, OfAHollowBoxIsTheWall) {
   const Shape inner = test::box({3, 3, 3}, 10);
   const Shape shape = test::joined({test::box({4, 4, 4}, 10), test::flipped(inner)});
   const Samples samples = sample_shape(shape, SampleSite::faces);
-  const Eigen::VectorXd diameters = inscribed_ball(shape, samples, {.separation_angle_degrees = 120});
+  const Eigen::VectorXd diameters = inscribed_ball(shape, samples);
   for (Eigen::Index i = 0; i < diameters.size(); ++i) {
     const Eigen::Array3d place = samples.points.row(i).transpose().array().abs();
     const bool over_the_cavity = (place < 1.4).count() == 2;
@@ -83,6 +86,55 @@ TEST(InscribedBall, IsEmptyAndCannotGrow) {
       nearest = std::min(nearest, (closest_point(triangle, centre) - centre).norm());
     }
     EXPECT_NEAR(nearest, radius, 1e-6 * radius) << i;
+  }
+}
+
+TEST(InscribedBall, OfAWedgeIsTwiceTheRadiusOfTheTangentCircle) {
+  for (const double degrees : {10.0, 30.0, 70.0}) {
+    const double slope = std::tan(degrees / 180 * std::numbers::pi);
+    Shape wedge = test::box({2, 6, 1}, 40);
+    for (auto vertex : wedge.vertices.rowwise()) {
+      vertex.x() += 1.001;
+      vertex.z() = vertex.z() > 0 ? slope * vertex.x() : 0.0;
+    }
+    const Samples samples = sample_shape(wedge, SampleSite::faces);
+    const Eigen::VectorXd diameters = inscribed_ball(wedge, samples);
+    for (Eigen::Index i = 0; i < diameters.size(); ++i) {
+      if (samples.normals(i, 2) > -0.9 || samples.points(i, 0) > 0.7 || std::abs(samples.points(i, 1)) > 1.5) continue;
+      const double expected = 2 * samples.points(i, 0) * std::tan(degrees / 360 * std::numbers::pi);
+      EXPECT_NEAR(diameters[i], expected, 1e-9) << degrees;
+    }
+  }
+}
+
+TEST(InscribedBall, IsTheWidthOfAGapOutside) {
+  const Shape lower = test::box({4, 4, 1}, 8);
+  Shape upper = lower;
+  upper.vertices.col(2).array() += 1.25;
+  const Shape shape = test::joined({lower, upper});
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  const Eigen::VectorXd gaps = TouchingBalls(shape, {}).diameters(samples, BallSide::outside);
+  for (Eigen::Index i = 0; i < gaps.size(); ++i) {
+    const bool in_gap = samples.points(i, 2) > 0.49 && samples.points(i, 2) < 0.76;
+    if (in_gap) {
+      EXPECT_NEAR(gaps[i], 0.25, 1e-9) << i;
+    } else {
+      EXPECT_TRUE(std::isnan(gaps[i])) << i;
+    }
+  }
+}
+
+TEST(InscribedBall, ToleratesNoise) {
+  Shape block = test::box({30, 20, 3}, 30);
+  RandomNumbers random(1);
+  for (double& coordinate : block.vertices.reshaped()) coordinate += random.uniform(-0.005, 0.005);
+  const Samples samples = sample_shape(block, SampleSite::faces);
+  const Eigen::VectorXd diameters = inscribed_ball(block, samples);
+  EXPECT_GT(diameters.minCoeff(), 2.95);
+  for (Eigen::Index i = 0; i < diameters.size(); ++i) {
+    if (std::abs(samples.points(i, 2)) > 1.49) {
+      EXPECT_NEAR(diameters[i], 3, 0.05) << i;
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numbers>
 
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/fields/touching_ball.h"
@@ -12,7 +13,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double radius_of(const Triangle& triangle, const Eigen::Vector3d& normal) {
-  return touching_radius({triangle, Eigen::Vector3d::Zero(), oriented_normal(triangle), 1e-9}, normal, infinity);
+  const OppositePoints all{.direction = normal, .cone_cosine = 0, .min_cosine = -1, .rounding = 1e-9};
+  return touching_radius(triangle, oriented_normal(triangle), all, infinity);
 }
 
 /// Brute force: candidate points on a regular grid over the triangle.
@@ -67,6 +69,20 @@ TEST(TouchingBall, PlaneSideAndCorner) {
   const Triangle segment{{2, -1, 2}, {2, 1, 2}, {2, 0, 2}};
   EXPECT_DOUBLE_EQ(radius_of(segment, up), 2);
   EXPECT_EQ(radius_of({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}}, up), infinity);
+}
+
+TEST(TouchingBall, IsStoppedByOppositePointsOnly) {
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const OppositePoints opposite{
+      .direction = up, .cone_cosine = std::cos(std::numbers::pi / 4), .min_cosine = 0.1, .rounding = 1e-9};
+  const auto radius = [&](const Triangle& triangle) {
+    return touching_radius(triangle, oriented_normal(triangle), opposite, infinity);
+  };
+  const Triangle wall{{1, -5, -5}, {1, 5, -5}, {1, 0, 9}};
+  EXPECT_EQ(radius(wall), infinity);  // its normal is horizontal
+  // A lid is stopped at the border of the cone, or where it begins within the cone.
+  EXPECT_DOUBLE_EQ(radius({{1, -9, 2}, {1, 9, 2}, {9, 0, 2}}), 5.0 / 4);
+  EXPECT_EQ(radius({{2.1, -9, 2}, {2.1, 9, 2}, {9, 0, 2}}), infinity);
 }
 
 }  // namespace
