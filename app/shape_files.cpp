@@ -16,6 +16,7 @@
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/stopwatch.h"
+#include "shapegauge/core/base/utf8.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/shape/polygons.h"
@@ -82,7 +83,7 @@ std::vector<ShapeJob> jobs_of(const ShapeFiles& files) {
 
 Shape read_input(const fs::path& input, const std::string& format) {
   const ShapeSource source = is_standard_stream(input)
-                                 ? ShapeSource{.bytes = read_standard_input(), .name = "standard input"}
+                                 ? ShapeSource{.bytes = to_utf8(read_standard_input()), .name = "standard input"}
                                  : read_shape_source(input);
   if (!format.empty()) return read_shape(source, "." + format);
   if (is_recognised_shape(source)) return read_shape(source);

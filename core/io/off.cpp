@@ -250,10 +250,10 @@ class OffBody {
   Shape read() {
     for (std::int64_t i = 0; i < counts_.vertices; ++i) read_vertex(i);
     for (std::int64_t i = 0; i < counts_.faces; ++i) read_face(i);
-    if (!scanner_.at_end()) {
-      scanner_.fail_whole(layout_ == OffLayout::words
-                              ? "unexpected data after the last face"
-                              : "data after the last face; the numbers of vertices and faces in its header are wrong");
+    if (layout_ == OffLayout::words && !scanner_.at_end()) scanner_.fail_whole("unexpected data after the last face");
+    if (face_follows()) {
+      scanner_.fail(
+          fmt::format("another face after the last of {}: the numbers of vertices and faces are wrong", counts_.faces));
     }
     if (counts_.faces > 0 && soup_.triangles() == 0) {
       scanner_.fail_whole(message_no_triangles(counts_.faces));
@@ -315,6 +315,24 @@ class OffBody {
       soup_.add_corner(static_cast<std::int32_t>(vertex));
     }
     if (layout_ == OffLayout::lines) scanner_.skip_line();
+  }
+
+  /// Returns true if a line with the indices of a face follows. Other data after the last face is ignored.
+  bool face_follows() {
+    if (scanner_.at_end()) return false;
+    TextScanner ahead = scanner_;
+    const auto is_number_below = [&](double limit, double& number) {
+      if (ahead.at_line_end()) return false;
+      number = parse_number(ahead.read_word()).value_or(-1);
+      return number >= 0 && number < limit && number == std::floor(number);
+    };
+    double corners = 0;
+    double vertex = 0;
+    if (!is_number_below(static_cast<double>(most_polygon_corners), corners) || corners < 3) return false;
+    for (int k = 0; k < static_cast<int>(corners); ++k) {
+      if (!is_number_below(static_cast<double>(counts_.vertices), vertex)) return false;
+    }
+    return true;
   }
 
   [[noreturn]] void fail_end(std::int64_t got, std::int64_t expected, std::string_view what) const {

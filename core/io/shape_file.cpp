@@ -6,9 +6,11 @@
 #include <fmt/ranges.h>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/base/utf8.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/gltf.h"
 #include "shapegauge/core/io/obj.h"
@@ -99,14 +101,18 @@ std::vector<std::string> shape_neighbours(const ShapeSource& source) {
 void check_shape_header(const fs::path& path) {
   constexpr std::size_t usual_size_of_header = std::size_t{1} << 16U;
   std::string bytes = read_file_bytes(path, usual_size_of_header);
-  const bool is_recognised = find_format(extension_of(path), bytes) != nullptr;
-  if (!is_recognised && bytes.size() == usual_size_of_header) bytes = read_file_bytes(path);
+  bool is_whole = bytes.size() < usual_size_of_header;
+  bytes = to_utf8(std::move(bytes));
+  if (!is_whole && find_format(extension_of(path), bytes) == nullptr) {
+    bytes = read_shape_source(path).bytes;
+    is_whole = true;
+  }
   const ShapeFormat& format = format_of(path.string(), extension_of(path), bytes);
   try {
     format.check_header(bytes, path.string());
   } catch (const InputError&) {
-    if (bytes.size() != usual_size_of_header) throw;
-    format.check_header(read_file_bytes(path), path.string());  // long comments, perhaps
+    if (is_whole) throw;
+    format.check_header(read_shape_source(path).bytes, path.string());  // long comments, perhaps
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/base/utf8.h"
 #include "shapegauge/core/io/file_bytes.h"
 
 namespace shapegauge {
@@ -45,7 +46,7 @@ std::string ShapeSource::read_neighbour(std::string_view file, std::size_t limit
 }
 
 ShapeSource read_shape_source(const fs::path& path) {
-  return {.bytes = read_file_bytes(path), .name = path.string(), .folder = path.parent_path()};
+  return {.bytes = to_utf8(read_file_bytes(path)), .name = path.string(), .folder = path.parent_path()};
 }
 
 }  // namespace shapegauge

@@ -13,7 +13,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/datasets/files/utf8.h"
+#include "shapegauge/core/base/utf8.h"
 
 namespace shapegauge {
 

@@ -19,7 +19,7 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/datasets/files/exact_number.h"
-#include "shapegauge/datasets/files/utf8.h"
+#include "shapegauge/core/base/utf8.h"
 
 namespace shapegauge {
 

@@ -341,6 +341,15 @@ TEST(WriteOff, VertexThatDoesNotExistIsAnError) {
   }
 }
 
+TEST(ReadOff, AFaceAfterTheLastIsAWrongCountAndOtherDataIsIgnored) {
+  const std::string counts_and_vertices = "OFF\n4 1 0\n" + off_vertices;
+  expect_off_error(counts_and_vertices + "3 0 1 2\n3 0 2 3\n",
+                   "t.off:7: another face after the last of 1: the numbers of vertices and faces are wrong");
+  for (const std::string rest : {"", "1 2\n", "3 0 2 4\n", "0.5 0 0\n", "end\n"}) {
+    EXPECT_EQ(read_off(counts_and_vertices + "3 0 1 2\n" + rest, "t.off").triangles.rows(), 1) << rest;
+  }
+}
+
 }  // namespace
 
 }  // namespace shapegauge

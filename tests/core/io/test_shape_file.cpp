@@ -52,6 +52,21 @@ TEST(ReadShape, CloudsWithTheirNormalsInEveryFormat) {
   }
 }
 
+TEST(ReadShape, TextInUtf16) {
+  const TemporaryFolder folder;
+  const std::string text = test::as_ascii_off(tetrahedron());
+  std::string little = "\xFF\xFE";
+  std::string big = "\xFE\xFF";
+  for (const char character : text) {
+    little += {character, '\0'};
+    big += {'\0', character};
+  }
+  for (const auto& path : {folder.file("little.off", little), folder.file("big.off", big)}) {
+    EXPECT_NO_THROW(check_shape_header(path));
+    test::expect_same(read_shape(path), tetrahedron());
+  }
+}
+
 TEST(ReadShape, ExtensionInCapitals) {
   const TemporaryFolder folder;
   test::expect_same(read_shape(folder.file("t.OFF", test::as_ascii_off(tetrahedron()))), tetrahedron());

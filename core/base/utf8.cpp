@@ -1,4 +1,4 @@
-#include "shapegauge/datasets/files/utf8.h"
+#include "shapegauge/core/base/utf8.h"
 
 #include <cstddef>
 
