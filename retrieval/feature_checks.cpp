@@ -24,7 +24,8 @@ bool are_distances(const DistanceMatrix& table) {
 // Returns the sum of the rounding errors divided by that of the deviations from the columns' means.
 double rounding_of_differences(const DistanceMatrix& features) {
   const double errors = (features - features.cast<float>().cast<double>()).cwiseAbs().sum();
-  const double deviations = (features.rowwise() - features.colwise().mean()).cwiseAbs().sum();
+  const Eigen::RowVectorXd mean = features.colwise().mean();
+  const double deviations = (features.rowwise() - mean).cwiseAbs().sum();
   return errors > 0 && deviations > 0 ? errors / deviations : 0;
 }
 
