@@ -26,7 +26,7 @@ class BuildByCMake(build_ext):
         folder = pathlib.Path(given) if given else pathlib.Path(self.build_temp).resolve()
         if not (folder / "CMakeCache.txt").exists():
             settings = {"CMAKE_BUILD_TYPE": "Release", "SHAPEGAUGE_BUILD_TESTS": "OFF", "SHAPEGAUGE_UNITY_BUILD": "ON",
-                        "SHAPEGAUGE_MPI": "OFF", "Python3_EXECUTABLE": sys.executable}
+                        "Python3_EXECUTABLE": sys.executable}
             options = [f"-D{name}={value}" for name, value in settings.items()]
             subprocess.run(["cmake", "-G", "Ninja", "-S", str(ROOT), "-B", str(folder), *options], check=True)
         subprocess.run(["cmake", "--build", str(folder), "--target", "shapegauge_python"], check=True)

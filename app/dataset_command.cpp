@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/commands.h"
 #include "app/options.h"
@@ -14,6 +15,7 @@
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/experiments/engine/part.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {
@@ -27,6 +29,7 @@ struct LookArguments {
   fs::path classification;
   std::string layout;
   std::string split = "all";
+  std::string part;  ///< parse_part(); empty for all models
   int threads = 0;
 };
 
@@ -115,13 +118,16 @@ int validate(const LookArguments& arguments) {
                            .progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
                              progress.show(stage, done, total);
                            }};
+  std::vector<std::size_t> models(dataset.models.size());
+  std::iota(models.begin(), models.end(), std::size_t{0});
+  if (!arguments.part.empty()) models = parse_part(arguments.part).of(models);
   std::vector<ModelFailure> failures;
-  with_threads(arguments.threads, [&] { failures = validate_models(dataset, control); });
+  with_threads(arguments.threads, [&] { failures = validate_models(dataset, models, control); });
   progress.clear();
   for (const ModelFailure& failure : failures) {
     print_output("{}\n", printable(dataset.models[failure.model].id + ": " + failure.message));
   }
-  print_output("{} of {} models can be used\n", dataset.models.size() - failures.size(), dataset.models.size());
+  print_output("{} of {} models can be used\n", models.size() - failures.size(), models.size());
   return failures.empty() ? exit_success : exit_with_failures;
 }
 
@@ -222,6 +228,8 @@ void add_dataset_command(CLI::App& app, int& status) {
   validate_command->footer("Example: shapegauge dataset validate shrec11");
   const auto validate_arguments = add_look_arguments(validate_command);
   add_threads_option(*validate_command, validate_arguments->threads);
+  add_part_option(*validate_command, validate_arguments->part,
+                  "Read only part K of N of the models: K/N, or auto (Slurm job array, srun, mpirun)");
   validate_command->callback([validate_arguments, &status] { status = validate(*validate_arguments); });
 
   CLI::App* labels_command =

@@ -31,6 +31,10 @@ void add_threads_option(CLI::App& command, int& threads) {
       ->group(computation_options);
 }
 
+CLI::Option* add_part_option(CLI::App& command, std::string& part, const std::string& description) {
+  return command.add_option("--part", part, description)->type_name("K/N")->group(computation_options);
+}
+
 void add_replace_option(CLI::App& command, bool& replace) {
   command.add_flag("--replace", replace, "Overwrite existing files")->group(output_options);
 }

@@ -24,6 +24,9 @@ namespace shapegauge {
 /// Adds --threads, for with_threads().
 void add_threads_option(CLI::App& command, int& threads);
 
+/// Adds --part, for parse_part(). Returns it.
+CLI::Option* add_part_option(CLI::App& command, std::string& part, const std::string& description);
+
 /// Adds --replace, for check_output_files().
 void add_replace_option(CLI::App& command, bool& replace);
 

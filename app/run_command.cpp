@@ -1,14 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -23,9 +20,8 @@
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/distributed/agreement.h"
-#include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/engine/experiment.h"
+#include "shapegauge/experiments/engine/part.h"
 #include "shapegauge/experiments/engine/replay.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/engine/run_control.h"
@@ -60,6 +56,7 @@ struct RunArguments {
   RunSource source;
   fs::path output;
   fs::path plot;
+  std::string part;  ///< parse_part(); empty for the whole run
   int threads = 0;
   bool force = false;
   bool replace = false;
@@ -153,14 +150,13 @@ std::string interruption_text(const Cache& cache) {
                                   "command continues from there";
 }
 
-/// Runs the experiment with the cache and publishes its results in the folder.
-RunOutcome run_with_cache(const RunArguments& arguments, const Experiment& experiment, const fs::path& folder,
-                          ProgressLine& progress, Communicator& ranks) {
+/// Calls the work with the cache and the control of a run.
+template <typename Work>
+auto with_cache(const RunArguments& arguments, ProgressLine& progress, const Work& work) {
   const std::unique_ptr<Cache> cache = cache_for(arguments);
   const CacheWarnings warnings(*cache, progress);
   try {
-    return run_into_folder(experiment, folder, arguments.replace || arguments.force, run_control(arguments, progress),
-                           *cache, ranks);
+    return work(*cache, run_control(arguments, progress));
   } catch (const Interrupted&) {
     throw Interrupted(interruption_text(*cache));
   }
@@ -183,85 +179,38 @@ int report_run(const RunOutcome& outcome, const RunArguments& arguments, const R
   return std::max(replayed, report_flaws(outcome));
 }
 
-int run_request(const RunArguments& arguments, Communicator& ranks) {
-  check_plot(arguments);
-  RequestedRun request;
-  Experiment experiment;
-  fs::path folder;
-  on_all_ranks(ranks, [&] {
-    request = requested_run(arguments.source);
-    experiment = read_experiment(request.document, request.source, request.folder);
-    folder = result_folder(arguments, experiment.name);
-    std::ranges::copy(request.files, std::back_inserter(experiment.input_paths));
-    if (ranks.rank() == 0) warn_of_inputs(request, experiment, arguments.threads);
-  });
-  ProgressLine progress;
-  const RunOutcome outcome = run_with_cache(arguments, experiment, folder, progress, ranks);
-  if (ranks.rank() != 0) return exit_success;
-  progress.clear();
-  return report_run(outcome, arguments, request, folder);
-}
-
-// Runs of several processes.
-
-/// Reports an interruption immediately during its lifetime: after the failure of a process or at the end of a job,
-/// launchers wait for only a second before they kill the processes.
-class InterruptionNotice {
- public:
-  InterruptionNotice(const Communicator& ranks, std::string text) {
-    // Two ranks, since the first may have failed.
-    if (ranks.rank() > 1) return;
-    thread_ = std::thread([this, text = fmt::format("rank {}: {}", ranks.rank(), text)] {
-      while (!ended_ && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      if (!ended_) print_error(text);
-    });
+/// Prints what a part has done; returns the exit status. Omitted shapes are for the run to report.
+int report_part(const PartOutcome& outcome, const Part& part, const fs::path& cache) {
+  const std::string rows = outcome.rows > 0 ? fmt::format(" and scores of {} rows of distances", outcome.rows) : "";
+  print_output("Part {} of {}: {} of {} {}s{} in the cache {}\n", part.number, part.count, outcome.shapes, outcome.all,
+               outcome.noun, rows, printable(cache.string()));
+  for (const LeftOutShape& one : outcome.left_out) {
+    warn(fmt::format("omitted {} {}: {}", outcome.noun, one.id, one.message));
   }
-  InterruptionNotice(const InterruptionNotice&) = delete;
-  InterruptionNotice& operator=(const InterruptionNotice&) = delete;
-  InterruptionNotice(InterruptionNotice&&) = delete;
-  InterruptionNotice& operator=(InterruptionNotice&&) = delete;
-  ~InterruptionNotice() { end(); }
-
-  void end() {
-    ended_ = !interrupted();
-    if (thread_.joinable()) thread_.join();
-  }
-
- private:
-  std::atomic<bool> ended_ = false;
-  std::thread thread_;
-};
-
-/// Runs this process's part of a run of several. Rank 0 prints shared messages. On an error unknown to the others, this
-/// process prints it and aborts all.
-int run_as_one_of_many(RunArguments arguments, Communicator& ranks) {
-  if (arguments.threads == 0) arguments.threads = 1;
-  if (ranks.rank() != 0) set_verbosity(Verbosity::quiet);
-  catch_interruption();
-  ranks.set_waiting([] {
-    if (interrupted()) throw Interrupted();
-  });
-  InterruptionNotice notice(ranks, interruption_text(*cache_for(arguments)));
-  try {
-    return run_request(arguments, ranks);
-  } catch (const SharedError& error) {
-    if (ranks.rank() == 0) print_error(error.what());
-    ranks.broadcast({});  // launchers kill the others when a process fails: report first
-    return exit_unusable_input;
-  } catch (const Interrupted&) {
-    notice.end();
-    ranks.abort(interruption_status());
-    return interruption_status();
-  } catch (const std::exception& error) {
-    print_error(fmt::format("rank {}: {}", ranks.rank(), error.what()));
-    ranks.abort(exit_unusable_input);
-    return exit_unusable_input;
-  }
+  return exit_success;
 }
 
 int run(const RunArguments& arguments) {
-  const std::unique_ptr<Communicator> ranks = started_processes();
-  return ranks->size() == 1 ? run_request(arguments, *ranks) : run_as_one_of_many(arguments, *ranks);
+  check_plot(arguments);
+  const std::optional<Part> part = arguments.part.empty() ? std::nullopt : std::optional(parse_part(arguments.part));
+  const RequestedRun request = requested_run(arguments.source);
+  Experiment experiment = read_experiment(request.document, request.source, request.folder);
+  const fs::path folder = result_folder(arguments, experiment.name);
+  std::ranges::copy(request.files, std::back_inserter(experiment.input_paths));
+  warn_of_inputs(request, experiment, arguments.threads);
+  ProgressLine progress;
+  if (part) {
+    const PartOutcome outcome = with_cache(arguments, progress, [&](Cache& cache, const RunControl& control) {
+      return run_part(experiment, *part, folder, control, cache);
+    });
+    progress.clear();
+    return report_part(outcome, *part, chosen_cache(arguments.cache));
+  }
+  const RunOutcome outcome = with_cache(arguments, progress, [&](Cache& cache, const RunControl& control) {
+    return run_into_folder(experiment, folder, arguments.replace || arguments.force, control, cache);
+  });
+  progress.clear();
+  return report_run(outcome, arguments, request, folder);
 }
 
 }  // namespace
@@ -272,8 +221,9 @@ void add_run_command(CLI::App& app, int& status) {
       "Example: shapegauge run configs/shrec11_table2.json --set signatures.0.histogram.bins=40\nExisting results of "
       "the same configuration are replaced, those of another configuration only with --replace or\n--force.\nResults "
       "for each shape are cached. An interrupted run continues from the cache, and changed bins do not "
-      "recompute\nfields. See shapegauge cache --help.\nUnder mpirun or srun the processes share the work, each with "
-      "one thread by default.\n--replay results/NAME/manifest.json repeats the run of the manifest without the cache, "
+      "recompute\nfields. See shapegauge cache --help.\n--part K/N computes one of N parts of the work into "
+      "the cache, on any machine that shares it; the run without --part\nthen writes the results.\n--replay "
+      "results/NAME/manifest.json repeats the run of the manifest without the cache, "
       "into results/NAME-replay\nor --output, and compares each output with the recorded one.");
   const auto arguments = std::make_shared<RunArguments>();
   begin_option_group(*command, input_options);
@@ -293,12 +243,17 @@ void add_run_command(CLI::App& app, int& status) {
   command->add_flag("--replace", arguments->replace, "Overwrite results of another configuration");
   command->add_flag("--force", arguments->force, "Like --replace, and ignore the contents of the cache");
   add_cache_option(*command, arguments->cache);
-  command->add_flag("--no-cache", arguments->cache.none, "Do not use a cache")
-      ->excludes("--cache")
-      ->group(computation_options);
+  CLI::Option* const no_cache = command->add_flag("--no-cache", arguments->cache.none, "Do not use a cache")
+                                    ->excludes("--cache")
+                                    ->group(computation_options);
+  CLI::Option* const part = add_part_option(*command, arguments->part,
+                                            "Compute only part K of N into the cache: K/N, or auto (Slurm job array, "
+                                            "srun, mpirun)")
+                                ->excludes(no_cache);
   begin_option_group(*command, "Replay");
   command->add_option("--replay", arguments->source.replay, "Manifest of a run to repeat (manifest.json)")
-      ->excludes(configuration);
+      ->excludes(configuration)
+      ->excludes(part);
   command->add_option("--dataset-root", arguments->source.dataset_root, "Folder of the data set, for --replay");
   command->callback([arguments, &status] { status = run(*arguments); });
 }

@@ -59,9 +59,8 @@ int report_replay(const nlohmann::json& recorded, const std::filesystem::path& r
 }
 
 std::string cache_text(const CacheReport& cache) {
-  constexpr std::array<std::pair<EntryKind, std::string_view>, 7> shown{{{EntryKind::shape, "shapes"},
+  constexpr std::array<std::pair<EntryKind, std::string_view>, 6> shown{{{EntryKind::shape, "shapes"},
                                                                          {EntryKind::field, "fields"},
-                                                                         {EntryKind::histogram, "histograms"},
                                                                          {EntryKind::features, "features"},
                                                                          {EntryKind::distances, "distance matrices"},
                                                                          {EntryKind::segmentation, "segmentations"},

@@ -1,6 +1,5 @@
-// Distances and measures of many synthetic signatures, in one process or, under mpirun, on several:
-// seconds, memory, traffic. Results are in docs/notes/scaling.md; scripts/simulate_scaling extrapolates
-// them.
+// Distances and measures of a part of the rows of many synthetic signatures on one thread: seconds and memory.
+// Results are in docs/notes/scaling.md; scripts/simulate_scaling extrapolates them.
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +9,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <sys/resource.h>
-#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/stopwatch.h"
-#include "shapegauge/experiments/distributed/communicator.h"
-#include "shapegauge/experiments/distributed/packing.h"
+#include "shapegauge/experiments/engine/part.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/retrieval/judge_distances.h"
 
@@ -26,15 +23,15 @@ namespace {
 
 constexpr int models_of_class = 50;
 
-/// Histograms with a peak that depends on the class, plus noise; identical on all ranks.
-Signatures make_signatures(const RankRange& models, int bins) {
-  Signatures signatures(static_cast<Eigen::Index>(models.size()), bins);
-  for (std::size_t model = models.first; model < models.last; ++model) {
+/// Histograms with a peak that depends on the class, plus noise.
+Signatures make_signatures(std::size_t models, int bins) {
+  Signatures signatures(static_cast<Eigen::Index>(models), bins);
+  for (std::size_t model = 0; model < models; ++model) {
     RandomNumbers random(model);
     RandomNumbers of_class(1'000'000'007 + model / models_of_class);
     const double centre = bins * of_class.uniform(0, 1);
     const double width = bins * (0.02 + 0.1 * of_class.uniform(0, 1));
-    auto row = signatures.row(static_cast<Eigen::Index>(model - models.first));
+    auto row = signatures.row(static_cast<Eigen::Index>(model));
     for (int bin = 0; bin < bins; ++bin) {
       const double place = (bin - centre) / width;
       row[bin] = static_cast<float>(std::exp(-place * place / 2) + 0.2 * random.uniform(0, 1));
@@ -59,51 +56,35 @@ Usage usage() {
           .peak_megabytes = static_cast<double>(all.ru_maxrss) / 1024};
 }
 
-/// Seconds for distributing empty jobs from the first rank to all others.
-double hand_out(std::size_t jobs, Communicator& ranks) {
-  const Stopwatch stopwatch;
-  ranks.share_jobs(jobs, [&](Jobs& shared) {
-    while ((ranks.size() == 1 || ranks.rank() > 0) && shared.next()) continue;
-  });
-  return stopwatch.seconds();
-}
-
-void measure(std::size_t models, int bins, Communicator& ranks) {
-  constexpr std::size_t jobs = 10'000;
-  const double handed_out = hand_out(jobs, ranks);
-  const RankRange own = part_of_rank(models, ranks.rank(), ranks.size());
-  const Signatures signatures = make_signatures(own, bins);
+void measure(std::size_t models, int bins, const Part& part) {
+  constexpr Eigen::Index rows_of_block = 512;
+  const Signatures signatures = make_signatures(models, bins);
   std::vector<int> labels;
   for (std::size_t model = 0; model < models; ++model) labels.push_back(static_cast<int>(model / models_of_class));
+  const RetrievalTask task = leave_one_out(labels);
+  const std::vector<EvaluationOptions> evaluations(1);
 
   const Usage before = usage();
   const Stopwatch stopwatch;
-  DistanceJudge judge(labels, own, {.evaluations = {{}}, .overview = false, .largest = 0, .file = {}}, ranks);
-  visit_distances(distances().at("l1"), {.rows = signatures, .all = models}, ranks,
-                  [&](Eigen::Index first, const DistanceTable& rows) { judge.add(first, rows); });
-  const double own_seconds = stopwatch.seconds();
-  const Judgement judgement = judge.finish();
-  const double seconds = stopwatch.seconds();
-
-  Usage after = usage();
-  after.processor_seconds -= before.processor_seconds;
-  const std::vector<std::string> all =
-      ranks.gather(std::move(Packer().add(after).add(own_seconds).add(judge.seconds())).bytes());
-  if (ranks.rank() != 0) return;
-  nlohmann::ordered_json json{{"models", models},
-                              {"bins", bins},
-                              {"ranks", ranks.size()},
-                              {"seconds", seconds},
-                              {"micro_seconds_to_hand_out", 1e6 * handed_out / jobs},
-                              {"FT", judgement.evaluations.front().micro[1]}};
-  for (const std::string& one : all) {
-    Unpacker unpacker(one);
-    const auto of_rank = unpacker.take_value<Usage>();
-    json["processor_seconds"].push_back(of_rank.processor_seconds);
-    json["peak_megabytes"].push_back(of_rank.peak_megabytes);
-    json["seconds_of_rank"].push_back(unpacker.take_value<double>());
-    json["seconds_of_ranking"].push_back(unpacker.take_value<double>());
+  double evaluating = 0;
+  Eigen::Index rows = 0;
+  std::size_t block = 0;
+  for (Eigen::Index first = 0; first < signatures.rows(); first += rows_of_block) {
+    if (!part.has(block++)) continue;
+    const RowRange range{.first = first, .last = std::min(first + rows_of_block, signatures.rows())};
+    const auto visit = [&](const RowVisitor& judge) {
+      visit_distances(distances().at("l1"), signatures, range, judge);
+    };
+    (void)judge_rows(task, evaluations, range, visit, evaluating);
+    rows += range.last - range.first;
   }
+  const nlohmann::ordered_json json{{"models", models},
+                                    {"bins", bins},
+                                    {"rows", rows},
+                                    {"seconds", stopwatch.seconds()},
+                                    {"seconds_of_ranking", evaluating},
+                                    {"processor_seconds", usage().processor_seconds - before.processor_seconds},
+                                    {"peak_megabytes", usage().peak_megabytes}};
   fmt::print("{}\n", json.dump());
 }
 
@@ -114,8 +95,8 @@ void measure(std::size_t models, int bins, Communicator& ranks) {
 int main(int count, char** arguments) try {
   const std::size_t models = count > 1 ? std::stoul(arguments[1]) : 10'000;
   const int bins = count > 2 ? std::stoi(arguments[2]) : 80;
-  const auto ranks = shapegauge::started_processes();
-  shapegauge::with_threads(1, [&] { shapegauge::measure(models, bins, *ranks); });
+  const shapegauge::Part part = shapegauge::parse_part(count > 3 ? arguments[3] : "1/1");
+  shapegauge::with_threads(1, [&] { shapegauge::measure(models, bins, part); });
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "measure_scaling: {}\n", error.what());

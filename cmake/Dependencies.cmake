@@ -82,14 +82,3 @@ if(shapegauge_missing)
   message(FATAL_ERROR "Not found:\n  ${shapegauge_missing}\n"
                       "On Debian: apt-get install --no-install-recommends ${shapegauge_missing_packages}")
 endif()
-# C interface of MPI only: the C++ bindings were removed from the standard, and Open MPI's headers of them cause
-# warnings.
-set(MPI_CXX_SKIP_MPICXX ON)
-if(SHAPEGAUGE_MPI STREQUAL "AUTO")
-  find_package(MPI QUIET COMPONENTS CXX)
-  if(NOT MPI_CXX_FOUND)
-    message(STATUS "No MPI found: runs of several processes are left out (SHAPEGAUGE_MPI)")
-  endif()
-elseif(SHAPEGAUGE_MPI)
-  find_package(MPI REQUIRED COMPONENTS CXX)
-endif()

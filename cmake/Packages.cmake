@@ -1,4 +1,4 @@
-# cpack -G DEB: the Debian packages shapegauge, shapegauge-mpi, libshapegauge-dev and python3-shapegauge
+# cpack -G DEB: the Debian packages shapegauge, libshapegauge-dev and python3-shapegauge
 # (docs/install.md). Included last, as the variables must be there before CPack.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -6,9 +6,6 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL program development)
 if(SHAPEGAUGE_BUILD_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
-endif()
-if(TARGET shapegauge_mpi)
-  list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -25,20 +22,6 @@ point clouds, turns it into signatures, compares shapes by them, cuts shapes
 into parts, and evaluates any retrieval method the way the SHREC contests do.
 
 This package has the program, its documentation and its configurations.")
-
-if(TARGET shapegauge_mpi)
-  set(CPACK_DEBIAN_MPI_PACKAGE_NAME shapegauge-mpi)
-  set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
-  set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "shapegauge (= ${PROJECT_VERSION}), openmpi-bin")
-  set(CPACK_COMPONENT_MPI_DESCRIPTION
-      "shapegauge measures the shape diameter function (thickness) of meshes and
-point clouds, turns it into signatures, compares shapes by them, cuts shapes
-into parts, and evaluates any retrieval method the way the SHREC contests do.
-
-This package has the module with which a run of the program spreads over many
-processes and machines, under mpirun or Slurm.")
-endif()
 
 # Measures need Eigen and TBB only; other libraries need more, which find_package(shapegauge) reports.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshapegauge-dev)

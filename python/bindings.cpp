@@ -105,7 +105,7 @@ FinishedRun run_configuration(const std::string& document, const std::string& so
     Experiment experiment = read_experiment(configuration, source, folder);
     std::ranges::move(files, std::back_inserter(experiment.input_paths));
     Cache cache(cache_folder.value_or(default_cache_folder()), false);
-    RunOutcome outcome = run_into_folder(experiment, output, replace, control, cache, *single_process());
+    RunOutcome outcome = run_into_folder(experiment, output, replace, control, cache);
     finished = {.summary = std::move(outcome.summary), .warnings = std::move(outcome.warnings), .left_out = {}};
     for (const LeftOutShape& one : outcome.left_out) finished.left_out.push_back(one.id + ": " + one.message);
     std::ranges::move(outcome.incomplete, std::back_inserter(finished.warnings));

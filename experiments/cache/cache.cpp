@@ -41,29 +41,38 @@ namespace fs = std::filesystem;
 
 Cache::Cache(fs::path folder, bool recompute) : folder_(std::move(folder)), recompute_(recompute) {}
 
-std::optional<nlohmann::json> Cache::lookup_value(EntryKind kind, const std::string& key) {
+Cache::Turn::Turn(Cache& cache, std::string key) : cache_(&cache), key_(std::move(key)) {
+  std::unique_lock lock(cache.mutex_);
+  cache.turn_ended_.wait(lock, [&] { return !cache.keys_in_work_.contains(key_); });
+  cache.keys_in_work_.insert(key_);
+}
+
+Cache::Turn::~Turn() {
+  {
+    const std::scoped_lock lock(cache_->mutex_);
+    cache_->keys_in_work_.erase(key_);
+  }
+  cache_->turn_ended_.notify_all();
+}
+
+std::optional<std::string> Cache::read(EntryKind kind, const std::string& key) {
   if (folder_.empty() || recompute_) return std::nullopt;
   const fs::path path = entry_path(folder_, kind, key);
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   try {
-    if (const auto content = decode_entry(kind, key, read_file_bytes(path))) {
-      nlohmann::json value = nlohmann::json::from_cbor(*content);
+    if (auto content = decode_entry(kind, key, read_file_bytes(path))) {
       fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // trim_cache() goes by that
-      return value;
+      return content;
     }
   } catch (const InputError&) {                           // empty, or not to be read
     if (!fs::exists(path, ignored)) return std::nullopt;  // another run has removed it just now
-  } catch (const nlohmann::json::exception&) {
   }
   report_damaged(kind, key);
   return std::nullopt;
 }
 
-void Cache::store(EntryKind kind, const std::string& key, const nlohmann::json& value) {
-  if (folder_.empty() || !writable_) return;
-  const std::vector<std::uint8_t> cbor = nlohmann::json::to_cbor(value);
-  const std::string content(cbor.begin(), cbor.end());
+void Cache::write(EntryKind kind, const std::string& key, const std::string& content) {
   const fs::path path = entry_path(folder_, kind, key);
   try {
     std::error_code failure;

@@ -2,15 +2,19 @@
 
 #include <array>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <filesystem>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#include "shapegauge/experiments/cache/codec.h"
 
 namespace shapegauge {
 
@@ -19,7 +23,6 @@ enum class EntryKind {
   shape,         ///< findings of the preparation of a shape: diagnostics, scale, noise
   samples,       ///< weights of a shape's samples
   field,         ///< values of a field on a shape
-  histogram,     ///< histogram of one field on one shape
   distances,     ///< distance matrix
   picture,       ///< picture of a shape, for the report
   view,          ///< interactive view of a shape, for the report
@@ -27,15 +30,15 @@ enum class EntryKind {
   learnt,        ///< features that a descriptor has learnt from a data set
   segmentation,  ///< parts of a shape
   comparison,    ///< measurements on a shape of a comparison
-  evaluation,    ///< evaluation of a submission to a leaderboard
+  evaluation,    ///< scores of a submission to a leaderboard, or of rows of a distance matrix
 };
 
-inline constexpr std::size_t number_of_entry_kinds = 12;
+inline constexpr std::size_t number_of_entry_kinds = 11;
 
 /// Names of the kinds, which are also the extensions of the entries' files.
 inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{
-    "shape", "samples",  "field",  "histogram",    "distances",  "picture",
-    "view",  "features", "learnt", "segmentation", "comparison", "evaluation"};
+    "shape",    "samples", "field",        "distances",  "picture",   "view",
+    "features", "learnt",  "segmentation", "comparison", "evaluation"};
 
 constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
 
@@ -59,7 +62,7 @@ struct CacheReport {
 };
 
 /// Store of results on disk. The key of a result covers everything that the result depends on
-/// (signatures/cache_records.h).
+/// (signatures/cache_keys.h); values are encoded by members() (codec.h).
 ///
 /// Every entry is one file, written atomically and verified on reading. Safe for concurrent use by several threads and
 /// processes. Disk errors never fail a run: missing results are computed, results that cannot be stored are not, and
@@ -69,29 +72,43 @@ class Cache {
   /// Disables caching: finds nothing and stores nothing.
   Cache() = default;
   /// Opens a cache in the folder, which is created with the first entry; an empty path disables caching. With
-  /// `recompute`, lookups find nothing, and computed results replace existing entries.
+  /// `recompute`, results are not found, and computed ones replace existing entries.
   explicit Cache(std::filesystem::path folder, bool recompute = false);
 
-  /// Looks up the value under the key and converts it by `read`. Nothing if there is none or it is damaged, which adds
-  /// a warning. `read` throws nlohmann::json::exception for a malformed value.
-  template <typename Read>
-  auto lookup(EntryKind kind, const std::string& key, const Read& read)
-      -> std::optional<std::invoke_result_t<Read, const nlohmann::json&>> {
-    const std::optional<nlohmann::json> value = lookup_value(kind, key);
-    if (!value) return std::nullopt;
+  /// Returns the result under the key: found, or computed and stored. Threads that request the same key compute it
+  /// once. Throws the errors of `compute`, whose result is then not stored.
+  template <typename Compute>
+  auto get(EntryKind kind, const std::string& key, const Compute& compute) {
+    using Value = std::decay_t<std::invoke_result_t<Compute>>;
+    const Turn turn(*this, key);
+    std::optional<Value> found = find<Value>(kind, key);
+    if (found) return *std::move(found);
+    Value value = compute();
+    put(kind, key, value);
+    return value;
+  }
+
+  /// Returns the result under the key. Nothing if there is none or it is damaged, which adds a warning.
+  template <typename Value>
+  std::optional<Value> find(EntryKind kind, const std::string& key) {
+    const std::optional<std::string> bytes = read(kind, key);
+    if (!bytes) return std::nullopt;
     try {
-      return read(*value);
-    } catch (const nlohmann::json::exception&) {
+      Value value = decode<Value>(*bytes);
+      count(kind, true);
+      return value;
+    } catch (const DamagedBytes&) {
       report_damaged(kind, key);
       return std::nullopt;
     }
   }
 
-  /// Stores a value under the key. Binary values and numbers are restored bit by bit.
-  void store(EntryKind kind, const std::string& key, const nlohmann::json& value);
-
-  /// Counts a result as found in the cache or as computed, for the report.
-  void count(EntryKind kind, bool hit);
+  /// Stores a computed result under the key.
+  template <typename Value>
+  void put(EntryKind kind, const std::string& key, const Value& value) {
+    count(kind, false);
+    if (!folder_.empty() && writable_) write(kind, key, encode(value));
+  }
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] CacheReport report() const;
@@ -99,13 +116,32 @@ class Cache {
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
-  std::optional<nlohmann::json> lookup_value(EntryKind kind, const std::string& key);
+  /// Time in which no other thread computes the result of a key.
+  class Turn {
+   public:
+    Turn(Cache& cache, std::string key);
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+    Turn(Turn&&) = delete;
+    Turn& operator=(Turn&&) = delete;
+    ~Turn();
+
+   private:
+    Cache* cache_;
+    std::string key_;
+  };
+
+  std::optional<std::string> read(EntryKind kind, const std::string& key);
+  void write(EntryKind kind, const std::string& key, const std::string& content);
+  void count(EntryKind kind, bool hit);
   void report_damaged(EntryKind kind, const std::string& key);
 
   std::filesystem::path folder_;
   bool recompute_ = false;
   std::atomic<bool> writable_ = true;
   mutable std::mutex mutex_;  ///< guards what follows
+  std::condition_variable turn_ended_;
+  std::set<std::string> keys_in_work_;
   std::array<CacheUse, number_of_entry_kinds> uses_{};
   std::size_t damaged_ = 0;
   std::filesystem::path first_damaged_;

@@ -2,11 +2,10 @@
 
 #include <cstdint>
 #include <fmt/format.h>
-#include <optional>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
-#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 
@@ -37,13 +36,6 @@ void publish(StagedResults& staged, const fs::path& destination, const Experimen
   staged.publish(outcome.files);
 }
 
-/// Throws SharedError if the ranks have different configurations. Collective.
-void compare_configurations(const nlohmann::json& configuration, Communicator& ranks) {
-  const std::string own = configuration.dump();
-  const std::string first = ranks.broadcast(own);
-  agree_on(own == first ? "" : fmt::format("rank {} has another configuration than rank 0", ranks.rank()), ranks);
-}
-
 }  // namespace
 
 nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const RunOutcome& outcome,
@@ -57,26 +49,26 @@ nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const Ru
 }
 
 RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destination, bool replace,
-                           const RunControl& control, Cache& cache, Communicator& ranks) {
-  std::optional<FolderLock> lock;
-  std::optional<StagedResults> staged;
-  std::uintmax_t limit = 0;
-  const std::string folder = on_first_rank(ranks, [&] {
-    limit = cache_limit();  // reports a wrong setting before the run
-    check_results_are_no_inputs(destination, main_results(experiment), experiment.input_paths);
-    lock.emplace(destination);
-    prepare_result_folder(destination, experiment.configuration, replace);
-    staged.emplace(destination);
-    return fs::absolute(staged->folder()).string();
-  });
-  compare_configurations(experiment.configuration, ranks);
-  RunOutcome outcome = experiment.run(
-      {.control = control, .cache = cache, .ranks = ranks, .generated = destination / "dataset", .results = folder});
-  on_all_ranks(ranks, [&] {
-    if (staged) with_threads(control.threads, [&] { publish(*staged, destination, experiment, outcome); });
-  });
-  if (ranks.rank() == 0 && !cache.folder().empty()) trim_cache(cache.folder(), limit);
+                           const RunControl& control, Cache& cache) {
+  const std::uintmax_t limit = cache_limit();  // reports a wrong setting before the run
+  check_results_are_no_inputs(destination, main_results(experiment), experiment.input_paths);
+  const FolderLock lock(destination);
+  prepare_result_folder(destination, experiment.configuration, replace);
+  StagedResults staged(destination);
+  RunOutcome outcome = experiment.run({.control = control,
+                                       .cache = cache,
+                                       .generated = destination / "dataset",
+                                       .results = fs::absolute(staged.folder())});
+  with_threads(control.threads, [&] { publish(staged, destination, experiment, outcome); });
+  if (!cache.folder().empty()) trim_cache(cache.folder(), limit);
   return outcome;
+}
+
+PartOutcome run_part(const Experiment& experiment, const Part& part, const fs::path& destination,
+                     const RunControl& control, Cache& cache) {
+  if (!experiment.run_part) throw InputError("experiments of this kind have no parts");
+  if (cache.folder().empty()) throw InputError("`part` needs a folder that all parts share as `cache`");
+  return experiment.run_part({.control = control, .cache = cache, .generated = destination / "dataset"}, part);
 }
 
 }  // namespace shapegauge

@@ -10,7 +10,7 @@
 
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/document_paths.h"
-#include "shapegauge/experiments/distributed/communicator.h"
+#include "shapegauge/experiments/engine/part.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {
@@ -19,12 +19,11 @@ namespace shapegauge {
 struct RunContext {
   const RunControl& control;
   Cache& cache;
-  Communicator& ranks;
   std::filesystem::path generated = {};  ///< folder for a generated data set; it outlives the run
-  std::filesystem::path results = {};    ///< folder for result files; the same for all ranks
+  std::filesystem::path results = {};    ///< folder for result files
 };
 
-/// Outcome of a run. With several processes, known to rank 0.
+/// Outcome of a run.
 // NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct RunOutcome {
   std::vector<std::string> files = {};    ///< names of files written to RunContext::results, without the manifest
@@ -40,6 +39,15 @@ struct RunOutcome {
   CacheReport cache = {};
 };
 
+/// Outcome of a part of a run, whose results are in the cache.
+struct PartOutcome {
+  std::size_t shapes = 0;  ///< of the part
+  std::size_t all = 0;     ///< number of shapes of the run
+  std::vector<LeftOutShape> left_out = {};
+  std::string_view noun = "model";
+  std::size_t rows = 0;  ///< rows of distance matrices that the part has evaluated
+};
+
 /// Validated configuration of an experiment with the function that runs it.
 // NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct Experiment {
@@ -50,8 +58,11 @@ struct Experiment {
   /// Reads the inputs with that many threads (0: all) as the manifest would record them; null if they are known only
   /// after the run.
   std::function<nlohmann::json(int threads)> inputs = {};
-  /// Runs the experiment. Throws InputError for unusable data, and Interrupted. Collective.
+  /// Runs the experiment. Throws InputError for unusable data, and Interrupted.
   std::function<RunOutcome(const RunContext&)> run;
+  /// Computes a part of what the run needs and stores it in the cache. Throws as run() does. Null if the kind of
+  /// experiment has no parts.
+  std::function<PartOutcome(const RunContext&, const Part&)> run_part = {};
 };
 
 /// Kind of experiment: how its documents are recognised, validated and run.
@@ -77,11 +88,16 @@ nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const Ru
                                    const std::filesystem::path& folder);
 
 /// Runs an experiment and publishes its results in a folder, which is created if missing and locked meanwhile.
-/// Collective; rank 0 has the folder and the outcome. Results of an earlier run are replaced when the new ones are
-/// complete, those of another configuration only with `replace`. Finally trims the cache. Throws InputError for an
-/// unusable folder, for results that would overwrite an input, and for different configurations of ranks, and
-/// the errors of the experiment.
+/// Results of an earlier run are replaced when the new ones are complete, those of another configuration only with
+/// `replace`. Finally trims the cache. Throws InputError for an unusable folder and for results that would overwrite an
+/// input, and the errors of the experiment.
 RunOutcome run_into_folder(const Experiment& experiment, const std::filesystem::path& destination, bool replace,
-                           const RunControl& control, Cache& cache, Communicator& ranks);
+                           const RunControl& control, Cache& cache);
+
+/// Computes a part of an experiment with results in the folder, which only receives a generated data set. Any number of
+/// processes may do so at the same time, also with the same part. The cache is not trimmed. Throws InputError for an
+/// experiment without parts and for a disabled cache, and the errors of the experiment.
+PartOutcome run_part(const Experiment& experiment, const Part& part, const std::filesystem::path& destination,
+                     const RunControl& control, Cache& cache);
 
 }  // namespace shapegauge

@@ -1,14 +1,18 @@
 #include "shapegauge/experiments/engine/generated_dataset.h"
 
+#include <chrono>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <thread>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/engine/result_folder.h"
 
 namespace shapegauge {
 
@@ -16,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+
+constexpr const char* record_name = "generated.json";
 
 /// Returns the folder's record of its data set; null if there is none.
 Json record_in(const fs::path& file) {
@@ -27,22 +33,23 @@ Json record_in(const fs::path& file) {
   }
 }
 
-void generate(const fs::path& folder, const GeneratorOptions& options, const RunControl& control) {
-  const fs::path record_file = folder / "generated.json";
-  Json record{{"generate", to_json(options)}, {"version", version()}, {"commit", commit()}, {"complete", true}};
-  const Json earlier = record_in(record_file);
-  if (earlier == record) return;
+/// Returns true if the folder has no files but the lock.
+bool has_only_lock(const fs::path& folder) {
+  return std::next(fs::directory_iterator(folder)) == fs::directory_iterator();
+}
+
+void generate(const fs::path& folder, const GeneratorOptions& options, Json record, const Json& earlier,
+              const RunControl& control) {
+  const fs::path record_file = folder / record_name;
   if (earlier.is_null() && fs::exists(record_file)) {
     throw InputError(fmt::format("cannot generate a data set in {}: {} is not the record of one; use another folder",
                                  folder.string(), record_file.string()));
   }
-
   // The record is written first, to recognise the folder after an interruption.
-  fs::create_directories(folder);
   record["complete"] = false;
   GeneratorOptions now = options;
   now.force = earlier.is_object();
-  if (now.force || fs::is_empty(folder)) write_file_atomically(record_file, record.dump(2) + "\n");
+  if (now.force || has_only_lock(folder)) write_file_atomically(record_file, record.dump(2) + "\n");
   generate_dataset(folder, now, [&](int done, int total) {
     if (control.interrupted()) throw Interrupted();
     control.progress("generating models", static_cast<std::size_t>(done), static_cast<std::size_t>(total));
@@ -53,11 +60,15 @@ void generate(const fs::path& folder, const GeneratorOptions& options, const Run
 
 }  // namespace
 
-void prepare_generated(const fs::path& folder, const GeneratorOptions& options, const RunControl& control,
-                       Communicator& ranks) {
-  on_all_ranks(ranks, [&] {
-    if (ranks.rank() == 0) generate(folder, options, control);
+void prepare_generated(const fs::path& folder, const GeneratorOptions& options, const RunControl& control) {
+  const Json record{{"generate", to_json(options)}, {"version", version()}, {"commit", commit()}, {"complete", true}};
+  if (record_in(folder / record_name) == record) return;
+  const FolderLock lock(folder, [&] {
+    if (control.interrupted()) throw Interrupted();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   });
+  const Json earlier = record_in(folder / record_name);
+  if (earlier != record) generate(folder, options, record, earlier, control);
 }
 
 }  // namespace shapegauge

@@ -3,15 +3,13 @@
 #include <filesystem>
 
 #include "shapegauge/datasets/generator/generate_dataset.h"
-#include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {
 
-/// Generates a data set in the folder unless this version and commit already did so with the same options. Collective:
-/// rank 0 generates. Throws InputError as generate_dataset() does and for a file "generated.json" that is not the
-/// record of a generated data set; throws Interrupted.
-void prepare_generated(const std::filesystem::path& folder, const GeneratorOptions& options, const RunControl& control,
-                       Communicator& ranks);
+/// Generates a data set in the folder unless this version and commit already did so with the same options. Waits while
+/// another process generates there. Throws InputError as generate_dataset() does and for a file "generated.json" that
+/// is not the record of a generated data set; throws Interrupted.
+void prepare_generated(const std::filesystem::path& folder, const GeneratorOptions& options, const RunControl& control);
 
 }  // namespace shapegauge

@@ -131,7 +131,14 @@ std::vector<std::string> file_safe_names(std::span<const std::string> names) {
   return safe_names;
 }
 
-FolderLock::FolderLock(const fs::path& folder) : path_(folder / ".shapegauge-lock") {
+FolderLock::FolderLock(const fs::path& folder)
+    : FolderLock(folder, [&] {
+        throw InputError(fmt::format("another run is writing to {}; wait for it, or use another folder with `output`",
+                                     folder.string()));
+      }) {}
+
+FolderLock::FolderLock(const fs::path& folder, const std::function<void()>& while_locked)
+    : path_(folder / ".shapegauge-lock") {
   make_folder(folder);
   while (true) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -140,14 +147,10 @@ FolderLock::FolderLock(const fs::path& folder) : path_(folder / ".shapegauge-loc
           fmt::format("cannot write to the folder {}: {}", folder.string(), std::generic_category().message(errno)));
     }
     const int error = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
-    if (error == EWOULDBLOCK) {
-      ::close(descriptor_);
-      throw InputError(fmt::format("another run is writing to {}; wait for it, or use another folder with `output`",
-                                   folder.string()));
-    }
     // The previous owner may have removed the file: a lock on a removed file has no effect.
-    if (error != 0 || is_file_of(descriptor_, path_)) return;
+    if (error != EWOULDBLOCK && (error != 0 || is_file_of(descriptor_, path_))) return;
     ::close(descriptor_);
+    if (error == EWOULDBLOCK) while_locked();
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
@@ -24,6 +25,8 @@ class FolderLock {
   /// Creates the folder if missing and locks it. Throws InputError if it cannot be created or written to, or if another
   /// run has locked it.
   explicit FolderLock(const std::filesystem::path& folder);
+  /// The same, but calls `while_locked` again and again while another run has locked it.
+  FolderLock(const std::filesystem::path& folder, const std::function<void()>& while_locked);
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
   FolderLock(FolderLock&&) = delete;

@@ -12,7 +12,6 @@
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/cache/cache.h"
-#include "shapegauge/experiments/distributed/communicator.h"
 
 namespace shapegauge {
 
@@ -59,24 +58,14 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
                                          bool stop_at_failure, const RunControl& control,
                                          const std::function<void(std::size_t model)>& job);
 
-/// Runs the jobs on all ranks, called with the same models; each returns the failures of its own jobs.
-std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
-                                         bool stop_at_failure, const RunControl& control, Communicator& ranks,
-                                         const std::function<void(std::size_t model)>& job);
-
-/// Like for_each_model(), but a rank works on one model at a time, in the calling thread: each model has all threads.
+/// Like for_each_model(), but works on one model at a time, in the calling thread: each model has all threads.
 std::vector<ModelFailure> for_each_model_in_turn(std::span<const std::size_t> models, std::string_view stage,
-                                                 bool stop_at_failure, const RunControl& control, Communicator& ranks,
+                                                 bool stop_at_failure, const RunControl& control,
                                                  const std::function<void(std::size_t model)>& job);
 
-/// Returns the failures of all ranks, in the models' order. Collective.
-std::vector<ModelFailure> failures_of_all(const std::vector<ModelFailure>& own, Communicator& ranks);
-
-/// Sums the cache reports of all ranks, on rank 0. Collective.
-CacheReport cache_report(const Cache& cache, Communicator& ranks);
-
-/// Reads every model in parallel as a run would, in the calling TBB arena, and returns the unusable ones in order.
+/// Reads these models in parallel as a run would, in the calling TBB arena, and returns the unusable ones in order.
 /// Throws Interrupted.
-std::vector<ModelFailure> validate_models(const Dataset& dataset, const RunControl& control);
+std::vector<ModelFailure> validate_models(const Dataset& dataset, std::span<const std::size_t> models,
+                                          const RunControl& control);
 
 }  // namespace shapegauge

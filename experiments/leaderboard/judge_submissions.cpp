@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/experiments/engine/manifest.h"
-#include "shapegauge/experiments/leaderboard/evaluation_record.h"
 
 namespace shapegauge {
 
@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Cache version of evaluations; see docs/manual/cache.md.
-constexpr int judged_version = 3;
+constexpr int judged_version = 4;
 
 // Evaluation of one submission, independent of its JSON file.
 struct JudgedFile {
@@ -37,26 +37,9 @@ struct JudgedFile {
   std::vector<std::string> warnings;
 };
 
-Json to_record(const JudgedFile& judged) {
-  return {{"name", judged.name},
-          {"evaluation", to_record(judged.evaluation)},
-          {"query_ids", judged.query_ids},
-          {"class_names", judged.class_names},
-          {"labels", judged.labels},
-          {"fit_for_report", judged.fit_for_report},
-          {"wrong_kind", judged.wrong_kind},
-          {"warnings", judged.warnings}};
-}
-
-JudgedFile judged_from_record(const Json& record) {
-  return {.name = record.at("name").get<std::string>(),
-          .evaluation = evaluation_from_record(record.at("evaluation")),
-          .query_ids = record.at("query_ids").get<std::vector<std::string>>(),
-          .class_names = record.at("class_names").get<std::vector<std::string>>(),
-          .labels = record.at("labels").get<std::vector<int>>(),
-          .fit_for_report = record.at("fit_for_report").get<bool>(),
-          .wrong_kind = record.at("wrong_kind").get<std::string>(),
-          .warnings = record.at("warnings").get<std::vector<std::string>>()};
+auto members(JudgedFile& judged) {
+  auto& [name, evaluation, query_ids, class_names, labels, fit_for_report, wrong_kind, warnings] = judged;
+  return std::tie(name, evaluation, query_ids, class_names, labels, fit_for_report, wrong_kind, warnings);
 }
 
 // Keys of evaluations. They name every member of the inputs: a new member does not compile until its key has it.
@@ -202,17 +185,7 @@ class Judging {
   }
 
   JudgedFile through_cache(const EvaluationFiles& files, const std::string& key) {
-    const bool stored = !cache_->folder().empty();
-    if (stored) {
-      if (auto judged = cache_->lookup(EntryKind::evaluation, key, judged_from_record)) {
-        cache_->count(EntryKind::evaluation, true);
-        return std::move(*judged);
-      }
-    }
-    JudgedFile judged = judge_file(files, options_->evaluation);
-    cache_->count(EntryKind::evaluation, false);
-    if (stored) cache_->store(EntryKind::evaluation, key, to_record(judged));
-    return judged;
+    return cache_->get(EntryKind::evaluation, key, [&] { return judge_file(files, options_->evaluation); });
   }
 
   static MethodScores scores_of(const Submission& submission, const JudgedFile& judged) {

@@ -13,7 +13,6 @@
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/engine/result_folder.h"
-#include "shapegauge/experiments/leaderboard/evaluation_record.h"
 #include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
 #include "shapegauge/experiments/results/evaluation_report.h"
 #include "shapegauge/pages/leaderboard_page.h"

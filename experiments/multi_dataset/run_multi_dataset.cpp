@@ -14,7 +14,6 @@
 #include "shapegauge/experiments/configuration/dataset_files.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/multi_dataset/multi_dataset_results.h"
@@ -149,7 +148,7 @@ Json inputs_of_parts(const MultiDatasetExperiment& experiment, int threads) {
   return inputs;
 }
 
-// A run of the experiment. Rank 0 has the outcome and the results.
+// A run of the experiment.
 class MultiDatasetRun {
  public:
   MultiDatasetRun(const MultiDatasetExperiment& experiment, const RunContext& context)
@@ -163,35 +162,24 @@ class MultiDatasetRun {
     outcome_.noun = "input";
     const Stopwatch stopwatch;
     for (const DatasetPart& part : experiment_->parts) run_part(part);
-    on_all_ranks(context_->ranks, [&] {
-      if (context_->ranks.rank() != 0) return;
-      if (results_.datasets.empty()) throw InputError(no_data_set());
-      write();
-    });
+    if (results_.datasets.empty()) throw InputError(no_data_set());
+    write();
     return std::move(outcome_);
   }
 
  private:
-  // A failure that all ranks know of leaves the data set out; others end the run.
+  // A failure leaves the data set out.
   void run_part(const DatasetPart& part) {
     if (!part.error.empty()) return leave_out(part, part.error);
     const fs::path folder = context_->results / part.folder;
     try {
-      on_all_ranks(context_->ranks, [&] {
-        if (context_->ranks.rank() == 0) make_folder(folder);
-      });
-      RunOutcome outcome = part.experiment.run({.control = context_->control,
-                                                .cache = context_->cache,
-                                                .ranks = context_->ranks,
-                                                .generated = context_->generated / part.folder,
-                                                .results = folder});
-      on_all_ranks(context_->ranks, [&] {
-        if (context_->ranks.rank() == 0) add(part, folder, outcome);
-      });
-    } catch (const SharedError& error) {
-      leave_out(part, error.what());
+      make_folder(folder);
+      const RunOutcome outcome = part.experiment.run({.control = context_->control,
+                                                      .cache = context_->cache,
+                                                      .generated = context_->generated / part.folder,
+                                                      .results = folder});
+      add(part, folder, outcome);
     } catch (const InputError& error) {
-      if (context_->ranks.size() > 1) throw;
       leave_out(part, error.what());
     }
   }
@@ -271,6 +259,28 @@ class MultiDatasetRun {
   Json inputs_{{"models", Json::object()}};
 };
 
+// Computes a part of the run on each data set.
+PartOutcome run_part_of_each(const MultiDatasetExperiment& experiment, const RunContext& context, const Part& part) {
+  PartOutcome outcome;
+  for (const DatasetPart& dataset : experiment.parts) {
+    if (!dataset.error.empty()) continue;  // the run says so
+    try {
+      const PartOutcome of_dataset = dataset.experiment.run_part(
+          {.control = context.control, .cache = context.cache, .generated = context.generated / dataset.folder}, part);
+      outcome.shapes += of_dataset.shapes;
+      outcome.all += of_dataset.all;
+      outcome.rows += of_dataset.rows;
+      for (const LeftOutShape& shape : of_dataset.left_out) {
+        outcome.left_out.push_back(
+            {.id = fmt::format("{}, model {}", dataset.name, shape.id), .message = shape.message});
+      }
+    } catch (const InputError& error) {
+      outcome.left_out.push_back({.id = dataset.name, .message = error.what()});
+    }
+  }
+  return outcome;
+}
+
 const DocumentPaths& multi_dataset_paths() {
   static const DocumentPaths paths{.datasets = {"/datasets/*"}};
   return paths;
@@ -313,7 +323,9 @@ Experiment read_multi_dataset(const Json& given, const std::string& source, cons
           .input_paths = std::move(input_paths),
           .result_folders = std::move(result_folders),
           .inputs = [experiment](int threads) { return inputs_of_parts(*experiment, threads); },
-          .run = [experiment](const RunContext& context) { return MultiDatasetRun(*experiment, context).run(); }};
+          .run = [experiment](const RunContext& context) { return MultiDatasetRun(*experiment, context).run(); },
+          .run_part = [experiment](const RunContext& context,
+                                   const Part& part) { return run_part_of_each(*experiment, context, part); }};
 }
 
 }  // namespace

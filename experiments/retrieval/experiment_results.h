@@ -26,8 +26,7 @@ struct MethodResults {
   /// OnError::skip: infinitely far from all others, so that they are never found and find nothing. Their signatures are
   /// NaN.
   std::vector<ModelFailure> failures = {};
-  Signatures signatures;  ///< row i is of ExperimentResults::models[i]; empty for derived distances and, with several
-                          ///< processes, if needed by neither report nor files
+  Signatures signatures;                   ///< row i is of ExperimentResults::models[i]; empty for derived distances
   std::vector<Interval> histogram_ranges;  ///< of each row, if the signature is one histogram; otherwise empty
   std::string remark = {};                 ///< DerivedDistances::remark
 };
@@ -46,8 +45,7 @@ struct ExperimentResults {
   std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;
   CacheReport cache;
-  int threads = 1;  ///< of each process
-  int processes = 1;
+  int threads = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
 };
 

@@ -2,15 +2,12 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <fstream>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
-#include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/distributed/communicator.h"
-#include "shapegauge/metrics/distance_overview.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -18,68 +15,55 @@
 
 namespace shapegauge {
 
-/// Signatures of many models, distributed over processes as consecutive parts (part_of_rank()).
-struct SharedSignatures {
-  const Signatures& rows;  ///< of this process
-  std::size_t all = 0;     ///< total number
+/// Half-open range of rows of a distance matrix.
+struct RowRange {
+  Eigen::Index first = 0;
+  Eigen::Index last = 0;
 };
 
 /// Receives rows of a distance matrix, from the row `first` on.
 using RowVisitor = std::function<void(Eigen::Index first, const DistanceTable& rows)>;
 
-/// Calls visit() with this process's rows of the distance matrix, in blocks, in order. Signatures of the other
-/// processes are received one process at a time. With P processes of N models of B numbers each, a process holds 3 N B
-/// / P numbers of signatures and rows of at most 128 MiB. Equal to distance_matrix() to the bit. Collective and
-/// parallel. Throws SharedError for signatures that check_signatures() rejects, and the errors of visit().
-void visit_distances(const NamedDistance& distance, const SharedSignatures& signatures, Communicator& ranks,
+/// Calls visit() with these rows of the distance matrix of the signatures, in blocks of at most 128 MiB, in order.
+/// Equal to distance_matrix() to the bit. Parallel. Throws as check_signatures() does, and the errors of visit().
+void visit_distances(const NamedDistance& distance, const Signatures& signatures, const RowRange& rows,
                      const RowVisitor& visit);
 
-/// Returns largest_finite() of the first row of the distance matrix. Collective.
-double largest_of_first(const NamedDistance& distance, const SharedSignatures& signatures, Communicator& ranks);
+/// Returns largest_finite() of the first row of the distance matrix.
+double largest_of_first(const NamedDistance& distance, const Signatures& signatures);
 
-/// Requested evaluations of the distances of a method.
-struct JudgedMethod {
-  std::vector<EvaluationOptions> evaluations;
-  bool overview = false;
-  std::vector<int> subclasses = {};  ///< of the models, see numbered_subclasses()
-  double largest = 0;                ///< largest_of_first(), for an overview of many models
-  std::filesystem::path file;        ///< `.npy` file for the matrix; not written if empty
-};
+/// Scores of the queries among some rows, by evaluation.
+using RowScores = std::vector<QueryScores>;
 
-/// Results of judging a method's distances; on rank 0.
-struct Judgement {
-  std::vector<Evaluation> evaluations;  ///< as requested
-  std::optional<DistanceOverview> overview;
-};
+inline auto members(QueryScores& scores) {
+  auto& [measures, precisions, relevant, tied, first_tiers] = scores;
+  return std::tie(measures, precisions, relevant, tied, first_tiers);
+}
 
-/// Evaluates the distances of one method between labelled models by rows. This process handles the rows of `own`. All
-/// functions but add() are collective.
-class DistanceJudge {
+/// Evaluates rows of a distance matrix, which visit() passes to its visitor in order. Parallel. Adds the seconds of
+/// evaluation. Throws as RowJudge does.
+RowScores judge_rows(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations, const RowRange& rows,
+                     const std::function<void(const RowVisitor&)>& visit, double& seconds);
+
+/// Combines the scores of all rows, which `parts` have in order.
+std::vector<Evaluation> evaluations_of(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations,
+                                       std::span<const RowScores> parts);
+
+/// `.npy` file of a square matrix, written by rows.
+class MatrixFile {
  public:
-  DistanceJudge(std::span<const int> labels, const RankRange& own, const JudgedMethod& wanted, Communicator& ranks);
-  DistanceJudge(const DistanceJudge&) = delete;
-  DistanceJudge& operator=(const DistanceJudge&) = delete;
-  DistanceJudge(DistanceJudge&&) = delete;
-  DistanceJudge& operator=(DistanceJudge&&) = delete;
-  ~DistanceJudge() = default;
+  /// Throws std::runtime_error "cannot write <path>: <reason>", as the other functions do.
+  MatrixFile(std::filesystem::path path, std::size_t models);
 
-  /// Accumulates rows, from the row `first` on. Parallel.
-  void add(Eigen::Index first, const DistanceTable& rows);
-
-  /// Returns the results of all rows of all processes.
-  Judgement finish();
-
-  /// Returns the seconds of evaluation on this rank.
-  [[nodiscard]] double seconds() const { return seconds_; }
+  /// Appends rows.
+  void add(const DistanceTable& rows);
+  void close();
 
  private:
-  RetrievalTask task_;
-  std::vector<RowJudge> judges_;
-  std::optional<PartialOverview> seen_;
-  std::unique_ptr<SharedFile> file_;
-  std::uint64_t file_begin_ = 0;  ///< offset of the numbers
-  Communicator* ranks_;
-  double seconds_ = 0;
+  void check() const;
+
+  std::filesystem::path path_;
+  std::ofstream file_;
 };
 
 }  // namespace shapegauge

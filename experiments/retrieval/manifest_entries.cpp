@@ -5,7 +5,7 @@
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/engine/manifest.h"
-#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/cache_keys.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 
 namespace shapegauge {
@@ -82,7 +82,6 @@ OrderedJson manifest_entries(const ExperimentResults& results) {
 
 OrderedJson execution_entries(const ExperimentResults& results) {
   OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
-  if (results.processes > 1) execution["processes"] = results.processes;
   execution["cache"] = cache_json(results.cache);
   return execution;
 }

@@ -11,7 +11,7 @@ namespace shapegauge {
 /// SHA-256 of every input, models, failures, outcomes of samples.
 nlohmann::ordered_json manifest_entries(const ExperimentResults& results);
 
-/// Returns the manifest's "execution": threads, processes, timings, and numbers of results from the cache by kind.
+/// Returns the manifest's "execution": threads, timings, and numbers of results from the cache by kind.
 nlohmann::ordered_json execution_entries(const ExperimentResults& results);
 
 /// Returns the inputs of a run on a data set on disk as its manifest would record them, without models whose file

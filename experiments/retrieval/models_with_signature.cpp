@@ -1,11 +1,6 @@
 #include "shapegauge/experiments/retrieval/models_with_signature.h"
 
-#include <algorithm>
 #include <limits>
-#include <string>
-#include <utility>
-
-#include "shapegauge/experiments/distributed/packing.h"
 
 namespace shapegauge {
 
@@ -35,21 +30,10 @@ void ModelsWithSignature::set_infinite(DistanceMatrix& rows, Eigen::Index first)
   }
 }
 
-Signatures ModelsWithSignature::with_stand_ins(const Signatures& rows, const RankRange& own,
-                                               Communicator& ranks) const {
-  const auto first = static_cast<std::size_t>(places_.front());
-  const bool is_here = first >= own.first && first < own.last;
-  const auto local = static_cast<Eigen::Index>(first - own.first);
-  std::string told;
-  for (const std::string& part :
-       ranks.gather(is_here ? std::move(Packer().add(Signatures(rows.row(local)))).bytes() : std::string())) {
-    if (!part.empty()) told = part;
-  }
-  const auto stand_in = Unpacker(ranks.broadcast(std::move(told))).take_value<Signatures>();
+Signatures ModelsWithSignature::with_stand_ins(const Signatures& rows) const {
   Signatures filled = rows;
-  for (Eigen::Index i = 0; i < filled.rows(); ++i) {
-    const auto model = static_cast<Eigen::Index>(own.first) + i;
-    if (!std::ranges::binary_search(places_, model)) filled.row(i) = stand_in.row(0);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    if (!is_in_[static_cast<std::size_t>(i)]) filled.row(i) = rows.row(places_.front());
   }
   return filled;
 }

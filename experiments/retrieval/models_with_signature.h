@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "shapegauge/datasets/layouts/layouts.h"
-#include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
@@ -26,9 +25,8 @@ class ModelsWithSignature {
   /// Makes the distances to and from models without the signature infinite; the first row is that of model `first`.
   void set_infinite(DistanceMatrix& rows, Eigen::Index first) const;
 
-  /// Returns the rows of this rank, with the row of another model for models without the signature, so that all have
-  /// distances. Collective.
-  [[nodiscard]] Signatures with_stand_ins(const Signatures& rows, const RankRange& own, Communicator& ranks) const;
+  /// Returns the signatures with the row of another model for models without one, so that all have distances.
+  [[nodiscard]] Signatures with_stand_ins(const Signatures& rows) const;
 
  private:
   std::vector<bool> is_in_;

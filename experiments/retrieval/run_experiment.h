@@ -14,12 +14,16 @@ namespace shapegauge {
 /// `.npy` file by signature, to which its distances are written by rows; if empty, the results contain the distances
 /// that the configuration keeps. RunContext::results is not used. Throws InputError for a model that fails with
 /// OnError::stop and for data that cannot be evaluated; throws Interrupted. Results are the same bytes whatever the
-/// state of the cache, for any number of threads and processes; rank 0 has them. Collective.
+/// state of the cache, for any number of threads.
 ExperimentResults run_experiment(const Configuration& configuration, const RunContext& context,
                                  const std::vector<std::filesystem::path>& distance_files);
 
-/// Runs an experiment in this process alone, without a cache and with the matrices in the results.
+/// Runs an experiment without a cache and with the matrices in the results.
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
                                  const RunControl& control);
+
+/// Describes a part of the models through the cache. Then, if the cache has the descriptions of all models, evaluates a
+/// part of the rows of distances that run_methods() streams, and stores the scores. Throws as run_experiment() does.
+PartOutcome run_part_of_experiment(const Configuration& configuration, const RunContext& context, const Part& part);
 
 }  // namespace shapegauge

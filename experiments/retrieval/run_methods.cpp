@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/stopwatch.h"
-#include "shapegauge/experiments/distributed/agreement.h"
-#include "shapegauge/experiments/distributed/packing.h"
+#include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/experiments/cache/codec.h"
 #include "shapegauge/experiments/retrieval/judge_distances.h"
 #include "shapegauge/experiments/retrieval/models_with_signature.h"
+#include "shapegauge/experiments/signatures/cache_keys.h"
 #include "shapegauge/experiments/signatures/distances_through_cache.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
+#include "shapegauge/metrics/distance_overview.h"
 
 namespace shapegauge {
 
@@ -45,21 +50,6 @@ std::vector<bool> taking_part_in_derived(const std::vector<SignatureConfiguratio
   return takes_part;
 }
 
-/// Returns all rows of the signatures on rank 0, none elsewhere. Collective.
-Signatures gathered(const Signatures& rows, std::size_t all, Communicator& ranks) {
-  if (ranks.size() == 1) return rows;
-  std::string bytes = std::move(Packer().add(rows)).bytes();
-  const std::vector<std::string> parts = ranks.gather(std::move(bytes));
-  Signatures together(ranks.rank() == 0 ? static_cast<Eigen::Index>(all) : 0, rows.cols());
-  Eigen::Index first = 0;
-  for (const std::string& part : parts) {
-    const auto some = Unpacker(part).take_value<Signatures>();
-    together.middleRows(first, some.rows()) = some;
-    first += some.rows();
-  }
-  return together;
-}
-
 /// Computes derived distances between the models that have all parts, and the remark on them.
 DistanceMatrix derived_distances(const SignatureConfiguration& signature, const std::vector<DistanceMatrix>& distances,
                                  const ModelsWithSignature& holders, std::string& remark) {
@@ -76,82 +66,102 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature, const 
   }
 }
 
+/// Returns true if the whole distance matrix of a signature is in memory, of which `in_derived` tells whether it takes
+/// part in derived distances.
+bool is_in_memory(bool in_derived, std::size_t models) {
+  return in_derived || models <= static_cast<std::size_t>(most_models_of_cached_distances);
+}
+
+/// Number of rows of streamed distances whose scores are stored together.
+constexpr Eigen::Index rows_of_entry = 512;
+
+/// Cache version of the scores of rows; increment when measures change.
+constexpr int row_scores_version = 1;
+
 /// Distances and evaluations of all methods of a run.
 class MethodsRun {
  public:
-  MethodsRun(const Configuration& configuration, const std::vector<fs::path>& distance_files, const RunContext& context)
+  MethodsRun(const Configuration& configuration, const std::vector<fs::path>& distance_files, const RunContext& context,
+             const std::vector<Model>& models, const std::vector<std::vector<ModelFailure>>& without)
       : configuration_(&configuration),
         distance_files_(&distance_files),
         context_(&context),
-        ranks_(&context.ranks),
+        labels_(labels_of(models)),
+        task_(leave_one_out(labels_)),
         in_derived_(taking_part_in_derived(configuration.signatures)),
         whole_(configuration.signatures.size()),
-        remarks_(configuration.signatures.size()) {}
+        remarks_(configuration.signatures.size()) {
+    task_.query_subclasses = task_.target_subclasses = subclasses_of(models);
+    for (const std::vector<ModelFailure>& of_signature : without) holders_.emplace_back(of_signature, labels_.size());
+    for (const Protocol protocol : configuration.protocols) {
+      evaluations_.push_back({.protocol = protocol,
+                              .ties = configuration.ties,
+                              .measures = configuration.measures,
+                              .minimum_class_size = configuration.minimum_class_size});
+    }
+  }
 
-  /// Adds the methods and, on rank 0, their results. Collective.
+  /// Adds the methods and their results.
   void run(ComputedSignatures& computed, ExperimentResults& results) {
-    const std::vector<int> labels = labels_of(results.models);
-    subclasses_ = subclasses_of(results.models);
-    check_size(labels.size());
-    for (const std::vector<ModelFailure>& without : computed.without) holders_.emplace_back(without, labels.size());
     double evaluating = 0;
     Stopwatch stopwatch;
-    compute_whole(computed, labels.size());
+    compute_whole(computed);
     for (std::size_t i = 0; i < configuration_->signatures.size(); ++i) {
-      if (context_->control.interrupted()) throw Interrupted();
-      results.methods.push_back({.name = configuration_->signatures[i].name,
-                                 .distances = {},
-                                 .overview = {},
-                                 .evaluations = {},
-                                 .failures = std::move(computed.without[i]),
-                                 .signatures = {},
-                                 .histogram_ranges = {},
-                                 .remark = remarks_[i]});
-      evaluating += judge(i, labels, computed.signatures[i], results.methods.back());
-      results.methods.back().signatures = kept_signatures(i, labels.size(), std::move(computed.signatures[i]));
-      if (!computed.histogram_ranges.empty()) {
-        results.methods.back().histogram_ranges = std::move(computed.histogram_ranges[i]);
-      }
+      stop_if_interrupted();
+      MethodResults& method = results.methods.emplace_back();
+      method.name = configuration_->signatures[i].name;
+      method.failures = std::move(computed.without[i]);
+      method.remark = remarks_[i];
+      evaluating += judge(i, computed.signatures[i], method);
+      method.signatures = std::move(computed.signatures[i]);
+      method.histogram_ranges = std::move(computed.histogram_ranges[i]);
     }
     results.timings.emplace_back("distances", stopwatch.lap() - evaluating);
     results.timings.emplace_back("evaluation", evaluating);
   }
 
+  /// Evaluates the part's rows of the streamed distances through the cache; returns their number.
+  std::size_t run_part(const ComputedSignatures& computed, const Part& part) {
+    std::size_t rows = 0;
+    double seconds = 0;
+    for (std::size_t i = 0; i < configuration_->signatures.size(); ++i) {
+      if (is_in_memory(in_derived_[i], labels_.size())) continue;
+      const StreamedRows streamed = streamed_rows(i, computed.signatures[i]);
+      std::size_t entry = 0;
+      for (const RowRange& some : entries()) {
+        if (!part.has(entry++)) continue;
+        (void)scores_of(streamed, some, nullptr, seconds);
+        rows += static_cast<std::size_t>(some.last - some.first);
+      }
+    }
+    return rows;
+  }
+
  private:
-  void check_size(std::size_t models) const {
-    const auto derived = std::ranges::find(in_derived_, true);
-    if (ranks_->size() == 1 || models <= most_models_of_derived_distances || derived == in_derived_.end()) return;
-    throw SharedError(fmt::format(
-        "sum, fuse_ranks and rerank need whole distance matrices, which several processes support for up to {} models, "
-        "not {}; remove the signature \"{}\" and others like it, or run in one process with enough memory",
-        most_models_of_derived_distances, models,
-        configuration_->signatures[static_cast<std::size_t>(derived - in_derived_.begin())].name));
+  /// Distances of a signature, computed by rows.
+  struct StreamedRows {
+    std::size_t signature;
+    NamedDistance distance;
+    Signatures rows;  ///< with stand-ins for models without the signature
+    std::string key;  ///< of all that the distances depend on
+  };
+
+  void stop_if_interrupted() const {
+    if (context_->control.interrupted()) throw Interrupted();
   }
 
-  [[nodiscard]] bool keeps_matrices() const {
-    return configuration_->keep_distances && distance_files_->empty() && ranks_->size() == 1;
+  [[nodiscard]] bool keeps_matrices() const { return configuration_->keep_distances && distance_files_->empty(); }
+  [[nodiscard]] bool is_whole(std::size_t signature) const {
+    return keeps_matrices() || is_in_memory(in_derived_[signature], labels_.size());
   }
 
-  /// Returns true if rank 0 needs the whole distance matrix of a signature.
-  [[nodiscard]] bool is_whole(std::size_t signature, std::size_t models) const {
-    const bool few = models <= static_cast<std::size_t>(most_models_of_cached_distances);
-    return in_derived_[signature] || keeps_matrices() || (ranks_->size() == 1 && few);
-  }
-
-  /// Computes the matrices needed in memory. Collective.
-  void compute_whole(const ComputedSignatures& computed, std::size_t models) {
+  /// Computes the matrices needed in memory.
+  void compute_whole(const ComputedSignatures& computed) {
     std::size_t done = 0;
     for (const std::size_t i : computation_order(configuration_->signatures)) {
-      if (context_->control.interrupted()) throw Interrupted();
+      stop_if_interrupted();
       context_->control.progress("distances", done++, whole_.size());
-      if (!is_whole(i, models)) continue;
-      const SignatureConfiguration& signature = configuration_->signatures[i];
-      const Signatures rows =
-          signature.derived || ranks_->size() == 1 ? Signatures() : gathered(computed.signatures[i], models, *ranks_);
-      const Signatures& all = ranks_->size() == 1 ? computed.signatures[i] : rows;
-      on_all_ranks(*ranks_, [&] {
-        if (ranks_->rank() == 0) whole_[i] = whole_matrix(i, all);
-      });
+      if (is_whole(i)) whole_[i] = whole_matrix(i, computed.signatures[i]);
     }
   }
 
@@ -167,91 +177,145 @@ class MethodsRun {
     return holders.are_all() ? distances_of(all) : holders.spread(distances_of(all(holders.places(), Eigen::all)));
   }
 
-  /// Evaluates the distances of one signature; returns the seconds of evaluation on this rank. Collective.
-  double judge(std::size_t i, const std::vector<int>& labels, const Signatures& rows, MethodResults& method) {
-    const bool whole = is_whole(i, labels.size());
-    const RankRange streamed = part_of_rank(labels.size(), ranks_->rank(), ranks_->size());
-    const bool has_gaps = !whole && !holders_[i].are_all();
-    const Signatures filled = has_gaps ? holders_[i].with_stand_ins(rows, streamed, *ranks_) : Signatures();
-    const SharedSignatures signatures{.rows = has_gaps ? filled : rows, .all = labels.size()};
-    const NamedDistance distance = distance_between(configuration_->signatures[i], *configuration_);
-    JudgedMethod wanted = judged_method(i);
-    if (wanted.overview && std::ssize(labels) > largest_heat_map) {
-      wanted.largest = whole ? largest_of_whole(whole_[i], holders_[i].places().front())
-                             : largest_of_first(distance, signatures, *ranks_);
-    }
-    const RankRange all_on_first{.first = ranks_->rank() == 0 ? 0 : labels.size(), .last = labels.size()};
-    DistanceJudge judge(labels, whole ? all_on_first : streamed, wanted, *ranks_);
-    const RowVisitor add = [&](Eigen::Index first, const DistanceTable& some) {
-      if (context_->control.interrupted()) throw Interrupted();
-      if (!has_gaps) return judge.add(first, some);
-      DistanceMatrix rows_with_gaps = some;
-      holders_[i].set_infinite(rows_with_gaps, first);
-      judge.add(first, rows_with_gaps);
-    };
-    if (whole) {
-      add_whole(whole_[i], add);
-    } else {
-      visit_distances(distance, signatures, *ranks_, add);
-    }
-    Judgement judgement = judge.finish();
-    method.evaluations = std::move(judgement.evaluations);
-    if (judgement.overview) method.overview = std::move(*judgement.overview);
-    DistanceMatrix matrix = std::move(whole_[i]);
-    if (keeps_matrices()) method.distances = std::move(matrix);
-    return judge.seconds();
+  [[nodiscard]] StreamedRows streamed_rows(std::size_t i, const Signatures& rows) const {
+    NamedDistance distance = distance_between(configuration_->signatures[i], *configuration_);
+    std::string key = distances_key(rows, std::string(distance.name));
+    return {.signature = i,
+            .distance = std::move(distance),
+            .rows = holders_[i].are_all() ? rows : holders_[i].with_stand_ins(rows),
+            .key = std::move(key)};
   }
 
-  /// Returns what is wanted of the distances by one signature.
-  [[nodiscard]] JudgedMethod judged_method(std::size_t i) const {
-    JudgedMethod wanted;
-    for (const Protocol protocol : configuration_->protocols) {
-      wanted.evaluations.push_back({.protocol = protocol,
-                                    .ties = configuration_->ties,
-                                    .measures = configuration_->measures,
-                                    .minimum_class_size = configuration_->minimum_class_size});
+  /// Passes rows of the distances to the visitor.
+  void visit(const StreamedRows& streamed, const RowRange& rows, const RowVisitor& visitor) const {
+    const ModelsWithSignature& holders = holders_[streamed.signature];
+    visit_distances(streamed.distance, streamed.rows, rows, [&](Eigen::Index first, const DistanceTable& some) {
+      stop_if_interrupted();
+      if (holders.are_all()) return visitor(first, some);
+      DistanceMatrix rows_with_gaps = some;
+      holders.set_infinite(rows_with_gaps, first);
+      visitor(first, rows_with_gaps);
+    });
+  }
+
+  /// Returns the ranges of rows whose scores are stored together.
+  [[nodiscard]] std::vector<RowRange> entries() const {
+    std::vector<RowRange> ranges;
+    const Eigen::Index all = std::ssize(labels_);
+    for (Eigen::Index first = 0; first < all; first += rows_of_entry) {
+      ranges.push_back({.first = first, .last = std::min(first + rows_of_entry, all)});
     }
-    wanted.subclasses = subclasses_;
-    wanted.overview = configuration_->report.wanted;
-    if (configuration_->keep_distances && !distance_files_->empty()) wanted.file = (*distance_files_)[i];
-    return wanted;
+    return ranges;
+  }
+
+  [[nodiscard]] std::string key_of_scores(const StreamedRows& streamed, const RowRange& rows) const {
+    std::vector<std::string> measures;
+    for (const Measure& measure : configuration_->measures) measures.push_back(measure.name);
+    std::vector<std::string_view> protocols;
+    for (const Protocol protocol : configuration_->protocols) protocols.push_back(name_of(protocol));
+    return result_key(EntryKind::evaluation, {{"distances", streamed.key},
+                                              {"labels", sha256(encode(labels_))},
+                                              {"subclasses", sha256(encode(task_.query_subclasses))},
+                                              {"protocols", protocols},
+                                              {"ties", name_of(configuration_->ties)},
+                                              {"measures", measures},
+                                              {"minimum_class_size", configuration_->minimum_class_size},
+                                              {"rows", {rows.first, rows.last}},
+                                              {"version", row_scores_version}});
+  }
+
+  /// Returns the scores of some rows through the cache. All these rows are passed to `also`, if there is one.
+  RowScores scores_of(const StreamedRows& streamed, const RowRange& rows, const RowVisitor& also, double& seconds) {
+    bool found = true;
+    RowScores scores = context_->cache.get(EntryKind::evaluation, key_of_scores(streamed, rows), [&] {
+      found = false;
+      const auto visit_rows = [&](const RowVisitor& judge) {
+        visit(streamed, rows, [&](Eigen::Index first, const DistanceTable& some) {
+          judge(first, some);
+          if (also) also(first, some);
+        });
+      };
+      return judge_rows(task_, evaluations_, rows, visit_rows, seconds);
+    });
+    if (found && also) visit(streamed, rows, also);
+    return scores;
+  }
+
+  /// Evaluates the distances of one signature; returns the seconds of evaluation.
+  double judge(std::size_t i, const Signatures& rows, MethodResults& method) {
+    const bool whole = is_whole(i);
+    const StreamedRows streamed = whole ? StreamedRows{} : streamed_rows(i, rows);
+    const auto all = std::ssize(labels_);
+    std::optional<MatrixFile> file;
+    if (configuration_->keep_distances && !distance_files_->empty())
+      file.emplace((*distance_files_)[i], labels_.size());
+    std::optional<PartialOverview> overview;
+    if (configuration_->report.wanted) {
+      const double largest = whole ? largest_of_whole(whole_[i], holders_[i].places().front())
+                                   : largest_of_first(streamed.distance, streamed.rows);
+      overview = begin_overview(labels_, largest, 0, all);
+    }
+    RowVisitor also;
+    if (file || overview) {
+      also = [&](Eigen::Index first, const DistanceTable& some) {
+        if (overview) accumulate(some, first, *overview);
+        if (file) file->add(some);
+      };
+    }
+    double seconds = 0;
+    std::vector<RowScores> scores;
+    if (whole) {
+      const auto visit_whole = [&](const RowVisitor& judge) {
+        constexpr Eigen::Index together = 1024;
+        for (Eigen::Index first = 0; first < all; first += together) {
+          const auto some = whole_[i].middleRows(first, std::min(together, all - first));
+          judge(first, some);
+          if (also) also(first, some);
+        }
+      };
+      scores.push_back(judge_rows(task_, evaluations_, {.first = 0, .last = all}, visit_whole, seconds));
+    } else {
+      for (const RowRange& some : entries()) scores.push_back(scores_of(streamed, some, also, seconds));
+    }
+    if (file) file->close();
+    method.evaluations = evaluations_of(task_, evaluations_, scores);
+    if (overview) method.overview = overview_of({&*overview, 1});
+    DistanceMatrix matrix = std::move(whole_[i]);
+    if (keeps_matrices()) method.distances = std::move(matrix);
+    return seconds;
   }
 
   static double largest_of_whole(const DistanceMatrix& distances, Eigen::Index row) {
     return largest_finite({distances.row(row).data(), static_cast<std::size_t>(distances.cols())}, row);
   }
 
-  static void add_whole(const DistanceMatrix& distances, const RowVisitor& add) {
-    constexpr Eigen::Index together = 1024;
-    for (Eigen::Index first = 0; first < distances.rows(); first += together) {
-      add(first, distances.middleRows(first, std::min(together, distances.rows() - first)));
-    }
-  }
-
-  /// Returns the signatures for the results. Collective.
-  Signatures kept_signatures(std::size_t i, std::size_t models, Signatures rows) {
-    if (ranks_->size() == 1) return rows;
-    const SignatureConfiguration& signature = configuration_->signatures[i];
-    const bool shown = signature.field && configuration_->report.wanted;
-    return signature.descriptor || shown ? gathered(rows, models, *ranks_) : Signatures();
-  }
-
   const Configuration* configuration_;
   const std::vector<fs::path>* distance_files_;
   const RunContext* context_;
-  Communicator* ranks_;
-  std::vector<bool> in_derived_;              ///< by signature
-  std::vector<int> subclasses_;               ///< of the models; empty: none
-  std::vector<DistanceMatrix> whole_;         ///< by signature; on rank 0
-  std::vector<std::string> remarks_;          ///< by signature; on rank 0
-  std::vector<ModelsWithSignature> holders_;  ///< by signature
+  std::vector<int> labels_;
+  RetrievalTask task_;
+  std::vector<EvaluationOptions> evaluations_;  ///< by protocol
+  std::vector<bool> in_derived_;                ///< by signature
+  std::vector<DistanceMatrix> whole_;           ///< by signature
+  std::vector<std::string> remarks_;            ///< by signature
+  std::vector<ModelsWithSignature> holders_;    ///< by signature
 };
 
 }  // namespace
 
 void run_methods(const Configuration& configuration, const std::vector<fs::path>& distance_files,
                  const RunContext& context, ComputedSignatures& computed, ExperimentResults& results) {
-  MethodsRun(configuration, distance_files, context).run(computed, results);
+  MethodsRun(configuration, distance_files, context, results.models, computed.without).run(computed, results);
+}
+
+bool has_streamed_methods(const Configuration& configuration, std::size_t models) {
+  return std::ranges::any_of(taking_part_in_derived(configuration.signatures),
+                             [&](bool in_derived) { return !is_in_memory(in_derived, models); });
+}
+
+std::size_t judge_part(const Configuration& configuration, const RunContext& context, const std::vector<Model>& models,
+                       const ComputedSignatures& computed, const Part& part) {
+  return MethodsRun(configuration, {}, context, models, computed.without).run_part(computed, part);
 }
 
 }  // namespace shapegauge

@@ -9,7 +9,6 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/retrieval/experiment_report.h"
@@ -161,17 +160,11 @@ namespace {
 RunOutcome run_retrieval(const Configuration& configuration, const RunContext& context) {
   std::vector<fs::path> files;
   for (const std::string& file : method_files("distances", configuration)) files.push_back(context.results / file);
-  on_all_ranks(context.ranks, [&] {
-    if (context.ranks.rank() == 0 && configuration.keep_distances) make_folder(context.results / "distances");
-  });
+  if (configuration.keep_distances) make_folder(context.results / "distances");
   const ExperimentResults results = run_experiment(configuration, context, files);
-  return on_all_ranks(context.ranks, [&] {
-    RunOutcome outcome;
-    if (context.ranks.rank() == 0) {
-      with_threads(context.control.threads, [&] { outcome = write_results(context.results, results); });
-    }
-    return outcome;
-  });
+  RunOutcome outcome;
+  with_threads(context.control.threads, [&] { outcome = write_results(context.results, results); });
+  return outcome;
 }
 
 nlohmann::json inputs_of(const Configuration& configuration, int threads) {
@@ -193,6 +186,9 @@ Experiment retrieval_experiment(Configuration configuration) {
     experiment.input_paths = {configuration.location->root, configuration.location->classification};
     experiment.inputs = [configuration](int threads) { return inputs_of(configuration, threads); };
   }
+  experiment.run_part = [configuration](const RunContext& context, const Part& part) {
+    return run_part_of_experiment(configuration, context, part);
+  };
   experiment.run = [configuration = std::move(configuration)](const RunContext& context) {
     return run_retrieval(configuration, context);
   };

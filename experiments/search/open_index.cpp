@@ -161,9 +161,8 @@ std::vector<Eigen::Index> complete_models(ComputedSignatures& computed) {
 /// Describes the collection. Shapes without one of the method's signatures are failures.
 ShapeIndex described(const SearchMethod& method, const Collection& collection, std::vector<IndexedFile> files,
                      const RunControl& control, Cache& cache) {
-  const auto ranks = single_process();
-  ComputedSignatures computed = compute_signatures(dataset_of(collection), method.configuration,
-                                                   {.control = control, .cache = cache, .ranks = *ranks});
+  ComputedSignatures computed =
+      compute_signatures(dataset_of(collection), method.configuration, {.control = control, .cache = cache});
   const std::vector<Eigen::Index> complete = complete_models(computed);
   if (complete.empty()) {
     throw InputError(fmt::format("none of {} shapes has all signatures of the method; the first is {}: {}",

@@ -11,7 +11,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/search/index_rows.h"
-#include "shapegauge/experiments/signatures/describe_through_cache.h"
+#include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -44,22 +44,10 @@ std::multimap<std::string, std::size_t> models_by_contents(const ShapeIndex& ind
 /// Describes a shape that is not in a file.
 ModelDescription description_of(const Shape& shape, const Configuration& configuration,
                                 std::span<const PlannedField> plan) {
-  PreparedModel prepared = prepare_model({.shape = shape, .chosen = {}}, configuration.preparation);
-  FieldSource source(prepared.prepared.shape, prepared.known_diagnostics());
-  std::vector<ScalarField> fields(plan.size());
-  describe_fields(prepared, source, configuration.signatures, plan, true, OnError::stop,
-                  [&](std::size_t field, const PreparedShape&, const Samples& samples, const FieldValues& computed) {
-                    fields[field] = {.values = computed.values, .weights = samples.weights};
-                  });
-  for (const PlannedDescriptor& planned : plan_descriptors(configuration.signatures, plan)) {
-    FeatureDescription& features = prepared.description.features.emplace_back();
-    if (planned.learns) continue;
-    std::vector<ScalarField> of_descriptor;
-    for (const std::size_t field : planned.fields) of_descriptor.push_back(fields[field]);
-    features = describe_features(*configuration.signatures[planned.signature].descriptor,
-                                 {.shape = source.shape(), .fields = of_descriptor, .proxy = &source.proxy()}, {});
-  }
-  return std::move(prepared.description);
+  Cache none;
+  Bench bench(
+      "", [&] { return PerturbedShape{.shape = shape, .chosen = {}}; }, configuration.preparation, true, none);
+  return describe_shape(bench, configuration, plan, 0);
 }
 
 /// Describes queries like the models of an index.
@@ -85,7 +73,7 @@ class QueryDescriber {
       return {.signatures = rows_of_model(itself->second), .member = itself->second};
     }
     const Dataset one{.models = {{.id = query.name, .file = query.file, .label = 0}}, .classes = {"query"}};
-    return from(describe_through_cache(one, 0, configuration_, plan_, alone, *cache_));
+    return from(describe_model(one, 0, configuration_, plan_, alone, *cache_));
   }
 
  private:

@@ -12,7 +12,7 @@
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/cache_keys.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -112,9 +112,10 @@ std::string SearchMethod::key() const {
     depends_on["distances"].push_back(distance_between(configuration.signatures[term], configuration).name);
   }
   depends_on["distances"].push_back(distances_version);
+  depends_on["histogram_version"] = histogram_version;
   for (const SignatureConfiguration& signature : configuration.signatures) {
     std::vector<std::string> fields;
-    if (signature.field) fields.push_back(histogram_key(field_key(shape, *signature.field), signature.histogram));
+    if (signature.field) fields.push_back(field_key(shape, *signature.field));
     if (signature.descriptor) {
       for (const Field& field : signature.descriptor->fields) fields.push_back(field_key(shape, field));
       fields.push_back(features_key(shape, *signature.descriptor, fields, ""));

@@ -1,12 +1,36 @@
 #include "shapegauge/experiments/search/shape_index.h"
 
 #include <fmt/format.h>
+#include <tuple>
 #include <utility>
 
 #include "shapegauge/datasets/files/sha256.h"
-#include "shapegauge/experiments/distributed/packing.h"
+#include "shapegauge/experiments/cache/codec.h"
+#include "shapegauge/experiments/signatures/bench.h"
 
 namespace shapegauge {
+
+static auto members(IndexedFile& file) {
+  auto& [id, path, bytes, modified, sha256, failure] = file;
+  return std::tie(id, path, bytes, modified, sha256, failure);
+}
+static auto members(IndexTable& table) { return std::tie(table.rows, table.columns); }
+static auto members(LocalScales& scales) {
+  auto& [roots, least] = scales;
+  return std::tie(roots, least);
+}
+static auto members(NearestModels& nearest) {
+  auto& [indices, distances, largest] = nearest;
+  return std::tie(indices, distances, largest);
+}
+static auto members(CollectionSum& sum) {
+  auto& [scale, weights, units, local_scales, at_ranks] = sum;
+  return std::tie(scale, weights, units, local_scales, at_ranks);
+}
+static auto members(ShapeIndex& index) {
+  auto& [collection, models, failures, tables, learnt, field_ranges, sum, nearest] = index;
+  return std::tie(collection, models, failures, tables, learnt, field_ranges, sum, nearest);
+}
 
 namespace {
 
@@ -24,78 +48,6 @@ std::size_t bytes_of(const IndexTable& table) {
   return static_cast<std::size_t>(table.rows * table.columns) * sizeof(float);
 }
 
-void add(Packer& packer, const std::vector<IndexedFile>& files) {
-  packer.add(files.size());
-  for (const IndexedFile& file : files) {
-    packer.add(std::string_view(file.id)).add(std::string_view(file.path)).add(file.bytes).add(file.modified);
-    packer.add(std::string_view(file.sha256)).add(std::string_view(file.failure));
-  }
-}
-
-void take(Unpacker& unpacker, std::vector<IndexedFile>& files) {
-  files.resize(unpacker.take_value<std::size_t>());
-  for (IndexedFile& file : files) {
-    unpacker.take(file.id).take(file.path).take(file.bytes).take(file.modified).take(file.sha256).take(file.failure);
-  }
-}
-
-template <typename Matrix>
-void add(Packer& packer, const std::vector<Matrix>& matrices) {
-  packer.add(matrices.size());
-  for (const Matrix& matrix : matrices) packer.add(matrix);
-}
-
-template <typename Matrix>
-void take(Unpacker& unpacker, std::vector<Matrix>& matrices) {
-  matrices.resize(unpacker.take_value<std::size_t>());
-  for (Matrix& matrix : matrices) unpacker.take(matrix);
-}
-
-void add(Packer& packer, const NearestModels& nearest) {
-  packer.add(nearest.indices).add(nearest.distances).add(nearest.largest);
-}
-
-void take(Unpacker& unpacker, NearestModels& nearest) {
-  unpacker.take(nearest.indices).take(nearest.distances).take(nearest.largest);
-}
-
-void add(Packer& packer, const CollectionSum& sum) {
-  packer.add(sum.scale).add(sum.weights).add(sum.units).add(sum.local_scales.size());
-  for (const LocalScales& scales : sum.local_scales) packer.add(scales.roots).add(scales.least);
-  add(packer, sum.at_ranks);
-}
-
-void take(Unpacker& unpacker, CollectionSum& sum) {
-  unpacker.take(sum.scale).take(sum.weights).take(sum.units);
-  sum.local_scales.resize(unpacker.take_value<std::size_t>());
-  for (LocalScales& scales : sum.local_scales) unpacker.take(scales.roots).take(scales.least);
-  take(unpacker, sum.at_ranks);
-}
-
-void add(Packer& packer, const ShapeIndex& index) {
-  packer.add(std::string_view(index.collection));
-  add(packer, index.models);
-  add(packer, index.failures);
-  packer.add(index.tables.size());
-  for (const IndexTable& table : index.tables) packer.add(table.rows).add(table.columns);
-  add(packer, index.learnt);
-  packer.add(index.field_ranges);
-  add(packer, index.sum);
-  add(packer, index.nearest);
-}
-
-void take(Unpacker& unpacker, ShapeIndex& index) {
-  unpacker.take(index.collection);
-  take(unpacker, index.models);
-  take(unpacker, index.failures);
-  index.tables.resize(unpacker.take_value<std::size_t>());
-  for (IndexTable& table : index.tables) unpacker.take(table.rows).take(table.columns);
-  take(unpacker, index.learnt);
-  unpacker.take(index.field_ranges);
-  take(unpacker, index.sum);
-  take(unpacker, index.nearest);
-}
-
 }  // namespace
 
 IndexTable::IndexTable(Signatures own) : rows(own.rows()), columns(own.cols()) {
@@ -104,11 +56,7 @@ IndexTable::IndexTable(Signatures own) : rows(own.rows()), columns(own.cols()) {
 }
 
 std::string encode_index(const ShapeIndex& index, const std::string& key) {
-  Packer data;
-  add(data, index);
-  Packer content;
-  content.add_bytes(key.data(), key.size()).add(std::string_view(std::move(data).bytes()));
-  std::string bytes = fmt::format("{}{:0>{}}\n{}", format_line, "", digits_of_sha256, std::move(content).bytes());
+  std::string bytes = fmt::format("{}{:0>{}}\n{}{}", format_line, "", digits_of_sha256, key, encode(encode(index)));
   std::size_t size = bytes.size();
   for (const IndexTable& table : index.tables) size = aligned(size) + bytes_of(table);
   bytes.reserve(size);
@@ -129,11 +77,11 @@ std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::strin
   if (file.bytes.substr(format_line.size(), digits_of_sha256) != sha256(content)) return std::nullopt;
   fault = IndexFault::other_method;
   if (!content.starts_with(key)) return std::nullopt;
-  Unpacker unpacker(content.substr(key.size()));
-  const auto data_size = unpacker.take_value<std::size_t>();
-  ShapeIndex index;
-  take(unpacker, index);
-  std::size_t place = header_size + key.size() + sizeof(data_size) + data_size;
+  codec::Decoder decoder(content.substr(key.size()));
+  std::string data;
+  decoder.take(data);
+  auto index = decode<ShapeIndex>(data);
+  std::size_t place = header_size + key.size() + sizeof(std::size_t) + data.size();
   for (IndexTable& table : index.tables) {
     place = aligned(place);
     table.entries = {file.memory, reinterpret_cast<const float*>(file.bytes.data() + place)};

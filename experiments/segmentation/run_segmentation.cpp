@@ -10,7 +10,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <optional>
+#include <tuple>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/stopwatch.h"
@@ -26,10 +26,8 @@
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/layouts/layouts.h"
-#include "shapegauge/experiments/distributed/agreement.h"
-#include "shapegauge/experiments/distributed/packing.h"
 #include "shapegauge/experiments/engine/generated_dataset.h"
-#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/cache_keys.h"
 #include "shapegauge/experiments/signatures/compute_signatures.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
 #include "shapegauge/segmentation/part_segmentation.h"
@@ -75,21 +73,15 @@ struct Parts {
   std::vector<std::string> remarks = {};  ///< of the perturbations
 };
 
-/// Record of parts for the cache: an array of the labels if there are no remarks.
-nlohmann::json parts_record(const Parts& parts) {
-  if (parts.remarks.empty()) return parts.labels;
-  return {{"labels", parts.labels}, {"remarks", parts.remarks}};
-}
-
-Parts read_parts_record(const nlohmann::json& record) {
-  if (record.is_array()) return {.labels = record.get<Labels>()};
-  return {.labels = record.at("labels").get<Labels>(), .remarks = record.at("remarks").get<std::vector<std::string>>()};
+auto members(Parts& parts) {
+  auto& [labels, remarks] = parts;
+  return std::tie(labels, remarks);
 }
 
 /// Segmentation of one shape, with its inputs and results.
 class SegmentationJob {
  public:
-  /// `index` is the model's index in the data set, which perturbations may depend on.
+  /// Finds the parts by all methods. `index` is the model's index in the data set, which perturbations may depend on.
   SegmentationJob(const SegmentationExperiment& experiment, const SegmentedModel& model, std::size_t index,
                   Cache& cache)
       : experiment_(experiment), model_(model), index_(index), cache_(cache) {
@@ -105,14 +97,19 @@ class SegmentationJob {
       const Parts& parts = cached_parts(method);
       result.labels.push_back(parts.labels);
       for (const std::string& remark : parts.remarks) result.remarks.push_back(method.name + ": " + remark);
+      if (!method.perturbations.empty()) (void)cached_parts(without_perturbations(method));
     }
-    const SegmentationScorer scorer(mesh_, {.by = experiment.by, .cuts = experiment.cuts});
+  }
+
+  /// Evaluates the parts and draws them.
+  void evaluate() {
+    const SegmentationScorer scorer(mesh_, {.by = experiment_.by, .cuts = experiment_.cuts});
     for (const Labels& labels : result.labels) errors.push_back(scorer.errors_against(labels, people_));
     errors.push_back(scorer.errors_among(people_));
     const Eigen::VectorXd areas = sample_shape(mesh_, SampleSite::faces).weights;
     for (const Labels& labels : result.labels) result.part_sizes.push_back(part_sizes(labels, areas));
     for (std::size_t m = 0; m < result.labels.size(); ++m) result.moved.push_back(moved(m, scorer));
-    if (experiment.pictures) take_pictures();
+    if (experiment_.pictures) take_pictures();
     for (Labels& labels : result.labels) labels = labels_of_polygons(mesh_, labels);
   }
 
@@ -127,17 +124,12 @@ class SegmentationJob {
     // Several methods may need the same undamaged parts, possibly without a cache.
     const auto done = done_.find(key);
     if (done != done_.end()) return done->second;
-    return done_[key] = looked_up_parts(method, key);
+    return done_[key] = cache_.get(EntryKind::segmentation, key, [&] { return computed_parts(method); });
   }
 
-  Parts looked_up_parts(const SegmentationMethod& method, const std::string& key) {
-    std::optional<Parts> found = cache_.lookup(EntryKind::segmentation, key, read_parts_record);
-    const bool hit = found && std::ssize(found->labels) == mesh_.triangles.rows();
-    cache_.count(EntryKind::segmentation, hit);
-    if (hit) return *std::move(found);
-    Parts parts = computed_parts(method);
-    cache_.store(EntryKind::segmentation, key, parts_record(parts));
-    return parts;
+  static SegmentationMethod without_perturbations(SegmentationMethod method) {
+    method.perturbations.clear();
+    return method;
   }
 
   [[nodiscard]] Parts computed_parts(const SegmentationMethod& method) const {
@@ -155,10 +147,9 @@ class SegmentationJob {
 
   /// Measures how much the perturbations of a method change its parts.
   double moved(std::size_t method, const SegmentationScorer& scorer) {
-    SegmentationMethod without = experiment_.methods[method];
-    if (without.perturbations.empty()) return std::numeric_limits<double>::quiet_NaN();
-    without.perturbations.clear();
-    return scorer.errors(result.labels[method], cached_parts(without).labels).rand_index;
+    const SegmentationMethod& perturbed = experiment_.methods[method];
+    if (perturbed.perturbations.empty()) return std::numeric_limits<double>::quiet_NaN();
+    return scorer.errors(result.labels[method], cached_parts(without_perturbations(perturbed)).labels).rand_index;
   }
 
   void take_pictures() {
@@ -193,7 +184,7 @@ SegmentationBenchmark without_people(const Dataset& dataset) {
 
 SegmentationBenchmark benchmark_of(const SegmentationExperiment& experiment, const RunContext& context) {
   if (!experiment.generator) return find_segmented_shapes(experiment.location);
-  prepare_generated(context.generated, *experiment.generator, context.control, context.ranks);
+  prepare_generated(context.generated, *experiment.generator, context.control);
   return find_generated_parts(context.generated);
 }
 
@@ -224,89 +215,24 @@ std::vector<std::size_t> split_failures(const std::vector<ModelFailure>& failed,
   return left;
 }
 
-void check_failures(const std::vector<ModelFailure>& failed, const SegmentationResults& results) {
+void check_failures(const std::vector<ModelFailure>& failed, const SegmentationExperiment& experiment,
+                    const SegmentationBenchmark& benchmark) {
   if (failed.empty()) return;
   const std::string first =
-      fmt::format("shape {}: {}", results.benchmark.models[failed.front().model].id, failed.front().message);
-  if (results.experiment.on_error == OnError::stop) {
-    throw SharedError(first + R"(; repair or remove it, or set "on_error" to "skip")");
+      fmt::format("shape {}: {}", benchmark.models[failed.front().model].id, failed.front().message);
+  if (experiment.on_error == OnError::stop) {
+    throw InputError(first + R"(; repair or remove it, or set "on_error" to "skip")");
   }
-  if (failed.size() == results.benchmark.models.size())
-    throw SharedError("no shape can be used; the first one, " + first);
+  if (failed.size() == benchmark.models.size()) throw InputError("no shape can be used; the first one, " + first);
 }
 
-/// Results for a shape, for transfer between processes.
+/// Results for a shape.
 struct CutShape {
   SegmentedShape shape;
   std::vector<SegmentationErrors> errors;  ///< by method, then people's
 };
 
-void pack_texts(const std::vector<std::string>& texts, Packer& packer) {
-  packer.add(texts.size());
-  for (const std::string& text : texts) packer.add(text);
-}
-
-std::vector<std::string> unpack_texts(Unpacker& unpacker) {
-  std::vector<std::string> texts(unpacker.take_value<std::size_t>());
-  for (std::string& text : texts) unpacker.take(text);
-  return texts;
-}
-
-template <typename Number>
-void pack_lists(const std::vector<std::vector<Number>>& lists, Packer& packer) {
-  packer.add(lists.size());
-  for (const std::vector<Number>& list : lists) packer.add(list);
-}
-
-template <typename Number>
-void unpack_lists(std::vector<std::vector<Number>>& lists, Unpacker& unpacker) {
-  lists.resize(unpacker.take_value<std::size_t>());
-  for (std::vector<Number>& list : lists) unpacker.take(list);
-}
-
-void pack(const CutShape& cut, Packer& packer) {
-  const SegmentedShape& shape = cut.shape;
-  packer.add(shape.mesh_sha256).add(shape.has_polygons).add(shape.moved).add(cut.errors);
-  pack_texts(shape.people_sha256, packer);
-  pack_texts(shape.remarks, packer);
-  pack_texts(shape.pictures, packer);
-  pack_lists(shape.labels, packer);
-  pack_lists(shape.part_sizes, packer);
-}
-
-CutShape unpack_cut_shape(Unpacker& unpacker) {
-  CutShape cut;
-  SegmentedShape& shape = cut.shape;
-  unpacker.take(shape.mesh_sha256).take(shape.has_polygons).take(shape.moved).take(cut.errors);
-  shape.people_sha256 = unpack_texts(unpacker);
-  shape.remarks = unpack_texts(unpacker);
-  shape.pictures = unpack_texts(unpacker);
-  unpack_lists(shape.labels, unpacker);
-  unpack_lists(shape.part_sizes, unpacker);
-  return cut;
-}
-
-/// Gathers the shapes segmented by all ranks, by index, on rank 0. Collective.
-std::map<std::size_t, CutShape> cut_by_all(std::map<std::size_t, CutShape> own, Communicator& ranks) {
-  if (ranks.size() == 1) return own;
-  Packer packer;
-  for (const auto& [index, cut] : own) {
-    packer.add(index);
-    pack(cut, packer);
-  }
-  std::map<std::size_t, CutShape> all;
-  for (const std::string& part : ranks.gather(std::move(packer).bytes())) {
-    Unpacker unpacker(part);
-    while (!unpacker.is_at_end()) {
-      const auto index = unpacker.take_value<std::size_t>();
-      all.emplace(index, unpack_cut_shape(unpacker));
-    }
-  }
-  return all;
-}
-
 void run_stages(const RunContext& context, SegmentationResults& results) {
-  Communicator& ranks = context.ranks;
   const Stopwatch stopwatch;
   results.benchmark = benchmark_of(results.experiment, context);
   results.classification_sha256 = sha256_of_file_if_readable(results.experiment.location.classification);
@@ -314,19 +240,16 @@ void run_stages(const RunContext& context, SegmentationResults& results) {
       std::ranges::any_of(results.benchmark.models, [](const SegmentedModel& model) { return !model.people.empty(); });
   std::vector<std::size_t> all(results.benchmark.models.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  std::map<std::size_t, CutShape> own;
+  std::map<std::size_t, CutShape> cut;
   std::mutex mutex;
   const bool stop = results.experiment.on_error == OnError::stop;
-  const std::vector<ModelFailure> own_failures =
-      for_each_model(all, "shapes", stop, context.control, ranks, [&](std::size_t i) {
-        SegmentationJob job(results.experiment, results.benchmark.models[i], i, context.cache);
-        const std::scoped_lock lock(mutex);
-        own.emplace(i, CutShape{.shape = std::move(job.result), .errors = std::move(job.errors)});
-      });
-  const std::vector<ModelFailure> failed = failures_of_all(own_failures, ranks);
-  check_failures(failed, results);
-  std::map<std::size_t, CutShape> cut = cut_by_all(std::move(own), ranks);
-  if (ranks.rank() != 0) return;
+  const std::vector<ModelFailure> failed = for_each_model(all, "shapes", stop, context.control, [&](std::size_t i) {
+    SegmentationJob job(results.experiment, results.benchmark.models[i], i, context.cache);
+    job.evaluate();
+    const std::scoped_lock lock(mutex);
+    cut.emplace(i, CutShape{.shape = std::move(job.result), .errors = std::move(job.errors)});
+  });
+  check_failures(failed, results.experiment, results.benchmark);
   const std::vector<std::size_t> left = split_failures(failed, results);
   results.scores = empty_scores(results.benchmark, method_names(results.experiment, results.benchmark));
   for (std::size_t k = 0; k < left.size(); ++k) {
@@ -364,8 +287,29 @@ SegmentationResults run_segmentation(const SegmentationExperiment& experiment, c
   results.experiment = experiment;
   results.threads = thread_count(context.control);
   with_threads(context.control, [&] { run_stages(context, results); });
-  results.cache = cache_report(context.cache, context.ranks);
+  results.cache = context.cache.report();
   return results;
+}
+
+PartOutcome run_part_of_segmentation(const SegmentationExperiment& experiment, const RunContext& context,
+                                     const Part& part) {
+  const SegmentationBenchmark benchmark = benchmark_of(experiment, context);
+  std::vector<std::size_t> all(benchmark.models.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<std::size_t> own = part.of(all);
+  PartOutcome outcome{.all = all.size(), .noun = "shape"};
+  with_threads(context.control, [&] {
+    const bool stop = experiment.on_error == OnError::stop;
+    const std::vector<ModelFailure> failed = for_each_model(own, "shapes", stop, context.control, [&](std::size_t i) {
+      const SegmentationJob job(experiment, benchmark.models[i], i, context.cache);
+    });
+    if (stop) check_failures(failed, experiment, benchmark);
+    outcome.shapes = own.size() - failed.size();
+    for (const ModelFailure& failure : failed) {
+      outcome.left_out.push_back({.id = benchmark.models[failure.model].id, .message = failure.message});
+    }
+  });
+  return outcome;
 }
 
 }  // namespace shapegauge

@@ -53,8 +53,12 @@ nlohmann::json versions_of(const SegmentationMethod& method);
 
 /// Runs a whole segmentation experiment: parts of each shape by each method, through the cache, and their errors.
 /// Generated shapes are in RunContext::generated and are reused (prepare_generated()). Everything but the timings is
-/// the same for any number of threads and processes; rank 0 has the results. Collective. Throws InputError for a shape
-/// that fails with OnError::stop and if no shape is left; throws Interrupted.
+/// the same for any number of threads. Throws InputError for a shape that fails with OnError::stop and if no shape is
+/// left; throws Interrupted.
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const RunContext& context);
+
+/// Finds the parts of a part of the shapes and stores them in the cache. Throws as run_segmentation() does.
+PartOutcome run_part_of_segmentation(const SegmentationExperiment& experiment, const RunContext& context,
+                                     const Part& part);
 
 }  // namespace shapegauge

@@ -12,7 +12,6 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/files/table.h"
-#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
@@ -183,18 +182,18 @@ RunOutcome write_segmentation(const std::filesystem::path& folder, const Segment
 namespace {
 
 RunOutcome run_and_write(const SegmentationExperiment& experiment, const RunContext& context) {
-  const SegmentationResults results = run_segmentation(experiment, context);
-  return on_all_ranks(context.ranks, [&] {
-    return context.ranks.rank() == 0 ? write_segmentation(context.results, results) : RunOutcome();
-  });
+  return write_segmentation(context.results, run_segmentation(experiment, context));
 }
 
 Experiment read_segmentation(const nlohmann::json& document, const std::string& source,
                              const std::filesystem::path& folder) {
   const SegmentationExperiment experiment = segmentation_from_json(document, source, folder);
-  Experiment read{.name = experiment.name,
-                  .configuration = to_json(experiment),
-                  .run = [experiment](const RunContext& context) { return run_and_write(experiment, context); }};
+  Experiment read{
+      .name = experiment.name,
+      .configuration = to_json(experiment),
+      .run = [experiment](const RunContext& context) { return run_and_write(experiment, context); },
+      .run_part = [experiment](const RunContext& context,
+                               const Part& part) { return run_part_of_segmentation(experiment, context, part); }};
   if (experiment.generator) return read;
   read.input_paths = {experiment.location.root, experiment.location.classification};
   read.inputs = [experiment](int threads) {

@@ -10,8 +10,8 @@
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/generator/generate_dataset.h"
-#include "shapegauge/experiments/shape_comparison/measurement_records.h"
-#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/bench.h"
+#include "shapegauge/experiments/signatures/cache_keys.h"
 
 namespace shapegauge {
 
@@ -26,38 +26,50 @@ void compare_normals(const TrueNormals& truth, const PreparedShape& prepared, co
   measurement.own_normals = normal_errors(truth, points, samples.normals, samples.weights, sided);
 }
 
-FieldMeasurement measure_field(const Samples& samples, const FieldValues& computed) {
+/// Measures a field. Values of the reference itself are added to it, where it is `own`.
+FieldMeasurement measure_field(const PreparedShape& prepared, const Samples& samples, const Field& field,
+                               std::size_t index, const FieldValues& computed, const GroundTruth* truth,
+                               ReferenceShape* own) {
   FieldMeasurement measurement;
   measurement.samples = static_cast<std::size_t>(samples.points.rows());
   measurement.missing = static_cast<std::size_t>(computed.values.array().isNaN().count());
   measurement.build_seconds = computed.build_seconds;
   measurement.query_seconds = computed.query_seconds;
+  if (truth == nullptr) return measurement;
+  const PlacedValues placed = placed_values(samples, computed.values, field.dimension, std::sqrt(prepared.area));
+  if (own != nullptr) own->values.push_back(placed);
+  measurement.errors = value_errors(placed, truth->reference->values[index], truth->diagonal);
+  if (truth->normals && computed.normals.rows() > 0) {
+    compare_normals(*truth->normals, prepared, samples, computed.normals, measurement);
+  }
   return measurement;
 }
 
 /// Measures a perturbed shape. `own` is given for the reference itself: it becomes MeasuredShape::reference, with
 /// values.
 MeasuredShape measure_shape(const ShapeComparison& comparison, PerturbedShape perturbed,
-                            std::span<const PlannedField> plan, const ReferenceShape* reference,
+                            std::span<const PlannedField> plan, const GroundTruth* truth,
                             std::optional<ReferenceShape> own, const RunControl& control) {
   MeasuredShape measured;
   measured.reference = std::move(own);
-  const ReferenceShape* const compared_with = measured.reference ? &*measured.reference : reference;
-  const auto observe = [&](std::size_t field, const PreparedShape& prepared, const Samples& samples,
-                           const FieldValues& computed) {
+  std::optional<GroundTruth> itself;
+  if (measured.reference) truth = &itself.emplace(*measured.reference);
+  Cache none;  // run times are those of computing
+  Bench bench(
+      "", [&] { return std::move(perturbed); }, comparison.preparation, true, none);
+  ModelDescription& description = measured.description;
+  static_cast<ShapeFacts&>(description) = bench.facts();
+  description.histograms.resize(comparison.signatures.size());
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Field& field = plan[i].field;
+    const Samples& samples = bench.samples(field.settings.samples);
+    FieldValues computed = bench.compute(field);
     if (control.interrupted()) throw Interrupted();
-    FieldMeasurement& measurement = measured.fields.emplace_back(measure_field(samples, computed));
-    if (compared_with == nullptr) return;
-    const PlacedValues placed =
-        placed_values(samples, computed.values, plan[field].field.dimension, std::sqrt(prepared.area));
-    if (measured.reference) measured.reference->values.push_back(placed);
-    measurement.errors = value_errors(placed, compared_with->values[field], compared_with->diagonal);
-    if (compared_with->normals && computed.normals.rows() > 0) {
-      compare_normals(*compared_with->normals, prepared, samples, computed.normals, measurement);
-    }
-  };
-  measured.description =
-      describe_shape(std::move(perturbed), comparison.preparation, comparison.signatures, plan, true, observe);
+    measured.fields.push_back(measure_field(bench.prepared(), samples, field, i, computed, truth,
+                                            measured.reference ? &*measured.reference : nullptr));
+    description.fields.push_back(describe_field(stored_field(field, std::move(computed), samples), samples.weights,
+                                                plan[i], comparison.signatures, description.histograms));
+  }
   return measured;
 }
 
@@ -67,31 +79,28 @@ std::string source_hash(const ComparedShape& shape, const std::optional<ShapeSou
   return sha256(fmt::format("generator {} {}", generator_version, to_json(shape.generated.value()).dump()));
 }
 
-/// Returns the keys of the histograms of all signatures.
-std::vector<std::string> histogram_keys(const ShapeComparison& comparison, std::span<const PlannedField> plan,
-                                        const std::string& shape) {
-  std::vector<std::string> keys(comparison.signatures.size());
+/// Returns the key of what is measured on the shape of that key.
+std::string key_of_measurement(const ShapeComparison& comparison, std::span<const PlannedField> plan,
+                               const std::string& shape, const std::string& compared_with, int threads) {
+  std::vector<std::string> fields(comparison.signatures.size());
+  std::vector<HistogramConfiguration> histograms;
   for (const PlannedField& planned : plan) {
-    const std::string field = field_key(shape, planned.field);
-    for (const std::size_t i : planned.signatures) {
-      keys[i] = histogram_key(field, comparison.signatures[i].histogram);
-    }
+    for (const std::size_t i : planned.signatures) fields[i] = field_key(shape, planned.field);
   }
-  return keys;
+  for (const SignatureConfiguration& signature : comparison.signatures) histograms.push_back(signature.histogram);
+  return comparison_key(fields, histograms, compared_with, field_errors_version, threads);
 }
 
 }  // namespace
 
-ReferenceShape make_reference(std::string key, Shape shape) {
-  ReferenceShape reference{
-      .key = std::move(key), .shape = {}, .diagonal = bounding_box_diagonal(shape), .normals = {}, .values = {}};
-  if (!is_cloud(shape)) reference.normals.emplace(shape);
-  reference.shape = std::move(shape);
-  return reference;
+GroundTruth::GroundTruth(const ReferenceShape& of) : reference(&of) {
+  const Shape shape{.vertices = of.vertices, .triangles = of.triangles};
+  diagonal = bounding_box_diagonal(shape);
+  if (!is_cloud(shape)) normals.emplace(shape);
 }
 
 MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size_t index,
-                                    std::span<const PlannedField> plan, const ReferenceShape* reference,
+                                    std::span<const PlannedField> plan, const GroundTruth* truth,
                                     const RunControl& control, Cache& cache) {
   const ComparedShape& source = comparison.shapes[index];
   const bool is_compared_with = comparison.reference == index && comparison.registered;
@@ -103,28 +112,24 @@ MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size
   const std::string hash = source_hash(source, file);
   const std::string shape = shape_key({.sha256 = hash, .file = source.file, .id = source.name, .index = index},
                                       comparison.preparation, source.perturbations, comparison.seed);
-  std::string compared_with = reference != nullptr ? reference->key : "";
+  std::string compared_with = truth != nullptr ? truth->reference->key : "";
   if (is_compared_with) compared_with = "itself";  // its record has more contents than that of an equal shape
-  const std::string key = comparison_key(histogram_keys(comparison, plan, shape), compared_with, field_errors_version,
-                                         thread_count(control));
-  auto found = cache.lookup(EntryKind::comparison, key,
-                            [&](const nlohmann::json& record) { return read_measured_record(record, plan); });
-  if (found) {
-    cache.count(EntryKind::comparison, true);
-    return *std::move(found);
-  }
-
-  const Stopwatch parsing;
-  Shape read = file ? read_shape(*file) : generate_model(*source.generated);
-  const double read_seconds = file_seconds + parsing.seconds();
-  PerturbedShape perturbed = perturb_model(std::move(read), source.perturbations, comparison.seed, source.name, index);
-  std::optional<ReferenceShape> own;
-  if (is_compared_with) own = make_reference(shape, perturbed.shape);
-  MeasuredShape measured = measure_shape(comparison, std::move(perturbed), plan, reference, std::move(own), control);
-  measured.read_seconds = read_seconds;
-  cache.count(EntryKind::comparison, false);
-  cache.store(EntryKind::comparison, key, measured_record(measured));
-  return measured;
+  const std::string key = key_of_measurement(comparison, plan, shape, compared_with, thread_count(control));
+  return cache.get(EntryKind::comparison, key, [&] {
+    const Stopwatch parsing;
+    Shape read = file ? read_shape(*file) : generate_model(*source.generated);
+    const double read_seconds = file_seconds + parsing.seconds();
+    PerturbedShape perturbed =
+        perturb_model(std::move(read), source.perturbations, comparison.seed, source.name, index);
+    std::optional<ReferenceShape> own;
+    if (is_compared_with) {
+      own.emplace(ReferenceShape{
+          .key = shape, .vertices = perturbed.shape.vertices, .triangles = perturbed.shape.triangles, .values = {}});
+    }
+    MeasuredShape measured = measure_shape(comparison, std::move(perturbed), plan, truth, std::move(own), control);
+    measured.read_seconds = read_seconds;
+    return measured;
+  });
 }
 
 }  // namespace shapegauge

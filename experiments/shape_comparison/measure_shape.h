@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "shapegauge/core/shape/shape.h"
@@ -26,17 +27,22 @@ struct FieldMeasurement {
   std::optional<NormalErrors> own_normals;     ///< of the samples' own normals; together with offset_normals
 };
 
-/// Reference to which the other shapes are registered.
+/// Reference to which the other shapes are registered, as the cache has it.
 struct ReferenceShape {
-  std::string key;                     ///< shape_key()
-  Shape shape;                         ///< after the perturbations: vertices and triangles
-  double diagonal = 0;                 ///< of the shape's bounding box
-  std::optional<TrueNormals> normals;  ///< if it is a mesh
-  std::vector<PlacedValues> values;    ///< by field
+  std::string key;  ///< shape_key()
+  Points vertices;  ///< after the perturbations
+  Triangles triangles;
+  std::vector<PlacedValues> values;  ///< by field
 };
 
-/// Makes a reference without values.
-ReferenceShape make_reference(std::string key, Shape shape);
+/// Ground truth of a reference, which it refers to.
+struct GroundTruth {
+  explicit GroundTruth(const ReferenceShape& of);
+
+  const ReferenceShape* reference;
+  double diagonal = 0;                 ///< of the reference's bounding box
+  std::optional<TrueNormals> normals;  ///< if it is a mesh
+};
 
 /// Everything that a comparison measures on one shape.
 struct MeasuredShape {
@@ -48,10 +54,35 @@ struct MeasuredShape {
 
 /// Reads, perturbs and prepares the shape of that index, and computes the planned fields on it with all threads of the
 /// calling TBB arena, through the cache. Run times from the cache are those of the run that computed the shape.
-/// `reference` is the shape to compare with, if any; null for the reference itself. Throws as describe_shape() does,
-/// and Interrupted between fields.
+/// `truth` is that of the reference to compare with, if any; null for the reference itself. Throws InputError for an
+/// unusable shape, and for a field that it does not have, and Interrupted between fields.
 MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size_t index,
-                                    std::span<const PlannedField> plan, const ReferenceShape* reference,
+                                    std::span<const PlannedField> plan, const GroundTruth* truth,
                                     const RunControl& control, Cache& cache);
+
+inline auto members(ValueErrors& errors) {
+  auto& [median, percentile_90, relative_median, relative_percentile_90] = errors;
+  return std::tie(median, percentile_90, relative_median, relative_percentile_90);
+}
+inline auto members(NormalErrors& errors) {
+  auto& [mean, median, percentile_90] = errors;
+  return std::tie(mean, median, percentile_90);
+}
+inline auto members(FieldMeasurement& field) {
+  auto& [samples, missing, build_seconds, query_seconds, errors, offset_normals, own_normals] = field;
+  return std::tie(samples, missing, build_seconds, query_seconds, errors, offset_normals, own_normals);
+}
+inline auto members(PlacedValues& placed) {
+  auto& [points, values, dimension] = placed;
+  return std::tie(points, values, dimension);
+}
+inline auto members(ReferenceShape& reference) {
+  auto& [key, vertices, triangles, values] = reference;
+  return std::tie(key, vertices, triangles, values);
+}
+inline auto members(MeasuredShape& measured) {
+  auto& [read_seconds, fields, description, reference] = measured;
+  return std::tie(read_seconds, fields, description, reference);
+}
 
 }  // namespace shapegauge

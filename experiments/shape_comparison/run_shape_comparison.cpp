@@ -14,11 +14,8 @@
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
-#include "shapegauge/experiments/distributed/agreement.h"
-#include "shapegauge/experiments/distributed/packing.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/shape_comparison/measure_shape.h"
-#include "shapegauge/experiments/shape_comparison/measurement_records.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
 
@@ -40,73 +37,59 @@ std::vector<ModelFailure> check_files(const ShapeComparison& comparison) {
   return failures;
 }
 
-/// Throws if the comparison cannot continue after the failures, which all processes know.
+/// Throws if the comparison cannot continue after the failures.
 void check_failures(const ShapeComparison& comparison, const std::vector<ModelFailure>& failures) {
   for (const ModelFailure& failure : failures) {
     const bool is_reference = comparison.reference == failure.model;
     if (!is_reference && comparison.on_error == OnError::skip) continue;
-    throw SharedError(fmt::format("shape \"{}\": {}; {}", comparison.shapes[failure.model].name, failure.message,
-                                  is_reference ? "it is the reference: repair it or choose another"
-                                               : R"(repair or remove it, or set "on_error" to "skip")"));
+    throw InputError(fmt::format("shape \"{}\": {}; {}", comparison.shapes[failure.model].name, failure.message,
+                                 is_reference ? "it is the reference: repair it or choose another"
+                                              : R"(repair or remove it, or set "on_error" to "skip")"));
   }
   if (failures.size() < comparison.shapes.size()) return;
-  throw SharedError(
+  throw InputError(
       fmt::format("none of the {} shapes can be used; the first: {}", failures.size(), failures.front().message));
 }
 
-/// Measurement of the shapes of a comparison by all processes.
+/// Measurement of the shapes of a comparison.
 class Measuring {
  public:
   Measuring(const ShapeComparison& comparison, std::span<const PlannedField> plan, const RunContext& context)
       : comparison_(&comparison), plan_(plan), context_(&context) {}
 
-  /// Measures all shapes, which rank 0 has afterwards. Collective. Throws as run_shape_comparison() does.
-  void run() {
-    Communicator& ranks = context_->ranks;
-    add_failures(ranks.rank() == 0 ? check_files(*comparison_) : std::vector<ModelFailure>());
-    const std::optional<std::size_t> reference = comparison_->reference;
-    if (reference) add(ranks.broadcast(measured_by_all({*reference}, "reference", nullptr)));
-    std::vector<std::size_t> others;
+  /// Measures the shapes of the part and, first, the reference if shapes are compared with it. Throws as
+  /// run_shape_comparison() does.
+  void run(const Part& part) {
+    add_failures(check_files(*comparison_));
+    std::vector<std::size_t> usable;
     for (std::size_t i = 0; i < comparison_->shapes.size(); ++i) {
-      if (i != reference && std::ranges::find(failures, i, &ModelFailure::model) == failures.end()) others.push_back(i);
+      if (std::ranges::find(failures, i, &ModelFailure::model) == failures.end()) usable.push_back(i);
     }
-    const ReferenceShape* compared_with = nullptr;
-    if (reference && comparison_->registered) compared_with = &shapes.at(*reference).reference.value();
-    if (!others.empty()) add(measured_by_all(others, "shapes", compared_with));
+    std::vector<std::size_t> own = part.of(usable);
+    std::optional<GroundTruth> truth;
+    if (comparison_->reference && comparison_->registered) {
+      measure({*comparison_->reference}, "reference", nullptr);
+      std::erase(own, *comparison_->reference);
+      truth.emplace(shapes.at(*comparison_->reference).reference.value());
+    }
+    measure(own, "shapes", truth ? &*truth : nullptr);
   }
 
   std::map<std::size_t, MeasuredShape> shapes;  ///< by index
   std::vector<ModelFailure> failures;           ///< in order
 
  private:
-  /// Adds the failures of all processes. Collective.
-  void add_failures(const std::vector<ModelFailure>& own) {
-    const std::vector<ModelFailure> all = failures_of_all(own, context_->ranks);
-    failures.insert(failures.end(), all.begin(), all.end());
+  void add_failures(const std::vector<ModelFailure>& more) {
+    failures.insert(failures.end(), more.begin(), more.end());
     std::ranges::sort(failures, {}, &ModelFailure::model);
     check_failures(*comparison_, failures);
   }
 
-  /// Measures shapes and returns them, serialised with their indices, on rank 0. Collective.
-  std::string measured_by_all(const std::vector<std::size_t>& indices, std::string_view stage,
-                              const ReferenceShape* reference) {
-    Packer own;
-    add_failures(for_each_model_in_turn(
-        indices, stage, comparison_->on_error == OnError::stop, context_->control, context_->ranks, [&](std::size_t i) {
-          const std::string bytes = measured_bytes(
-              measure_through_cache(*comparison_, i, plan_, reference, context_->control, context_->cache));
-          own.add(i).add(bytes);
-        }));
-    std::string all;
-    for (const std::string& part : context_->ranks.gather(std::move(own).bytes())) all += part;
-    return all;
-  }
-
-  void add(const std::string& bytes) {
-    for (Unpacker unpacker(bytes); !unpacker.is_at_end();) {
-      const auto index = unpacker.take_value<std::size_t>();
-      shapes.emplace(index, read_measured_bytes(unpacker.take_value<std::string>(), plan_));
-    }
+  void measure(const std::vector<std::size_t>& indices, std::string_view stage, const GroundTruth* truth) {
+    const bool stop = comparison_->on_error == OnError::stop;
+    add_failures(for_each_model_in_turn(indices, stage, stop, context_->control, [&](std::size_t i) {
+      shapes.emplace(i, measure_through_cache(*comparison_, i, plan_, truth, context_->control, context_->cache));
+    }));
   }
 
   const ShapeComparison* comparison_;
@@ -143,8 +126,7 @@ void run_stages(const RunContext& context, ShapeComparisonResults& results) {
   const std::vector<PlannedField> plan = plan_fields(comparison.signatures);
   const Stopwatch stopwatch;
   Measuring measured(comparison, plan, context);
-  measured.run();
-  if (context.ranks.rank() != 0) return;
+  measured.run({});
   results.timings.emplace_back("shapes", stopwatch.seconds());
 
   const Stopwatch second_stage;
@@ -172,10 +154,23 @@ ShapeComparisonResults run_shape_comparison(const ShapeComparison& comparison, c
   ShapeComparisonResults results;
   results.comparison = comparison;
   results.threads = thread_count(context.control);
-  results.processes = context.ranks.size();
   with_threads(context.control, [&] { run_stages(context, results); });
-  results.cache = cache_report(context.cache, context.ranks);
+  results.cache = context.cache.report();
   return results;
+}
+
+PartOutcome run_part_of_comparison(const ShapeComparison& comparison, const RunContext& context, const Part& part) {
+  const std::vector<PlannedField> plan = plan_fields(comparison.signatures);
+  PartOutcome outcome{.all = comparison.shapes.size(), .noun = "shape"};
+  with_threads(context.control, [&] {
+    Measuring measured(comparison, plan, context);
+    measured.run(part);
+    outcome.shapes = measured.shapes.size();
+    for (const ModelFailure& failure : measured.failures) {
+      outcome.left_out.push_back({.id = comparison.shapes[failure.model].name, .message = failure.message});
+    }
+  });
+  return outcome;
 }
 
 }  // namespace shapegauge

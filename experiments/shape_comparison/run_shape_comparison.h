@@ -38,16 +38,17 @@ struct ShapeComparisonResults {
   std::vector<FieldReport> fields;
   std::vector<SignatureResults> signatures;  ///< by signature of the comparison
   CacheReport cache;
-  int threads = 1;  ///< of each process
-  int processes = 1;
+  int threads = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
 };
 
 /// Runs a whole comparison: fields, histograms, distances from the reference, errors; shapes are measured through the
-/// cache. Each process measures its shapes one after the other with all its threads, which makes their timings
-/// comparable; the reference comes first. Everything but the timings is the same for any number of threads and
-/// processes; rank 0 has the results. Writes nothing. Collective. Throws InputError for a shape that fails with
-/// OnError::stop, a reference that fails, and if no shape is left; throws Interrupted.
+/// cache. Shapes are measured one after the other with all threads, which makes their timings comparable; the reference
+/// comes first. Everything but the timings is the same for any number of threads. Writes nothing. Throws InputError for
+/// a shape that fails with OnError::stop, a reference that fails, and if no shape is left; throws Interrupted.
 ShapeComparisonResults run_shape_comparison(const ShapeComparison& comparison, const RunContext& context);
+
+/// Measures a part of the shapes and stores the measurements in the cache. Throws as run_shape_comparison() does.
+PartOutcome run_part_of_comparison(const ShapeComparison& comparison, const RunContext& context, const Part& part);
 
 }  // namespace shapegauge

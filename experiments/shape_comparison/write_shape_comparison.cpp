@@ -10,7 +10,6 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/files/table.h"
-#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
@@ -209,7 +208,6 @@ OrderedJson manifest_entries(const ShapeComparisonResults& results) {
 
 OrderedJson execution_entries(const ShapeComparisonResults& results) {
   OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
-  if (results.processes > 1) execution["processes"] = results.processes;
   execution["cache"] = cache_json(results.cache);
   return execution;
 }
@@ -245,10 +243,7 @@ RunOutcome write_shape_comparison(const std::filesystem::path& folder, const Sha
 namespace {
 
 RunOutcome run_and_write(const ShapeComparison& comparison, const RunContext& context) {
-  const ShapeComparisonResults results = run_shape_comparison(comparison, context);
-  return on_all_ranks(context.ranks, [&] {
-    return context.ranks.rank() == 0 ? write_shape_comparison(context.results, results) : RunOutcome();
-  });
+  return write_shape_comparison(context.results, run_shape_comparison(comparison, context));
 }
 
 Experiment read_comparison(const nlohmann::json& document, const std::string& source,
@@ -260,7 +255,9 @@ Experiment read_comparison(const nlohmann::json& document, const std::string& so
           .configuration = to_json(comparison),
           .input_paths = std::move(files),
           .inputs = [comparison](int) { return inputs_of(comparison); },
-          .run = [comparison](const RunContext& context) { return run_and_write(comparison, context); }};
+          .run = [comparison](const RunContext& context) { return run_and_write(comparison, context); },
+          .run_part = [comparison](const RunContext& context,
+                                   const Part& part) { return run_part_of_comparison(comparison, context, part); }};
 }
 
 }  // namespace

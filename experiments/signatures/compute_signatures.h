@@ -14,11 +14,9 @@
 
 namespace shapegauge {
 
-/// Signatures of the models of a data set. With several processes, each has those of consecutive models; all reports on
-/// models are on rank 0.
+/// Signatures of the models of a data set.
 struct ComputedSignatures {
   std::vector<std::size_t> models;     ///< models with signatures, by index in the data set
-  RankRange own;                       ///< positions in `models` of those whose rows are here
   std::vector<Signatures> signatures;  ///< of those models, as assemble_signatures() returns them
   std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip: no signature can be computed
   /// By signature: those of `models`, by position, that do not have it, although they have another.
@@ -35,13 +33,20 @@ struct ComputedSignatures {
   std::vector<ShapeReport> shapes;  ///< by model with signatures
 };
 
-/// Computes all signatures of the configuration, in parallel over the models, which are shared by the processes. The
-/// same bytes for any number of threads and processes. First checks every model's file. With OnError::stop the first
-/// failing model is an InputError. With OnError::skip, models that cannot be used are omitted, and those without some
-/// of the signatures are named (`without`). Throws InputError if no model is left in general or for one of the
-/// signatures, and Interrupted. Collective. Runs in the calling TBB arena. Reads results from the cache and stores new
-/// ones there.
+/// Computes all signatures of the configuration, in parallel over the models. The same bytes for any number of threads.
+/// First checks every model's file. With OnError::stop the first failing model is an InputError. With OnError::skip,
+/// models that cannot be used are omitted, and those without some of the signatures are named (`without`). Throws
+/// InputError if no model is left in general or for one of the signatures, and Interrupted. Runs in the calling TBB
+/// arena. Reads results from the cache and stores new ones there.
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunContext& context);
+
+/// Computes what compute_signatures() needs of a part of the models, except for what depends on all, and stores it in
+/// the cache. Throws InputError for a model of the part that fails with OnError::stop, and Interrupted.
+PartOutcome describe_part(const Dataset& dataset, const Configuration& configuration, const RunContext& context,
+                          const Part& part);
+
+/// Returns true if the cache has what compute_signatures() needs of every model.
+bool are_described(const Dataset& dataset, const Configuration& configuration, const RunContext& context);
 
 }  // namespace shapegauge

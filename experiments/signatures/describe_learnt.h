@@ -12,16 +12,15 @@
 
 namespace shapegauge {
 
-/// Descriptions of this process's models by their index in the data set.
+/// Descriptions of models by their index in the data set.
 using DescribedModels = std::map<std::size_t, ModelDescription>;
 
 /// Completes the features of descriptors that learn: learns from the fields of all models, in order, and then computes
-/// the features, both through the cache. Rank 0 learns, from the fields of all; each rank describes its own models.
-/// Ignores missing models, and models without the fields of a descriptor. With OnError::skip, models that a descriptor
-/// cannot describe get FeatureDescription::error; what it learns is then without them. With OnError::stop, returns the
-/// first such model on all ranks, and the result is incomplete. `learnt` receives the learnt features by planned
-/// descriptor, empty for those that do not learn. Throws InputError if nothing can be learnt, and Interrupted.
-/// Collective. Runs in the calling TBB arena.
+/// the features, both through the cache. Ignores missing models, and models without the fields of a descriptor. With
+/// OnError::skip, models that a descriptor cannot describe get FeatureDescription::error; what it learns is then
+/// without them. With OnError::stop, returns the first such model, and the result is incomplete. `learnt` receives the
+/// learnt features by planned descriptor, empty for those that do not learn. Throws InputError if nothing can be
+/// learnt, and Interrupted. Runs in the calling TBB arena.
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
                                           std::span<const PlannedField> plan, const RunContext& context,
                                           std::vector<LearntFeatures>& learnt);

@@ -1,15 +1,15 @@
 #include "shapegauge/experiments/signatures/describe_model.h"
 
 #include <algorithm>
-#include <fmt/format.h>
-#include <map>
-#include <nlohmann/json.hpp>
+#include <functional>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/stopwatch.h"
-#include "shapegauge/core/shape/samples.h"
-#include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/experiments/signatures/cache_keys.h"
+#include "shapegauge/experiments/signatures/model_view.h"
+#include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
 
@@ -105,114 +105,137 @@ std::vector<std::size_t> viewed_fields(std::span<const PlannedField> plan, const
   return fields;
 }
 
-namespace {
-
-/// Samples of a shape by plan, computed on first use.
-class SamplesByPlan {
- public:
-  explicit SamplesByPlan(const Shape& shape) : shape_(&shape) {}
-
-  const Samples& at(SamplePlan plan) {
-    // A cloud is sampled at its points for either site.
-    if (is_cloud(*shape_) && plan.site == SampleSite::faces) plan.site = SampleSite::vertices;
-    const auto [place, is_new] = samples_.try_emplace(plan);
-    if (is_new) place->second = take_samples(*shape_, plan);
-    return place->second;
-  }
-
- private:
-  const Shape* shape_;
-  std::map<SamplePlan, Samples> samples_;
-};
-
-/// Returns the range of values; throws if there are none.
-Interval range_of(const ScalarField& field, const Field& what) {
-  if (const std::optional<Interval> range = value_range(field)) return *range;
-  throw InputError(fmt::format("the field {} has no value at any sample", to_json(what.settings).dump()));
-}
-
-}  // namespace
-
-void describe_field(const ScalarField& field, const PlannedField& planned,
-                    const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
-                    std::vector<Eigen::VectorXf>& histograms) {
-  kept.range = range_of(field, planned.field);
+FieldDescription describe_field(const StoredField& field, const Eigen::VectorXd& weights, const PlannedField& planned,
+                                const std::vector<SignatureConfiguration>& signatures,
+                                std::vector<Eigen::VectorXf>& histograms) {
+  FieldDescription description;
+  description.range = field.range;
+  description.outcomes = field.outcomes;
+  description.offset = field.offset;
+  description.seconds = field.seconds;
   for (const std::size_t i : planned.signatures) {
     const HistogramConfiguration& wanted = signatures[i].histogram;
     if (wanted.range == HistogramRange::dataset) continue;
-    const Interval& range = wanted.range == HistogramRange::fixed ? wanted.fixed : kept.range;
-    histograms[i] = histogram(field, range, wanted.options);
+    const Interval& range = wanted.range == HistogramRange::fixed ? wanted.fixed : field.range;
+    histograms[i] = histogram({.values = field.values, .weights = weights}, range, wanted.options);
   }
   if (planned.keep_values) {
-    kept.values = field.values.cast<float>();
-    kept.weights = field.weights.cast<float>();
+    description.values = field.values.cast<float>();
+    description.weights = weights.cast<float>();
   }
-}
-
-PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation,
-                            const ShapeDiagnostics* known) {
-  ModelDescription description;
-  description.diagnostics = known != nullptr ? *known : diagnose(perturbed.shape);
-  description.chosen = std::move(perturbed.chosen);
-  description.remarks = std::move(perturbed.remarks);
-  PreparedShape prepared = prepare_shape(std::move(perturbed.shape), preparation);
-  description.area = prepared.area;
-  description.noise = prepared.noise.relative();
-  description.pass_band = prepared.pass_band;
-  return {.prepared = std::move(prepared), .description = std::move(description)};
+  return description;
 }
 
 namespace {
 
-/// Computes the planned field of index i and its histograms.
-FieldDescription computed_field(std::size_t i, PreparedModel& model, FieldSource& source, SamplesByPlan& samples,
-                                const std::vector<SignatureConfiguration>& signatures,
-                                std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
-  const Stopwatch stopwatch;
-  const Samples& sites = samples.at(plan[i].field.settings.samples);
-  FieldValues computed = plan[i].field.compute(source, sites, parallel);
-  FieldDescription kept;
-  kept.seconds = stopwatch.seconds();
-  if (observe) observe(i, model.prepared, sites, computed);
-  kept.outcomes = std::move(computed.outcomes);
-  kept.offset = computed.offset;
-  const ScalarField field{.values = std::move(computed.values), .weights = sites.weights};
-  describe_field(field, plan[i], signatures, kept, model.description.histograms);
-  return kept;
+/// Calls the work; with OnError::skip, returns the message of its InputError, otherwise nothing.
+template <typename Work>
+std::string error_of(OnError on_error, const Work& work) {
+  try {
+    work();
+    return {};
+  } catch (const InputError& error) {
+    if (on_error == OnError::stop) throw;
+    return error.what();
+  }
+}
+
+FeatureDescription describe_descriptor(Bench& bench, const PlannedDescriptor& planned,
+                                       const ModelDescription& description, const Configuration& configuration) {
+  FeatureDescription features;
+  if (planned.learns) return features;  // completed after all shapes
+  for (const std::size_t field : planned.fields) {
+    features.error = description.fields[field].error;
+    if (!features.error.empty()) return features;
+  }
+  const DescriptorChoice& choice = *configuration.signatures[planned.signature].descriptor;
+  const std::string error = error_of(configuration.on_error, [&] { features = bench.features(choice); });
+  if (!error.empty()) features.error = error;
+  return features;
+}
+
+/// Adds the picture and the view.
+void draw(Bench& bench, const Configuration& configuration, std::span<const PlannedField> plan, Eigen::Index view_faces,
+          ModelDescription& description) {
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (!is_pictured(plan[i], configuration) || !description.fields[i].error.empty()) continue;
+    description.picture = bench.picture(plan[i].field, configuration.report.picture_options);
+  }
+  std::vector<Field> viewed;
+  std::vector<bool> has_field;
+  for (const std::size_t i : viewed_fields(plan, configuration)) {
+    viewed.push_back(plan[i].field);
+    has_field.push_back(description.fields[i].error.empty());
+  }
+  if (view_faces > 0 && !viewed.empty()) description.view = bench.view(viewed, has_field, view_faces);
 }
 
 }  // namespace
 
-void describe_fields(PreparedModel& model, FieldSource& source, const std::vector<SignatureConfiguration>& signatures,
-                     std::span<const PlannedField> plan, bool parallel, OnError on_error,
-                     const FieldObserver& observe) {
-  model.description.histograms.resize(signatures.size());
-  SamplesByPlan samples(model.prepared.shape);
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    FieldDescription& kept = model.description.fields.emplace_back();
-    try {
-      kept = computed_field(i, model, source, samples, signatures, plan, parallel, observe);
-    } catch (const InputError& error) {
-      if (on_error == OnError::stop) throw;
-      kept.error = error.what();
-    }
+ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const PlannedField> plan,
+                                Eigen::Index view_faces) {
+  ModelDescription description;
+  static_cast<ShapeFacts&>(description) = bench.facts();
+  description.shape_key = bench.key();
+  description.histograms.resize(configuration.signatures.size());
+  for (const PlannedField& planned : plan) {
+    FieldDescription field;
+    const std::string error = error_of(configuration.on_error, [&] {
+      field = describe_field(bench.field(planned.field), bench.weights(planned.field.settings.samples), planned,
+                             configuration.signatures, description.histograms);
+    });
+    if (!error.empty()) field.error = error;
+    description.fields.push_back(std::move(field));
   }
+  for (const PlannedDescriptor& planned : plan_descriptors(configuration.signatures, plan)) {
+    description.features.push_back(describe_descriptor(bench, planned, description, configuration));
+  }
+  draw(bench, configuration, plan, view_faces, description);
+  return description;
 }
 
-ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
-                                const std::vector<SignatureConfiguration>& signatures,
-                                std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
-  PreparedModel model = prepare_model(std::move(perturbed), preparation);
-  FieldSource source(model.prepared.shape, model.known_diagnostics());
-  describe_fields(model, source, signatures, plan, parallel, OnError::stop, observe);
-  return std::move(model.description);
+namespace {
+
+/// A result is not in the cache.
+struct NotStored {};
+
+/// Describes a model; `read` returns the shape of its file.
+ModelDescription describe_source(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                                 std::span<const PlannedField> plan, bool parallel, Cache& cache,
+                                 const std::function<Shape(const ShapeSource&)>& read) {
+  const Model& source = dataset.models[model];
+  const ShapeSource file = read_shape_source(source.file);
+  const std::string hash = sha256_of_shape(file);
+  const ModelSource depends_on{.sha256 = hash, .file = source.file, .id = source.id, .index = model};
+  const auto perturbed = [&] {
+    return perturb_model(read(file), configuration.perturbations, configuration.seed, source.id, model);
+  };
+  Bench bench(shape_key(depends_on, configuration.preparation, configuration.perturbations, configuration.seed),
+              perturbed, configuration.preparation, parallel, cache);
+  const bool viewed = configuration.report.views && dataset.models.size() <= most_models_with_views;
+  ModelDescription description =
+      describe_shape(bench, configuration, plan, viewed ? faces_of_views(dataset.models.size()) : 0);
+  description.sha256 = hash;
+  return description;
 }
 
-FeatureDescription describe_features(const DescriptorChoice& choice, const DescriptorInput& input,
-                                     const LearntFeatures& learnt) {
-  const Stopwatch stopwatch;
-  Eigen::VectorXf features = compute_features(choice.descriptor, input, learnt, choice.values);
-  return {.features = std::move(features), .seconds = stopwatch.seconds()};
+}  // namespace
+
+ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                                std::span<const PlannedField> plan, bool parallel, Cache& cache) {
+  return describe_source(dataset, model, configuration, plan, parallel, cache,
+                         [](const ShapeSource& file) { return read_shape(file); });
+}
+
+bool is_described(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                  std::span<const PlannedField> plan, Cache& cache) {
+  try {
+    (void)describe_source(dataset, model, configuration, plan, false, cache,
+                          [](const ShapeSource&) -> Shape { throw NotStored(); });
+    return true;
+  } catch (const NotStored&) {
+    return false;
+  }
 }
 
 ScalarField kept_field(const FieldDescription& field) {

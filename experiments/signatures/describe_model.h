@@ -2,18 +2,17 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "shapegauge/core/fields/field.h"
-#include "shapegauge/core/preparation/diagnostics.h"
-#include "shapegauge/core/preparation/prepare_shape.h"
-#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/configuration/perturbation_steps.h"
+#include "shapegauge/experiments/signatures/bench.h"
 
 namespace shapegauge {
 
@@ -52,36 +51,32 @@ std::vector<std::size_t> viewed_fields(std::span<const PlannedField> plan, const
 struct FieldDescription {
   Interval range;           ///< of the values
   Eigen::VectorXf values;   ///< kept if planned, otherwise empty; in single precision to save memory
-  Eigen::VectorXf weights;  ///< sample weights; kept and stored like the values
+  Eigen::VectorXf weights;  ///< sample weights; kept like the values
   FieldOutcomes outcomes;
   std::optional<double> offset;  ///< if the field chose one
   double seconds = 0;
   std::string error = {};  ///< why the shape has no values of it, with OnError::skip; otherwise empty
 };
 
-/// Results for one descriptor on one shape.
-struct FeatureDescription {
-  Eigen::VectorXf features;
-  double seconds = 0;      ///< without its fields
-  std::string error = {};  ///< why the shape has none, with OnError::skip; otherwise empty
-};
-
 /// Description of one shape, without its mesh.
-struct ModelDescription {
+struct ModelDescription : ShapeFacts {
   std::string sha256;                        ///< of the file; empty for a shape without file
-  ShapeDiagnostics diagnostics;              ///< after the perturbations, in the file's units
   std::vector<FieldDescription> fields;      ///< as in the plan
   std::vector<Eigen::VectorXf> histograms;   ///< by signature; empty if it depends on other shapes
   std::vector<FeatureDescription> features;  ///< by planned descriptor; empty for those that have yet to learn
   std::string shape_key;                     ///< shape_key() in the cache; empty if unknown
-  std::vector<std::size_t> chosen;           ///< choices of perturbations that choose
-  std::vector<std::string> remarks = {};     ///< how perturbations fell short of their settings
-  double area = 0;                           ///< area that was scaled to 1, in the file's units squared
-  double noise = 0;                          ///< NoiseLevel::relative(), if the preparation estimates noise
-  double pass_band = 0;                      ///< of the preparation's smoothing; 0 if not smoothed
   std::string picture;                       ///< model_picture(), if configured
   std::string view;                          ///< model_view(), if configured
 };
+
+inline auto members(FieldDescription& field) {
+  auto& [range, values, weights, outcomes, offset, seconds, error] = field;
+  return std::tie(range, values, weights, outcomes, offset, seconds, error);
+}
+inline auto members(ModelDescription& model) {
+  return std::tie(static_cast<ShapeFacts&>(model), model.sha256, model.fields, model.histograms, model.features,
+                  model.shape_key, model.picture, model.view);
+}
 
 /// Returns, by signature, why the shape has none: the first error of its field, its descriptor or its parts. Empty for
 /// signatures without an error.
@@ -89,49 +84,27 @@ std::vector<std::string> signature_errors(const ModelDescription& model,
                                           const std::vector<SignatureConfiguration>& signatures,
                                           std::span<const PlannedField> plan);
 
-/// Called for each field of a plan after its computation, with its index, the prepared shape, the samples and the
-/// values.
-using FieldObserver =
-    std::function<void(std::size_t field, const PreparedShape&, const Samples&, const FieldValues& computed)>;
-
-/// Prepared shape with its description so far.
-struct PreparedModel {
-  PreparedShape prepared;
-  ModelDescription description;  ///< without fields and histograms
-
-  /// Returns the diagnostics of the prepared shape, except for its scale; nothing if the preparation smoothed it.
-  [[nodiscard]] std::optional<ShapeDiagnostics> known_diagnostics() const {
-    return prepared.pass_band > 0 ? std::nullopt : std::optional(description.diagnostics);
-  }
-};
-
-/// Prepares a shape. `known` are its diagnostics if they have been computed before. Throws InputError for an unusable
-/// one.
-PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation,
-                            const ShapeDiagnostics* known = nullptr);
-
-/// Computes the planned fields and their histograms on a prepared shape, and adds them to its description. `source` is
-/// that of the prepared shape; `parallel` distributes the samples over threads. Throws InputError for a field that the
-/// shape does not have, or, with OnError::skip, records it (FieldDescription::error). Throws the errors of the
-/// observer.
-void describe_fields(PreparedModel& model, FieldSource& source, const std::vector<SignatureConfiguration>& signatures,
-                     std::span<const PlannedField> plan, bool parallel, OnError on_error,
-                     const FieldObserver& observe = {});
-
-/// Prepares a shape and computes the planned fields and their histograms.
-ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
+/// Describes computed values, of samples with these weights: their range, the histograms that do not depend on other
+/// shapes, and the values if the plan keeps them.
+FieldDescription describe_field(const StoredField& field, const Eigen::VectorXd& weights, const PlannedField& planned,
                                 const std::vector<SignatureConfiguration>& signatures,
-                                std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
+                                std::vector<Eigen::VectorXf>& histograms);
 
-/// Completes the description of a field: its range, the histograms that do not depend on other shapes, and its values
-/// if the plan keeps them. Throws InputError if all values are missing.
-void describe_field(const ScalarField& field, const PlannedField& planned,
-                    const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
-                    std::vector<Eigen::VectorXf>& histograms);
+/// Describes a shape by the planned fields and the configuration's descriptors, with at most that many faces in its
+/// view (0: no view). Throws InputError for an unusable shape, and for a field or descriptor that the shape does not
+/// have, or, with OnError::skip, records it.
+ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const PlannedField> plan,
+                                Eigen::Index view_faces);
 
-/// Computes the features of a descriptor.
-FeatureDescription describe_features(const DescriptorChoice& choice, const DescriptorInput& input,
-                                     const LearntFeatures& learnt);
+/// Describes a model of the data set through the cache. Apart from run times, the description is the same, bit by bit,
+/// whatever the state of the cache. `parallel` distributes the samples over threads. Throws InputError for an unusable
+/// model.
+ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                                std::span<const PlannedField> plan, bool parallel, Cache& cache);
+
+/// Returns true if the cache has everything that describe_model() needs of a model.
+bool is_described(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                  std::span<const PlannedField> plan, Cache& cache);
 
 /// Returns the values kept by a description.
 ScalarField kept_field(const FieldDescription& field);

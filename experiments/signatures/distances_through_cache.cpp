@@ -1,9 +1,8 @@
 #include "shapegauge/experiments/signatures/distances_through_cache.h"
 
 #include <functional>
-#include <utility>
 
-#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/cache_keys.h"
 
 namespace shapegauge {
 
@@ -13,17 +12,8 @@ namespace {
 DistanceMatrix cached_distances(const Signatures& signatures, const std::string& distance, Cache& cache,
                                 const std::function<DistanceMatrix()>& compute) {
   const bool kept = !cache.folder().empty() && signatures.rows() <= most_models_of_cached_distances;
-  const std::string key = kept ? distances_key(signatures, distance) : "";
-  if (kept) {
-    if (auto distances = cache.lookup(EntryKind::distances, key, read_distances)) {
-      cache.count(EntryKind::distances, true);
-      return std::move(*distances);
-    }
-  }
-  DistanceMatrix distances = compute();
-  cache.count(EntryKind::distances, false);
-  if (kept) cache.store(EntryKind::distances, key, distances_record(distances));
-  return distances;
+  if (!kept) return compute();
+  return cache.get(EntryKind::distances, distances_key(signatures, distance), compute);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "shapegauge/core/base/parallel.h"
-#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/cache_keys.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
   const test::TemporaryFolder folder;
   const std::string cache = (folder.path() / "cache").string();
-  Cache(cache).store(EntryKind::field, std::string(64, '1'), std::string(1'500'000, 'x'));
+  Cache(cache).put(EntryKind::field, std::string(64, '1'), std::string(1'500'000, 'x'));
   const Outcome outcome = run_executable("cache info --cache '" + cache + "'");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, "");
@@ -29,7 +29,7 @@ TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
 TEST(CacheCommand, ClearsItAndAnEmptyOneToo) {
   const test::TemporaryFolder folder;
   const std::string cache = (folder.path() / "cache").string();
-  Cache(cache).store(EntryKind::field, std::string(64, '1'), 1);
+  Cache(cache).put(EntryKind::field, std::string(64, '1'), 1);
   EXPECT_THAT(run_executable("cache clear --cache '" + cache + "'").output, HasSubstr("1 entries, 0.0 MB, removed"));
   EXPECT_FALSE(std::filesystem::exists(cache));
   const Outcome again = run_executable("cache clear --cache '" + cache + "'");

@@ -15,7 +15,7 @@ inline void publish_results(const std::filesystem::path& destination, const nloh
                                 return write(context.results);
                               }};
   Cache none;
-  run_into_folder(experiment, destination, true, {}, none, *single_process());
+  run_into_folder(experiment, destination, true, {}, none);
 }
 
 }  // namespace shapegauge::test

@@ -9,8 +9,7 @@ namespace shapegauge::test {
 /// Calls the work with the context of a run in this process alone.
 template <typename Work>
 auto run_alone(const RunControl& control, Cache& cache, const std::filesystem::path& generated, const Work& work) {
-  const auto ranks = single_process();
-  return work(RunContext{.control = control, .cache = cache, .ranks = *ranks, .generated = generated});
+  return work(RunContext{.control = control, .cache = cache, .generated = generated});
 }
 
 }  // namespace shapegauge::test

@@ -1,12 +1,14 @@
 #include <atomic>
-#include <bit>
-#include <cmath>
+#include <chrono>
 #include <csignal>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <sys/resource.h>
 #include <thread>
+#include <vector>
 
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/cache/cache.h"
@@ -27,12 +29,12 @@ TEST(CacheEntry, ComesBackAsItWas) {
 }
 
 TEST(CacheEntry, EveryFlippedBitIsFound) {
-  const std::string bytes = encode_entry(EntryKind::histogram, key, content);
+  const std::string bytes = encode_entry(EntryKind::picture, key, content);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     for (unsigned bit = 0; bit < 8; ++bit) {
       std::string damaged = bytes;
       damaged[i] = static_cast<char>(static_cast<unsigned char>(damaged[i]) ^ (1U << bit));
-      EXPECT_EQ(decode_entry(EntryKind::histogram, key, damaged), std::nullopt) << "byte " << i << " bit " << bit;
+      EXPECT_EQ(decode_entry(EntryKind::picture, key, damaged), std::nullopt) << "byte " << i << " bit " << bit;
     }
   }
 }
@@ -56,7 +58,6 @@ TEST(CacheEntry, AnotherEntryIsNotTakenForIt) {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using test::text_of;
 using test::write_text;
 using testing::ElementsAre;
@@ -65,42 +66,82 @@ using testing::IsEmpty;
 
 const std::string entry_key(64, '0');
 
-json same(const json& value) { return value; }
-
 class CacheTest : public testing::Test {
  protected:
   [[nodiscard]] fs::path folder() const { return folder_.path() / "cache"; }
   [[nodiscard]] fs::path entry() const { return entry_path(folder(), EntryKind::field, entry_key); }
-  void keep(const json& value) const { Cache(folder()).store(EntryKind::field, entry_key, value); }
+  void keep(const std::string& value) const { Cache(folder()).put(EntryKind::field, entry_key, value); }
+  static std::optional<std::string> found(Cache& cache) { return cache.find<std::string>(EntryKind::field, entry_key); }
+  [[nodiscard]] std::optional<std::string> found() const {
+    Cache cache(folder());
+    return found(cache);
+  }
 
  private:
   test::TemporaryFolder folder_;
 };
 
 TEST_F(CacheTest, AnotherRunFindsWhatOneHasKept) {
-  keep({{"a", 1}});
+  keep("value");
   Cache cache(folder());
-  EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), (json{{"a", 1}}));
-  EXPECT_EQ(cache.lookup(EntryKind::shape, entry_key, same), std::nullopt);
-  EXPECT_EQ(cache.lookup(EntryKind::field, std::string(64, '1'), same), std::nullopt);
+  EXPECT_EQ(found(cache), "value");
+  EXPECT_EQ(cache.find<std::string>(EntryKind::shape, entry_key), std::nullopt);
+  EXPECT_EQ(cache.find<std::string>(EntryKind::field, std::string(64, '1')), std::nullopt);
   EXPECT_THAT(cache.warnings(), IsEmpty());
 }
 
-TEST_F(CacheTest, NumbersComeBackBitByBit) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const double number : {0.1, -0.0, 1e-310, 1.0 / 3, infinity, -infinity, std::nextafter(0.5, 1)}) {
-    keep(number);
-    const auto found = Cache(folder()).lookup(EntryKind::field, entry_key, same).value().get<double>();
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(found), std::bit_cast<std::uint64_t>(number)) << number;
+TEST_F(CacheTest, AResultIsComputedOnce) {
+  int computed = 0;
+  const auto get = [&](Cache& cache) {
+    return cache.get(EntryKind::field, entry_key, [&] { return ++computed * 1.5; });
+  };
+  for (int run = 0; run < 2; ++run) {
+    Cache cache(folder());
+    EXPECT_EQ(get(cache), 1.5);
+    EXPECT_EQ(get(cache), 1.5);
+    const CacheUse use = cache.report().uses.at(static_cast<std::size_t>(EntryKind::field));
+    EXPECT_EQ(use.computed, run == 0 ? 1U : 0U);
+    EXPECT_EQ(use.hits, run == 0 ? 1U : 2U);
   }
-  keep(std::nan(""));
-  EXPECT_TRUE(std::isnan(Cache(folder()).lookup(EntryKind::field, entry_key, same).value().get<double>()));
+  EXPECT_EQ(computed, 1);
+}
+
+TEST_F(CacheTest, ThreadsThatRequestTheSameResultComputeItOnce) {
+  Cache cache(folder());
+  std::atomic<int> computed = 0;
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 8; ++i) {
+      threads.emplace_back([&] {
+        const int value = cache.get(EntryKind::field, entry_key, [&] {
+          std::this_thread::sleep_for(std::chrono::milliseconds(20));
+          return ++computed;
+        });
+        EXPECT_EQ(value, 1);
+      });
+    }
+  }
+  EXPECT_EQ(computed, 1);
+}
+
+TEST_F(CacheTest, AnErrorIsNoResult) {
+  Cache cache(folder());
+  const auto fail = [&](bool fails) {
+    return cache.get(EntryKind::field, entry_key, [&] {
+      if (fails) throw std::runtime_error("no");
+      return 1;
+    });
+  };
+  EXPECT_THROW(fail(true), std::runtime_error);
+  EXPECT_THROW(fail(true), std::runtime_error);
+  EXPECT_EQ(fail(false), 1);
 }
 
 TEST_F(CacheTest, WithoutAFolderNothingIsKept) {
   Cache none;
-  none.store(EntryKind::field, entry_key, 1);
-  EXPECT_EQ(none.lookup(EntryKind::field, entry_key, same), std::nullopt);
+  none.put(EntryKind::field, entry_key, 1);
+  EXPECT_EQ(none.find<int>(EntryKind::field, entry_key), std::nullopt);
+  EXPECT_EQ(none.get(EntryKind::field, entry_key, [] { return 2; }), 2);
   EXPECT_THAT(none.warnings(), IsEmpty());
   EXPECT_FALSE(fs::exists(folder()));
 }
@@ -108,9 +149,9 @@ TEST_F(CacheTest, WithoutAFolderNothingIsKept) {
 TEST_F(CacheTest, RecomputingFindsNothingAndKeepsWhatIsNew) {
   keep("old");
   Cache cache(folder(), true);
-  EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), std::nullopt);
-  cache.store(EntryKind::field, entry_key, "new");
-  EXPECT_EQ(Cache(folder()).lookup(EntryKind::field, entry_key, same), "new");
+  EXPECT_EQ(found(cache), std::nullopt);
+  cache.put(EntryKind::field, entry_key, std::string("new"));
+  EXPECT_EQ(found(), "new");
 }
 
 TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
@@ -119,48 +160,37 @@ TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
   for (const std::string& damaged : {bytes.substr(0, bytes.size() / 2), std::string(), bytes + "x", std::string("x")}) {
     write_text(entry(), damaged);
     Cache cache(folder());
-    EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), std::nullopt);
-    EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), std::nullopt);
+    EXPECT_EQ(found(cache), std::nullopt);
+    EXPECT_EQ(found(cache), std::nullopt);
     EXPECT_THAT(cache.warnings(),
                 ElementsAre("damaged cache entry, recomputed: " + entry().string() + " and 1 others"));
-    cache.store(EntryKind::field, entry_key, "value");
-    EXPECT_EQ(Cache(folder()).lookup(EntryKind::field, entry_key, same), "value");
+    keep("value");
+    EXPECT_EQ(found(), "value");
   }
 }
 
-TEST_F(CacheTest, ARecordOfAnotherFormIsDamagedToo) {
+TEST_F(CacheTest, AnEntryOfAnotherFormIsDamagedToo) {
   keep("a text");
   Cache cache(folder());
-  EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, [](const json& value) { return value.get<double>(); }),
-            std::nullopt);
+  EXPECT_EQ(cache.get(EntryKind::field, entry_key, [] { return 0.5; }), 0.5);
   EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("damaged cache entry")));
-}
-
-TEST_F(CacheTest, UsesAreCounted) {
-  Cache cache(folder());
-  cache.count(EntryKind::field, true);
-  cache.count(EntryKind::field, true);
-  cache.count(EntryKind::field, false);
-  const CacheUse use = cache.report().uses.at(static_cast<std::size_t>(EntryKind::field));
-  EXPECT_EQ(use.hits, 2U);
-  EXPECT_EQ(use.computed, 1U);
 }
 
 TEST_F(CacheTest, AFullDiskIsOneWarning) {
   Cache cache(folder());
-  cache.store(EntryKind::field, entry_key, "small");
+  cache.put(EntryKind::field, entry_key, std::string("small"));
   rlimit before = {};
   ::getrlimit(RLIMIT_FSIZE, &before);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   const rlimit limit = {1000, before.rlim_max};
   ::setrlimit(RLIMIT_FSIZE, &limit);
-  cache.store(EntryKind::field, std::string(64, '1'), std::string(5000, 'x'));
-  cache.store(EntryKind::field, std::string(64, '2'), "small");
+  cache.put(EntryKind::field, std::string(64, '1'), std::string(5000, 'x'));
+  cache.put(EntryKind::field, std::string(64, '2'), std::string("small"));
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_THAT(cache.warnings(),
               ElementsAre(testing::AllOf(HasSubstr("File too large"), HasSubstr("cache disabled for writing"))));
-  EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), "small") << "what is there is still found";
+  EXPECT_EQ(found(cache), "small") << "what is there is still found";
   EXPECT_EQ(cache_contents(folder()).total().entries, 1U) << "nothing half-written, nothing more";
 }
 
@@ -171,9 +201,9 @@ TEST_F(CacheTest, AFolderWithoutPermissionIsOneWarning) {
   Cache cache(folder());
   {
     const test::OrdinaryUser ordinary_user;
-    cache.store(EntryKind::field, std::string(64, '1'), 1);
-    cache.store(EntryKind::field, std::string(64, '2'), 2);
-    EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), "value");
+    cache.put(EntryKind::field, std::string(64, '1'), 1);
+    cache.put(EntryKind::field, std::string(64, '2'), 2);
+    EXPECT_EQ(found(cache), "value");
   }
   fs::permissions(folder(), fs::perms(0755));
   EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("Permission denied")));
@@ -187,9 +217,9 @@ TEST_F(CacheTest, SeveralRunsShareAFolder) {
     threads.emplace_back([&] {
       Cache cache(folder());
       for (int i = 0; i < 80; ++i) {
-        const json value(std::string(20'000, static_cast<char>('a' + i % 8)));
-        if (const auto found = cache.lookup(EntryKind::field, key_of(i % 8), same); found && *found != value) ++wrong;
-        cache.store(EntryKind::field, key_of(i % 8), value);
+        const std::string value(20'000, static_cast<char>('a' + i % 8));
+        if (cache.get(EntryKind::field, key_of(i % 8), [&] { return value; }) != value) ++wrong;
+        cache.put(EntryKind::field, key_of(i % 8), value);
       }
       wrong += static_cast<int>(cache.warnings().size());
     });

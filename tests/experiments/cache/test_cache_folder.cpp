@@ -93,7 +93,7 @@ class CacheContentsTest : public testing::Test {
   /// Stores a value, last used the given number of hours ago.
   void keep(EntryKind kind, char digit, std::size_t size, int hours = 0) const {
     const std::string key(64, digit);
-    Cache(folder()).store(kind, key, std::string(size, 'x'));
+    Cache(folder()).put(kind, key, std::string(size, 'x'));
     fs::last_write_time(entry_path(folder(), kind, key), fs::file_time_type::clock::now() - std::chrono::hours(hours));
   }
 
@@ -144,8 +144,7 @@ TEST_F(CacheContentsTest, TrimmingRemovesWhatWasNotUsedForLongest) {
   trim_cache(folder(), 10'000);
   EXPECT_EQ(cache_contents(folder()).total().entries, 3U);
   // The first is the oldest, but has just been used.
-  const auto same = [](const nlohmann::json& value) { return value; };
-  EXPECT_TRUE(Cache(folder()).lookup(EntryKind::field, std::string(64, '1'), same));
+  EXPECT_TRUE(Cache(folder()).find<std::string>(EntryKind::field, std::string(64, '1')));
   trim_cache(folder(), 2500);
   EXPECT_TRUE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '1'))));
   EXPECT_TRUE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '2'))));

@@ -23,7 +23,7 @@ int models_made(std::uint64_t seed, const fs::path& folder) {
   int made = 0;
   RunControl control;
   control.progress = [&](std::string_view, std::size_t, std::size_t) { ++made; };
-  prepare_generated(folder, two_generated(seed), control, *single_process());
+  prepare_generated(folder, two_generated(seed), control);
   EXPECT_EQ(find_dataset({.layout = "shrec11", .root = folder, .classification = folder / "test.cla"}).models.size(),
             2U);
   return made;
@@ -42,14 +42,14 @@ TEST(PrepareGenerated, MakesAnewWhatAnInterruptionLeft) {
   const test::TemporaryFolder folder;
   RunControl control;
   control.interrupted = [] { return true; };
-  EXPECT_THROW(prepare_generated(folder.path() / "new", two_generated(1), control, *single_process()), Interrupted);
+  EXPECT_THROW(prepare_generated(folder.path() / "new", two_generated(1), control), Interrupted);
   EXPECT_EQ(models_made(1, folder.path() / "new"), 2);
 }
 
 TEST(PrepareGenerated, DoesNotReplaceAnotherDataSet) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / "T0.off", "mine");
-  EXPECT_THROW(prepare_generated(folder.path(), two_generated(1), {}, *single_process()), InputError);
+  EXPECT_THROW(prepare_generated(folder.path(), two_generated(1), {}), InputError);
   EXPECT_EQ(text_of(folder.path() / "T0.off"), "mine");
 }
 
@@ -57,9 +57,8 @@ TEST(PrepareGenerated, DoesNotReplaceAFileThatIsNoRecord) {
   for (const char* const text : {R"({"generate": {"classes": 1}})", "[]", "mine"}) {
     const test::TemporaryFolder folder;
     test::write_text(folder.path() / "generated.json", text);
-    EXPECT_THAT(
-        test::input_error_of([&] { prepare_generated(folder.path(), two_generated(1), {}, *single_process()); }),
-        testing::HasSubstr("generated.json is not the record of one"));
+    EXPECT_THAT(test::input_error_of([&] { prepare_generated(folder.path(), two_generated(1), {}); }),
+                testing::HasSubstr("generated.json is not the record of one"));
     EXPECT_EQ(text_of(folder.path() / "generated.json"), text);
     EXPECT_FALSE(fs::exists(folder.path() / "T0.off"));
   }

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "shapegauge/experiments/engine/run_control.h"
-#include "tests/support/thread_ranks.h"
 
 namespace shapegauge {
 
@@ -64,23 +63,19 @@ TEST(ForEachModel, WhatHasNotBegunIsSkippedAfterAFailure) {
 
 TEST(ForEachModelInTurn, WorksOnOneModelAtATimeWithAllThreads) {
   const std::vector<std::size_t> models{2, 3, 5, 7};
-  for (const int size : {1, 2}) {
-    std::atomic<int> jobs = 0;
-    test::on_thread_ranks(size, [&](Communicator& ranks) {
-      std::atomic<int> running = 0;
-      with_threads(3, [&] {
-        const auto failures = for_each_model_in_turn(models, "test", false, {}, ranks, [&](std::size_t) {
-          EXPECT_EQ(++running, 1);
-          EXPECT_EQ(tbb::this_task_arena::max_concurrency(), 3);
-          std::this_thread::sleep_for(std::chrono::milliseconds(5));
-          --running;
-          ++jobs;
-        });
-        EXPECT_THAT(failures, testing::IsEmpty());
-      });
+  int jobs = 0;
+  std::atomic<int> running = 0;
+  with_threads(3, [&] {
+    const auto failures = for_each_model_in_turn(models, "test", false, {}, [&](std::size_t) {
+      EXPECT_EQ(++running, 1);
+      EXPECT_EQ(tbb::this_task_arena::max_concurrency(), 3);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      --running;
+      ++jobs;
     });
-    EXPECT_EQ(jobs, 4);
-  }
+    EXPECT_THAT(failures, testing::IsEmpty());
+  });
+  EXPECT_EQ(jobs, 4);
 }
 
 TEST(ForEachModel, AnInterruptionIsThrown) {

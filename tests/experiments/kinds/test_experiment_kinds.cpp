@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -10,7 +11,6 @@
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/engine/replay.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
@@ -18,7 +18,6 @@
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
-#include "tests/support/thread_ranks.h"
 
 namespace shapegauge {
 
@@ -72,10 +71,9 @@ class ExperimentKinds : public testing::Test {
     return document;
   }
 
-  [[nodiscard]] RunOutcome run(const Json& document, const std::string& output, Cache& cache, Communicator& ranks,
+  [[nodiscard]] RunOutcome run(const Json& document, const std::string& output, Cache& cache,
                                const RunControl& control = {.threads = 1}) const {
-    return run_into_folder(read_experiment(document, "test.json", folder_.path()), at(output), false, control, cache,
-                           ranks);
+    return run_into_folder(read_experiment(document, "test.json", folder_.path()), at(output), false, control, cache);
   }
 
   /// Result files without run times, by name; of the manifest only what is reproducible.
@@ -165,13 +163,13 @@ TEST_F(ExperimentKinds, HaveTheirPartsOfTheSchema) {
 
 TEST_F(ExperimentKinds, DoNotWriteIntoTheirDataSet) {
   Cache none;
-  EXPECT_THAT(test::input_error_of([&] { (void)run(retrieval(), "data", none, *single_process()); }),
+  EXPECT_THAT(test::input_error_of([&] { (void)run(retrieval(), "data", none); }),
               HasSubstr("the results would overwrite the input " + at("data").string()));
   EXPECT_FALSE(fs::exists(at("data") / "manifest.json"));
   Json document = comparison();
   document["shapes"][0]["file"] = "spheres/summary.json";
   test::write_text(at("spheres/summary.json"), "a shape");
-  EXPECT_THAT(test::input_error_of([&] { (void)run(document, "spheres", none, *single_process()); }),
+  EXPECT_THAT(test::input_error_of([&] { (void)run(document, "spheres", none); }),
               HasSubstr("the results would overwrite the input " + at("spheres/summary.json").string()));
 }
 
@@ -179,8 +177,7 @@ TEST_F(ExperimentKinds, DoNotOverwriteInputsThatHaveTheNameOfAnyResult) {
   const auto error_of = [&](const Json& document, const std::string& output) {
     Cache none;
     return test::input_error_of([&] {
-      (void)run_into_folder(read_experiment(document, "test.json", at("")), at(output), true, {.threads = 1}, none,
-                            *single_process());
+      (void)run_into_folder(read_experiment(document, "test.json", at("")), at(output), true, {.threads = 1}, none);
     });
   };
   Json document = retrieval();
@@ -208,27 +205,46 @@ TEST_F(ExperimentKinds, DoNotOverwriteInputsThatHaveTheNameOfAnyResult) {
   EXPECT_EQ(test::text_of(at("made/dataset/generated.json")), text);
 }
 
-TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
+TEST_F(ExperimentKinds, GiveTheSameBytesInParts) {
   for (const auto& [name, document] : {std::pair{"retrieval", retrieval()},
                                        {"comparison", comparison()},
                                        {"segmentation", segmentation()},
                                        {"multi_dataset", multi_dataset()}}) {
-    SCOPED_TRACE(name);
     const std::string alone = std::string(name) + "/alone";
     Cache none;
-    const RunOutcome outcome = run(document, alone, none, *single_process());
+    const RunOutcome outcome = run(document, alone, none);
     EXPECT_FALSE(outcome.summary.empty());
-    EXPECT_GT(outcome.used, 0U);
-    for (const int size : {2, 3}) {
-      const std::string together = std::string(name) + "/" + std::to_string(size);
-      test::on_thread_ranks(size, [&, &configuration = document](Communicator& ranks) {
-        Cache own;
-        const RunOutcome shared = run(configuration, together, own, ranks);
-        EXPECT_EQ(shared.files, ranks.rank() == 0 ? outcome.files : std::vector<std::string>());
-      });
+    for (const std::size_t count : {1U, 2U, 5U}) {
+      SCOPED_TRACE(fmt::format("{} in {} parts", name, count));
+      const std::string together = fmt::format("{}/{}", name, count);
+      const Experiment experiment = read_experiment(document, "test.json", at(""));
+      const fs::path folder = at(together + "/cache");
+      std::size_t all = 0;
+      for (std::size_t number = count; number > 0; --number) {
+        Cache cache(folder);
+        (void)run_part(experiment, {.number = number, .count = count}, at(together), {.threads = 1}, cache);
+        EXPECT_FALSE(fs::exists(at(together) / manifest_name));
+      }
+      Cache cache(folder);
+      const RunOutcome combined = run(document, together, cache);
+      for (const EntryKind kind : {EntryKind::field, EntryKind::segmentation, EntryKind::comparison}) {
+        const CacheUse& use = combined.cache.uses.at(static_cast<std::size_t>(kind));
+        EXPECT_EQ(use.computed, 0U) << name_of(kind);
+        all += use.hits;
+      }
+      EXPECT_GT(all, 0U);
       EXPECT_EQ(results(together), results(alone));
     }
   }
+}
+
+TEST_F(ExperimentKinds, PartsNeedACacheAndAKindThatHasThem) {
+  Cache none;
+  const Experiment experiment = read_experiment(retrieval(), "test.json", at(""));
+  EXPECT_THAT(test::input_error_of([&] { (void)run_part(experiment, {}, at("out"), {}, none); }), HasSubstr("cache"));
+  Cache cache(at("cache"));
+  const Experiment whole{.name = "whole", .configuration = {}, .run = experiment.run};
+  EXPECT_THAT(test::input_error_of([&] { (void)run_part(whole, {}, at("out"), {}, cache); }), HasSubstr("no parts"));
 }
 
 TEST_F(ExperimentKinds, GoOnFromTheCacheAfterAnInterruption) {
@@ -239,17 +255,17 @@ TEST_F(ExperimentKinds, GoOnFromTheCacheAfterAnInterruption) {
     SCOPED_TRACE(name);
     const std::string place = name;
     Cache none;
-    (void)run(document, place + "/alone", none, *single_process());
+    (void)run(document, place + "/alone", none);
     std::size_t done = 0;
     RunControl control{.threads = 1, .interrupted = [&] { return done >= 2; }};
     control.progress = [&](std::string_view stage, std::size_t now, std::size_t) {
       if (stage == "signatures" || stage == "shapes") done = now;
     };
     Cache first(at("cache"));
-    EXPECT_THROW((void)run(document, place + "/resumed", first, *single_process(), control), Interrupted);
+    EXPECT_THROW((void)run(document, place + "/resumed", first, control), Interrupted);
     EXPECT_FALSE(fs::exists(at(place + "/resumed") / manifest_name));
     Cache second(at("cache"));
-    const RunOutcome outcome = run(document, place + "/resumed", second, *single_process());
+    const RunOutcome outcome = run(document, place + "/resumed", second);
     std::size_t hits = 0;
     for (const CacheUse& use : outcome.cache.uses) hits += use.hits;
     EXPECT_GT(hits, 0U);
@@ -259,13 +275,13 @@ TEST_F(ExperimentKinds, GoOnFromTheCacheAfterAnInterruption) {
 
 TEST_F(ExperimentKinds, ASegmentationKeepsItsGeneratedShapes) {
   Cache none;
-  (void)run(segmentation(), "parts", none, *single_process());
+  (void)run(segmentation(), "parts", none);
   int generated = 0;
   RunControl control{.threads = 1};
   control.progress = [&](std::string_view stage, std::size_t, std::size_t) {
     generated += stage == "generating models" ? 1 : 0;
   };
-  (void)run(segmentation(), "parts", none, *single_process(), control);
+  (void)run(segmentation(), "parts", none, control);
   EXPECT_EQ(generated, 0);
 }
 
@@ -273,16 +289,13 @@ TEST_F(ExperimentKinds, ASegmentationKeepsItsGeneratedShapes) {
 Experiment read_count(const Json& document, const std::string& /*source*/, const fs::path& folder) {
   const std::string text = read_file_bytes(folder / document.at("count").at("file").get<std::string>());
   return {.name = "count", .configuration = document, .run = [text](const RunContext& context) {
-            return on_all_ranks(context.ranks, [&] {
-              if (context.ranks.rank() != 0) return RunOutcome();
-              write_file_atomically(context.results / "count.txt", std::to_string(text.size()) + "\n");
-              return RunOutcome{.files = {"count.txt"},
-                                .manifest = {{"inputs", Json::object()}},
-                                .execution = Json::object(),
-                                .summary = std::to_string(text.size()),
-                                .used = 1,
-                                .noun = "text"};
-            });
+            write_file_atomically(context.results / "count.txt", std::to_string(text.size()) + "\n");
+            return RunOutcome{.files = {"count.txt"},
+                              .manifest = {{"inputs", Json::object()}},
+                              .execution = Json::object(),
+                              .summary = std::to_string(text.size()),
+                              .used = 1,
+                              .noun = "text"};
           }};
 }
 
@@ -308,7 +321,7 @@ TEST_F(ExperimentKinds, CanBeAddedFromOutsideTheLibrary) {
   test::write_text(at("text.txt"), "shapes");
   const Json document{{"count", {{"file", "text.txt"}}}};
   Cache none;
-  EXPECT_EQ(run(document, "count", none, *single_process()).summary, "6");
+  EXPECT_EQ(run(document, "count", none).summary, "6");
   EXPECT_EQ(test::text_of(at("count/count.txt")), "6\n");
   const Json manifest = Json::parse(test::text_of(at("count/manifest.json")));
   EXPECT_EQ(manifest.at("configuration"), document);

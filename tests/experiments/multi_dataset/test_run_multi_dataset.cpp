@@ -44,7 +44,7 @@ class RunMultiDataset : public testing::Test {
 
   RunOutcome run(const Json& json, const std::string& output) {
     Cache none;
-    return run_into_folder(read(json), at(output), false, {.threads = 1}, none, *single_process());
+    return run_into_folder(read(json), at(output), false, {.threads = 1}, none);
   }
 
   [[nodiscard]] Json json_in(const std::string& file) const { return Json::parse(test::text_of(at(file))); }
@@ -61,7 +61,7 @@ TEST_F(RunMultiDataset, GivesEachDataSetTheResultsOfAnExperimentOfItsOwn) {
   alone["dataset"] = {{"layout", "shrec11"}, {"root", "second"}};
   Cache none;
   const Experiment second = retrieval_kind().read(alone, "test.json", at(""));
-  (void)run_into_folder(second, at("alone"), false, {.threads = 1}, none, *single_process());
+  (void)run_into_folder(second, at("alone"), false, {.threads = 1}, none);
   for (const char* name : {"per_query.csv", "summary.csv", "pr_curves.csv", "distances/fixed.npy"}) {
     EXPECT_EQ(test::text_of(at("together/second") / name), test::text_of(at("alone") / name)) << name;
     EXPECT_THAT(outcome.files, Contains(std::string("second/") + name));
@@ -179,7 +179,7 @@ TEST_F(RunMultiDataset, ReplacesTheFilesOfAnEarlierRun) {
   Json json = document();
   json["datasets"].erase(0);
   Cache none;
-  (void)run_into_folder(read(json), at("results"), true, {.threads = 1}, none, *single_process());
+  (void)run_into_folder(read(json), at("results"), true, {.threads = 1}, none);
   EXPECT_FALSE(fs::exists(at("results/First_set/summary.csv")));
   EXPECT_FALSE(fs::exists(at("results/First_set/manifest.json")));
   EXPECT_TRUE(fs::exists(at("results/second/summary.csv")));

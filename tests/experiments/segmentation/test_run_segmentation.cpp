@@ -297,7 +297,7 @@ TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
   write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(7, 0));  // which fails
   const Experiment experiment = segmentation_kind().read(document, "x.json", folder_.path());
   Cache none;
-  (void)run_into_folder(experiment, folder_.path() / "results", false, {.threads = 1}, none, *single_process());
+  (void)run_into_folder(experiment, folder_.path() / "results", false, {.threads = 1}, none);
   nlohmann::json recorded = read_json(folder_.path() / "results" / manifest_name);
   EXPECT_EQ(recorded.at("inputs").at("models").size(), 9U);
   EXPECT_THAT(changed_inputs(recorded, experiment.inputs(1)), testing::IsEmpty());
@@ -333,7 +333,7 @@ TEST_F(SegmentationRun, RecordsTheFileOfClasses) {
   };
   Cache none;
   (void)run_into_folder(experiment_on({{"layout", "shrec11"}, {"root", "shapes"}}), folder_.path() / "results", false,
-                        control, none, *single_process());
+                        control, none);
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "shapes/test.cla"));
   EXPECT_EQ(read_json(folder_.path() / "results" / manifest_name).at("inputs"), inputs) << "as read by the run";
 }

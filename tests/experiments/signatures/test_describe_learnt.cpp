@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distances.h"
 #include "tests/support/test_files.h"
-#include "tests/support/thread_ranks.h"
 
 namespace shapegauge {
 namespace {
@@ -82,16 +80,16 @@ struct Outcome {
   std::vector<LearntFeatures> learnt;
 };
 
-Outcome described(DescribedModels& models, const Configuration& configuration, Cache& cache, Communicator& ranks) {
+Outcome described(DescribedModels& models, const Configuration& configuration, Cache& cache) {
   Outcome outcome;
   outcome.failures = describe_learnt(models, configuration, plan_fields(configuration.signatures),
-                                     {.control = {}, .cache = cache, .ranks = ranks}, outcome.learnt);
+                                     {.control = {}, .cache = cache}, outcome.learnt);
   return outcome;
 }
 
 Outcome described(DescribedModels& models, const Configuration& configuration) {
   Cache none;
-  return described(models, configuration, none, *single_process());
+  return described(models, configuration, none);
 }
 
 /// The feature of a model; -1 if it has none.
@@ -113,27 +111,6 @@ TEST(DescribeLearnt, LearnsFromAllModelsAndDescribesEach) {
   EXPECT_EQ(models.at(3).features[0].features[0], 77) << "others stay";
 }
 
-TEST(DescribeLearnt, IsTheSameOnSeveralRanks) {
-  for (const int size : {2, 3}) {
-    std::mutex mutex;
-    std::map<std::size_t, float> features;
-    test::on_thread_ranks(size, [&](Communicator& ranks) {
-      std::map<std::size_t, float> own;
-      for (const auto& [index, value] : five_values) {
-        if (static_cast<int>(index) % size == ranks.rank()) own[index] = value;
-      }
-      DescribedModels models = models_of(own);
-      Cache none;
-      const Outcome outcome = described(models, mean_configuration(), none, ranks);
-      const std::lock_guard lock(mutex);
-      EXPECT_EQ(outcome.learnt[1], (LearntFeatures{{5, 5}}));
-      for (const auto& [index, value] : own) features[index] = feature_of(models, index);
-    });
-    ASSERT_EQ(features.size(), five_values.size());
-    for (const auto& [index, value] : five_values) EXPECT_EQ(features.at(index), value - 5) << index;
-  }
-}
-
 TEST(DescribeLearnt, ModelsWithoutTheFieldAreIgnored) {
   DescribedModels models = models_of({{0, 1}, {1, -1}, {2, 3}});
   const Outcome outcome = described(models, mean_configuration(OnError::skip));
@@ -144,42 +121,23 @@ TEST(DescribeLearnt, ModelsWithoutTheFieldAreIgnored) {
 }
 
 TEST(DescribeLearnt, WhatIsLearntIsWithoutModelsThatCannotBeDescribed) {
-  for (const int size : {1, 2}) {
-    test::on_thread_ranks(size, [&](Communicator& ranks) {
-      std::map<std::size_t, float> own;
-      for (const auto& [index, value] : std::map<std::size_t, float>{{0, 1}, {1, 500}, {2, 3}, {5, 200}}) {
-        if (static_cast<int>(index) % size == ranks.rank()) own[index] = value;
-      }
-      DescribedModels models = models_of(own);
-      Cache none;
-      const Outcome outcome = described(models, mean_configuration(OnError::skip), none, ranks);
-      EXPECT_TRUE(outcome.failures.empty());
-      EXPECT_EQ(outcome.learnt[1], (LearntFeatures{{2, 2}}));
-      for (const auto& [index, value] : own) {
-        EXPECT_EQ(models.at(index).features[1].error.empty(), value < 100) << index;
-        if (value < 100) {
-          EXPECT_EQ(feature_of(models, index), value - 2) << index;
-        }
-      }
-    });
+  const std::map<std::size_t, float> values{{0, 1}, {1, 500}, {2, 3}, {5, 200}};
+  DescribedModels models = models_of(values);
+  const Outcome outcome = described(models, mean_configuration(OnError::skip));
+  EXPECT_TRUE(outcome.failures.empty());
+  EXPECT_EQ(outcome.learnt[1], (LearntFeatures{{2, 2}}));
+  for (const auto& [index, value] : values) {
+    EXPECT_EQ(models.at(index).features[1].error.empty(), value < 100) << index;
+    EXPECT_EQ(feature_of(models, index), value < 100 ? value - 2 : -1) << index;
   }
 }
 
 TEST(DescribeLearnt, TheFirstModelThatCannotBeDescribedStops) {
-  for (const int size : {1, 2}) {
-    test::on_thread_ranks(size, [&](Communicator& ranks) {
-      std::map<std::size_t, float> own;
-      for (const auto& [index, value] : std::map<std::size_t, float>{{0, 1}, {1, 3}, {2, 500}}) {
-        if (static_cast<int>(index) % size == ranks.rank()) own[index] = value;
-      }
-      DescribedModels models = models_of(own);
-      Cache none;
-      const Outcome outcome = described(models, mean_configuration(OnError::stop), none, ranks);
-      ASSERT_EQ(outcome.failures.size(), 1U) << "on every rank";
-      EXPECT_EQ(outcome.failures[0].model, 2U);
-      EXPECT_THAT(outcome.failures[0].message, testing::HasSubstr("too large"));
-    });
-  }
+  DescribedModels models = models_of({{0, 1}, {1, 3}, {2, 500}});
+  const Outcome outcome = described(models, mean_configuration(OnError::stop));
+  ASSERT_EQ(outcome.failures.size(), 1U);
+  EXPECT_EQ(outcome.failures[0].model, 2U);
+  EXPECT_THAT(outcome.failures[0].message, testing::HasSubstr("too large"));
 }
 
 TEST(DescribeLearnt, FromNothingIsAnError) {
@@ -197,7 +155,7 @@ TEST(DescribeLearnt, TakesFromTheCacheWhatDependsOnTheSameModels) {
     Cache cache(folder.path() / "cache");
     DescribedModels models = models_of(values);
     const int before = lessons_learnt;
-    const Outcome outcome = described(models, mean_configuration(), cache, *single_process());
+    const Outcome outcome = described(models, mean_configuration(), cache);
     EXPECT_EQ(outcome.learnt[1](0, 0), static_cast<float>(values.size()));
     for (const auto& [index, value] : values) EXPECT_EQ(feature_of(models, index), value - outcome.learnt[1](0, 1));
     const CacheUse& features = cache.report().uses.at(static_cast<std::size_t>(EntryKind::features));
@@ -217,7 +175,7 @@ TEST(DescribeLearnt, StopsWhenInterrupted) {
   std::vector<LearntFeatures> learnt;
   const RunControl control{.interrupted = [] { return true; }};
   EXPECT_THROW(describe_learnt(models, configuration, plan_fields(configuration.signatures),
-                               {.control = control, .cache = none, .ranks = *single_process()}, learnt),
+                               {.control = control, .cache = none}, learnt),
                Interrupted);
 }
 

@@ -35,13 +35,13 @@ TEST(PlanFields, EqualSettingsAreOneFieldWhetherWrittenOutOrNot) {
 }
 
 TEST(DescribeField, KeepsValuesOnlyForARangeOverAllShapes) {
-  const ScalarField field{.values = Eigen::Vector3d(0.25, 0.5, 1), .weights = Eigen::Vector3d(1, 1, 2)};
+  const StoredField field{
+      .range = {.low = 0.25, .high = 1}, .outcomes = {}, .offset = {}, .values = Eigen::Vector3d(0.25, 0.5, 1)};
   for (const HistogramRange range : {HistogramRange::per_shape, HistogramRange::dataset}) {
     const std::vector<SignatureConfiguration> signatures{signature({{"type", "cone_sdf"}}, range)};
     const std::vector<PlannedField> plan = plan_fields(signatures);
-    FieldDescription kept;
     std::vector<Eigen::VectorXf> histograms(1);
-    describe_field(field, plan[0], signatures, kept, histograms);
+    const FieldDescription kept = describe_field(field, Eigen::Vector3d(1, 1, 2), plan[0], signatures, histograms);
     const bool waits = range == HistogramRange::dataset;
     EXPECT_EQ(kept.values.size(), waits ? 3 : 0);  // those of thousands of shapes would exhaust memory
     EXPECT_EQ(histograms[0].size(), waits ? 0 : 80);

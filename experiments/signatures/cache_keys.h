@@ -11,10 +11,10 @@
 
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
-#include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/experiments/signatures/model_picture.h"
 #include "shapegauge/experiments/signatures/model_view.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -23,10 +23,10 @@
 /// step, the version of its algorithm, and the program: its release, compiler, libraries and processor type, which may
 /// affect the last bits.
 
-/// Cache records: JSON, with arrays of numbers as binary values. Reading restores everything bit by bit. The functions
-/// that read throw nlohmann::json::exception for a malformed record.
-
 namespace shapegauge {
+
+/// Returns the key of a result of that kind.
+std::string result_key(EntryKind kind, const nlohmann::json& depends_on);
 
 /// Input of a model's prepared shape, apart from the configuration.
 struct ModelSource {
@@ -46,9 +46,6 @@ std::string samples_key(const std::string& shape, const SamplePlan& plan);
 
 /// Returns the key of a field on that shape.
 std::string field_key(const std::string& shape, const Field& field);
-
-/// Returns the key of a histogram of that field over a range that does not depend on other shapes.
-std::string histogram_key(const std::string& field, const HistogramConfiguration& histogram);
 
 /// Returns the key of a descriptor's features of that shape. `fields` are the keys of its fields; `learnt` is that of
 /// its learnt features, or empty.
@@ -75,60 +72,11 @@ std::string distance_of(const Descriptor& descriptor);
 std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method,
                              const nlohmann::json& versions, const SegmentationExperiment& experiment);
 
-/// Returns the key of what a comparison measures on a shape. `histograms` are the keys of the shape's histograms;
-/// `reference` identifies the shape that it is compared with; `version` is that of the errors. Run times depend on the
-/// number of threads.
-std::string comparison_key(const std::vector<std::string>& histograms, const std::string& reference, int version,
-                           int threads);
-
-/// Record of an array of numbers.
-nlohmann::json numbers_record(const Eigen::VectorXd& numbers);
-Eigen::VectorXd read_numbers(const nlohmann::json& record);
-
-/// Record of a model without its fields.
-nlohmann::json shape_record(const ModelDescription& model);
-ModelDescription read_shape_record(const nlohmann::json& record);
-
-/// Field on a model with its values, in double precision as histograms need them.
-struct CachedField {
-  FieldDescription facts;  ///< without values
-  Eigen::VectorXd values;
-};
-nlohmann::json field_record(const CachedField& field);
-CachedField read_field_record(const nlohmann::json& record);
-
-/// Histogram with the facts of its field, which avoids reading the field's values.
-struct CachedHistogram {
-  FieldDescription facts;  ///< without values
-  Eigen::VectorXf bins;
-};
-nlohmann::json histogram_record(const CachedHistogram& histogram);
-CachedHistogram read_histogram_record(const nlohmann::json& record);
-
-/// Serialise a model for another process: everything but values, histograms and features.
-/// @{
-std::string described_bytes(const ModelDescription& model);
-ModelDescription read_described(std::string_view bytes);
-/// @}
-
-/// Record of a descriptor's features.
-nlohmann::json features_record(const FeatureDescription& features);
-FeatureDescription read_features(const nlohmann::json& record);
-
-/// Record of a descriptor's learnt features.
-nlohmann::json learnt_record(const LearntFeatures& learnt);
-LearntFeatures read_learnt(const nlohmann::json& record);
-
-/// Record of a picture: the bytes of its file.
-nlohmann::json picture_record(std::string_view png);
-std::string read_picture(const nlohmann::json& record);
-
-/// Record of a view: its text.
-nlohmann::json view_record(const std::string& view);
-std::string read_view(const nlohmann::json& record);
-
-/// Record of a distance matrix.
-nlohmann::json distances_record(const DistanceMatrix& distances);
-DistanceMatrix read_distances(const nlohmann::json& record);
+/// Returns the key of what a comparison measures on a shape. `fields` are the keys of the fields of its signatures, and
+/// `histograms` their histograms; `reference` identifies the shape that it is compared with; `version` is that of the
+/// errors. Run times depend on the number of threads.
+std::string comparison_key(const std::vector<std::string>& fields,
+                           const std::vector<HistogramConfiguration>& histograms, const std::string& reference,
+                           int version, int threads);
 
 }  // namespace shapegauge

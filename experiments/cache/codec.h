@@ -1,0 +1,200 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+
+/// Values as bytes, restored bit by bit by the same program on the same kind of machine: numbers, texts, containers,
+/// Eigen's matrices, and structures for which members() lists references to all members. Structured bindings let the
+/// list fail to compile when a member is added:
+///
+///     inline auto members(Interval& interval) {
+///       auto& [low, high] = interval;
+///       return std::tie(low, high);
+///     }
+
+namespace shapegauge {
+
+/// Error of bytes that do not encode the requested value.
+class DamagedBytes : public InputError {
+ public:
+  DamagedBytes() : InputError("the bytes of a value are damaged") {}
+};
+
+namespace codec {
+
+/// Types that are copied byte by byte.
+template <typename Value>
+concept Plain = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
+
+template <typename Value>
+inline constexpr bool is_matrix = false;
+template <typename Number, int rows, int columns, int options>
+inline constexpr bool is_matrix<Eigen::Matrix<Number, rows, columns, options>> = true;
+
+template <typename Value>
+concept Matrix = is_matrix<Value>;
+
+template <typename Value>
+concept Structure = requires(Value& value) {
+  members(value);
+};
+
+/// Appends values to bytes.
+class Encoder {
+ public:
+  void add_bytes(const void* begin, std::size_t count) {
+    if (count > 0) bytes_.append(static_cast<const char*>(begin), count);
+  }
+  template <Plain Number>
+  void add(const Number& number) {
+    add_bytes(&number, sizeof(number));
+  }
+  void add(const std::string& text) {
+    add(text.size());
+    add_bytes(text.data(), text.size());
+  }
+  template <typename Value>
+  void add(const std::vector<Value>& values) {
+    add(values.size());
+    if constexpr (Plain<Value>) {
+      add_bytes(values.data(), values.size() * sizeof(Value));
+    } else {
+      for (const Value& value : values) add(value);
+    }
+  }
+  template <typename Value>
+  void add(const std::optional<Value>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
+  template <typename Key, typename Value>
+  void add(const std::map<Key, Value>& values) {
+    add(values.size());
+    for (const auto& [key, value] : values) {
+      add(key);
+      add(value);
+    }
+  }
+  template <Matrix Value>
+  void add(const Value& matrix) {
+    add(matrix.rows());
+    add(matrix.cols());
+    add_bytes(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(typename Value::Scalar));
+  }
+  template <Structure Value>
+  void add(const Value& value) {
+    // members() serves both directions; nothing is changed here.
+    std::apply([&](const auto&... member) { (add(member), ...); }, members(const_cast<Value&>(value)));
+  }
+  std::string bytes() && { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+/// Takes values from bytes in the same order. Throws DamagedBytes.
+class Decoder {
+ public:
+  explicit Decoder(std::string_view bytes) : rest_(bytes) {}
+
+  void take_bytes(void* to, std::size_t count) {
+    if (count > rest_.size()) throw DamagedBytes();
+    if (count > 0) std::memcpy(to, rest_.data(), count);
+    rest_.remove_prefix(count);
+  }
+  template <Plain Number>
+  void take(Number& number) {
+    take_bytes(&number, sizeof(number));
+  }
+  void take(std::string& text) {
+    text.resize(take_count(1));
+    take_bytes(text.data(), text.size());
+  }
+  template <typename Value>
+  void take(std::vector<Value>& values) {
+    if constexpr (Plain<Value>) {
+      values.resize(take_count(sizeof(Value)));
+      take_bytes(values.data(), values.size() * sizeof(Value));
+    } else {
+      values.resize(take_count(1));
+      for (Value& value : values) take(value);
+    }
+  }
+  template <typename Value>
+  void take(std::optional<Value>& value) {
+    value.reset();
+    if (take_number<char>() != 0) take(value.emplace());
+  }
+  template <typename Key, typename Value>
+  void take(std::map<Key, Value>& values) {
+    values.clear();
+    for (std::size_t rest = take_count(1); rest > 0; --rest) {
+      Key key;
+      take(key);
+      take(values[std::move(key)]);
+    }
+  }
+  template <Matrix Value>
+  void take(Value& matrix) {
+    const auto rows = take_number<Eigen::Index>();
+    const auto columns = take_number<Eigen::Index>();
+    const auto available = static_cast<Eigen::Index>(rest_.size() / sizeof(typename Value::Scalar));
+    if (rows < 0 || columns < 0 || (rows > 0 && columns > available / rows)) throw DamagedBytes();
+    matrix.resize(rows, columns);
+    take_bytes(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(typename Value::Scalar));
+  }
+  template <Structure Value>
+  void take(Value& value) {
+    std::apply([&](auto&... member) { (take(member), ...); }, members(value));
+  }
+  [[nodiscard]] bool is_at_end() const { return rest_.empty(); }
+
+ private:
+  template <Plain Number>
+  Number take_number() {
+    Number number{};
+    take(number);
+    return number;
+  }
+  /// Takes the number of items that follow, of at least that many bytes each.
+  std::size_t take_count(std::size_t bytes) {
+    const auto count = take_number<std::size_t>();
+    if (count > rest_.size() / bytes) throw DamagedBytes();
+    return count;
+  }
+
+  std::string_view rest_;
+};
+
+}  // namespace codec
+
+/// Encodes a value.
+template <typename Value>
+std::string encode(const Value& value) {
+  codec::Encoder encoder;
+  encoder.add(value);
+  return std::move(encoder).bytes();
+}
+
+/// Decodes a value. Throws DamagedBytes.
+template <typename Value>
+Value decode(std::string_view bytes) {
+  Value value{};
+  codec::Decoder decoder(bytes);
+  decoder.take(value);
+  if (!decoder.is_at_end()) throw DamagedBytes();
+  return value;
+}
+
+}  // namespace shapegauge

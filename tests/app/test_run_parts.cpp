@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "shapegauge/experiments/cache/cache_folder.h"
+#include "tests/app/program.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::text_of;
+using test::write_text;
+using test_command_line::BackgroundRun;
+using test_command_line::Outcome;
+using test_command_line::results_in;
+using test_command_line::run_executable;
+using test_command_line::SmallRun;
+using testing::HasSubstr;
+
+/// Runs in parts, with 9 models and a descriptor that learns from all of them.
+class RunParts : public SmallRun {
+ protected:
+  void SetUp() override {
+    SmallRun::SetUp();
+    json configuration = test::small_configuration("data");
+    configuration["signatures"].push_back(
+        {{"name", "bag"},
+         {"descriptor",
+          {{"type", "bag_of_features"}, {"words", 5}, {"fields", {configuration["signatures"][0]["field"]}}}}});
+    configuration["signatures"].push_back({{"name", "sum"}, {"sum", {{{"of", "fixed"}}, {{"of", "bag"}}}}});
+    write_text(at("small.json"), configuration.dump());
+  }
+
+  /// Makes the run long enough to be interrupted.
+  void take_long() const {
+    json configuration = json::parse(text_of(at("small.json")));
+    for (json& signature : configuration["signatures"]) {
+      if (signature.contains("field")) signature["field"]["rays"] = 3000;
+    }
+    write_text(at("small.json"), configuration.dump());
+  }
+  [[nodiscard]] std::vector<std::string> arguments(const std::string& part) const {
+    return {"run",     at("small.json").string(), "--part",    part, "--output", at("out").string(),
+            "--cache", at("cache").string(),      "--threads", "1"};
+  }
+  [[nodiscard]] Outcome run_part(const std::string& part, const std::string& cache = "cache") const {
+    return run_executable(fmt::format("run {} --part {} --output {} --cache {}", quoted("small.json"), part,
+                                      quoted("out"), quoted(cache)));
+  }
+  /// Runs the rest and returns the results.
+  [[nodiscard]] std::map<std::string, std::string> combined(const std::string& cache = "cache") const {
+    const Outcome outcome = run_executable(
+        fmt::format("run {} --output {} --cache {}", quoted("small.json"), quoted("out"), quoted(cache)));
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return results_in(at("out"));
+  }
+  [[nodiscard]] json cache_use() const {
+    return json::parse(text_of(at("out/manifest.json")))["execution"]["cache"]["field"];
+  }
+  [[nodiscard]] std::map<std::string, std::string> results_of_one() const {
+    EXPECT_EQ(run_executable("run " + quoted("small.json") + " --no-cache --output " + quoted("alone")).status, 0);
+    return results_in(at("alone"));
+  }
+  [[nodiscard]] std::size_t fields_kept() const {
+    return cache_contents(at("cache")).by_kind.at(static_cast<std::size_t>(EntryKind::field)).entries;
+  }
+};
+
+TEST_F(RunParts, InAnyNumberAndOrderGiveTheBytesOfOneProcess) {
+  const auto expected = results_of_one();
+  ASSERT_TRUE(expected.contains("distances/sum.npy") && expected.contains("features/bag.npy"));
+  for (const std::vector<std::string>& parts : {std::vector<std::string>{"1/1"},
+                                                {"2/2", "1/2"},
+                                                {"4/5", "2/5", "5/5", "1/5", "3/5"},
+                                                {"1/2", "3/3"}}) {  // overlapping parts that leave out some shapes
+    SCOPED_TRACE(fmt::format("{}", fmt::join(parts, " ")));
+    const std::string cache = "cache" + parts.front().substr(0, 1) + std::to_string(parts.size());
+    fs::remove_all(at(cache));
+    for (const std::string& part : parts) {
+      const Outcome outcome = run_part(part, cache);
+      EXPECT_EQ(outcome.status, 0) << outcome.errors;
+      EXPECT_EQ(outcome.errors, "");
+      EXPECT_THAT(outcome.output,
+                  testing::MatchesRegex("Part [0-9] of [0-9]: [0-9] of 9 models in the cache [^\n]*\n"));
+    }
+    EXPECT_EQ(combined(cache), expected);
+    EXPECT_EQ(cache_use()["computed"], parts.back() == "3/3" ? 3 : 0);
+  }
+}
+
+TEST_F(RunParts, AtTheSameTimeGiveTheBytesOfOneProcess) {
+  {
+    BackgroundRun first(arguments("1/2"), at("errors1"));
+    BackgroundRun same(arguments("1/2"), at("errors2"));
+    BackgroundRun second(arguments("2/2"), at("errors3"));
+    for (BackgroundRun* part : {&first, &same, &second}) EXPECT_EQ(part->wait(), 0);
+  }
+  for (const char* errors : {"errors1", "errors2", "errors3"}) EXPECT_EQ(text_of(at(errors)), "");
+  EXPECT_EQ(combined(), results_of_one());
+  EXPECT_EQ(cache_use()["computed"], 0);
+}
+
+TEST_F(RunParts, AKilledPartGoesOnWhereItWas) {
+  take_long();
+  BackgroundRun part(arguments("1/2"), at("errors"));
+  ASSERT_TRUE(part.wait_until([&] { return fields_kept() >= 2; }));
+  part.send(SIGKILL);
+  EXPECT_EQ(part.wait(), -SIGKILL);
+  const std::size_t kept = fields_kept();
+  EXPECT_LT(kept, 5U);
+  const Outcome again = run_part("1/2");
+  EXPECT_EQ(again.status, 0);
+  EXPECT_EQ(again.errors, "") << "nothing is damaged";
+  EXPECT_GE(fields_kept(), 5U);
+  EXPECT_EQ(combined(), results_of_one());
+}
+
+TEST_F(RunParts, APartThatIsTerminatedSaysHowToGoOn) {
+  take_long();
+  BackgroundRun part(arguments("1/1"), at("errors"));
+  ASSERT_TRUE(part.wait_until([&] { return fields_kept() >= 1; }));
+  part.send(SIGTERM);
+  EXPECT_NE(part.wait(), 0);
+  EXPECT_THAT(text_of(at("errors")), HasSubstr("Completed shapes are in the cache; the same command continues"));
+}
+
+TEST_F(RunParts, EntriesOfAnotherVersionAreIgnored) {
+  ASSERT_EQ(run_part("1/2").status, 0);
+  // Those of another version have other keys; those of another format are damaged.
+  for (const auto& entry : fs::recursive_directory_iterator(at("cache"))) {
+    if (!entry.is_regular_file() || entry.path().filename() == cache_tag_name) continue;
+    std::string bytes = text_of(entry.path());
+    bytes.replace(0, bytes.find('\n'), "shapegauge cache entry 99");
+    write_text(entry.path(), bytes);
+  }
+  const Outcome outcome = run_part("2/2");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.errors, "") << "shapes of another part";
+  EXPECT_THAT(run_part("1/2").errors, HasSubstr("damaged cache entry, recomputed"));
+  EXPECT_EQ(combined(), results_of_one());
+  EXPECT_EQ(cache_use()["computed"], 0);
+}
+
+TEST_F(RunParts, AModelThatFailsStopsItsPartUnlessItIsToBeSkipped) {
+  write_text(at("data/T4.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  EXPECT_EQ(run_part("2/2").status, 0);
+  const Outcome stopped = run_part("1/2");
+  EXPECT_EQ(stopped.status, 2);
+  EXPECT_THAT(stopped.errors, HasSubstr("model 4: "));
+  const Outcome skipped = run_part("1/2 --set on_error=skip");
+  EXPECT_EQ(skipped.status, 0) << "the other parts and the run go on";
+  EXPECT_THAT(skipped.errors, HasSubstr("omitted model 4: "));
+  EXPECT_THAT(skipped.output, HasSubstr("4 of 9 models"));
+}
+
+TEST_F(RunParts, ShareAGeneratedDataSet) {
+  json configuration = json::parse(text_of(at("small.json")));
+  configuration["dataset"] = {{"generate", {{"classes", 3}, {"models_per_class", 2}, {"faces", 1000}}}};
+  write_text(at("small.json"), configuration.dump());
+  {
+    BackgroundRun first(arguments("1/2"), at("errors1"));
+    BackgroundRun second(arguments("2/2"), at("errors2"));
+    EXPECT_EQ(first.wait(), 0);
+    EXPECT_EQ(second.wait(), 0);
+  }
+  auto together = combined();
+  EXPECT_EQ(cache_use()["computed"], 0);
+  auto alone = results_of_one();
+  EXPECT_EQ(together, alone);
+}
+
+TEST_F(RunParts, OfAJobArrayAreThoseOfItsTask) {
+  const std::string command =
+      "run " + quoted("small.json") + " --part auto --output " + quoted("out") + " --cache " + quoted("cache");
+  ::setenv("SLURM_ARRAY_TASK_ID", "3", 1);
+  ::setenv("SLURM_ARRAY_TASK_COUNT", "4", 1);
+  ::setenv("SLURM_ARRAY_TASK_MIN", "1", 1);
+  const Outcome outcome = run_executable(command);
+  for (const char* name : {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN"}) ::unsetenv(name);
+  EXPECT_THAT(outcome.output, HasSubstr("Part 3 of 4: 2 of 9 models"));
+}
+
+TEST_F(RunParts, RefuseWhatTheyCannotDo) {
+  const std::string run = "run " + quoted("small.json") + " --part ";
+  test_command_line::expect_error_lines({{run + "3/2", "3/2"}, {run + "1/2 --no-cache", "--no-cache"}});
+}
+
+TEST_F(RunParts, ValidateTheirModels) {
+  write_text(at("data/T4.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  const std::string validate = "dataset validate " + quoted("data") + " --part ";
+  const Outcome first = run_executable(validate + "1/2");
+  EXPECT_EQ(first.status, 1);
+  EXPECT_THAT(first.output, HasSubstr("4 of 5 models can be used"));
+  const Outcome second = run_executable(validate + "2/2");
+  EXPECT_EQ(second.status, 0);
+  EXPECT_EQ(second.output, "4 of 4 models can be used\n");
+}
+
+/// Streamed distances need more models than a matrix in memory has.
+TEST_F(RunParts, EvaluateRowsOfManyModels) {
+  std::string classification = "PSB 1\n2 2950\n";
+  for (int i = 0; i < 2950; ++i) {
+    if (i % 1475 == 0) classification += fmt::format("\nclass{} 0 1475\n", i);
+    classification += fmt::format("{}\n", i);
+    write_text(at(fmt::format("many/T{}.off", i)),
+               fmt::format("OFF\n4 4 0\n0 0 0\n1 0 0\n0 {0} 0\n0 0 {1}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n",
+                           1 + i % 7 + (i / 1475), 1 + i % 11));
+  }
+  write_text(at("many/test.cla"), classification);
+  const json field{{"type", "cone_sdf"}, {"rays", 1}};
+  const json configuration{
+      {"name", "many"},
+      {"dataset", {{"layout", "shrec11"}, {"root", "many"}}},
+      {"report", false},
+      {"keep_distances", false},
+      {"signatures",
+       {{{"name", "cone"}, {"field", field}, {"histogram", {{"bins", 8}, {"range", {{"fixed", {0, 4}}}}}}}}}};
+  write_text(at("small.json"), configuration.dump());
+  EXPECT_THAT(run_part("1/2").output, testing::Not(HasSubstr("rows"))) << "the other shapes are not there yet";
+  EXPECT_THAT(run_part("2/2").output, HasSubstr("1475 of 2950 models and scores of 1414 rows of distances"));
+  EXPECT_THAT(run_part("1/2").output, HasSubstr("scores of 1536 rows"));
+  const auto results = combined();
+  const json cache = json::parse(text_of(at("out/manifest.json")))["execution"]["cache"];
+  EXPECT_EQ(cache["evaluation"], (json{{"from_cache", 6}, {"computed", 0}}));
+  EXPECT_EQ(results, results_of_one());
+}
+
+}  // namespace
+}  // namespace shapegauge
