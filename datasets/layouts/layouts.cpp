@@ -149,8 +149,13 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
     }
   }
   if (dataset.classes.empty()) {
-    throw InputError(fmt::format("{}: the layout \"folders\" needs a folder for each class; found none{}",
-                                 location.root.string(), repeated_text(links)));
+    const auto models = static_cast<std::int64_t>(model_files(location.root).size());
+    throw InputError(fmt::format(
+        "{}: the layout \"folders\" needs a folder for each class; found none{}{}", location.root.string(),
+        models == 0 ? ""
+                    : fmt::format("; the classes of its {} must be in a file: a .cla, or a table id,path,class",
+                                  count_text(models, "model", "models")),
+        repeated_text(links)));
   }
   if (!has_files) throw InputError(dataset.models.front().fault);
   std::ranges::sort(dataset.models, natural_less, &Model::id);

@@ -116,13 +116,21 @@ def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
         is_cloud = faces is None or len(faces) == 0
         normals = own_normals if normals is None and is_cloud else normals
     vertices = _rows(vertices, "vertices", _numpy.float64)
-    faces = _rows([] if faces is None else faces, "faces", _numpy.int32)
+    faces = _rows(_split_quads([] if faces is None else faces), "faces", _numpy.int32)
     normals = _rows([] if normals is None else normals, "normals", _numpy.float64)
     if len(normals) > 0 and len(faces) > 0:
         raise InputError("normals are for point clouds; a mesh has its own: leave normals out")
     if len(normals) > 0 and len(normals) != len(vertices):
         raise InputError(f"there are {len(normals)} normals for {len(vertices)} points")
     return vertices, faces, normals
+
+
+def _split_quads(faces: Any) -> Any:
+    """Splits faces of four corners, m x 4, into 2 m triangles; returns other faces as they are."""
+    array = array_of(faces, "faces")
+    if array.ndim != 2 or array.shape[1] != 4:
+        return faces
+    return array[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3)
 
 
 def _rows(values: Any, what: str, kind: Any) -> _numpy.ndarray:

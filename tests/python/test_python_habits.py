@@ -267,3 +267,12 @@ def test_real_objects_of_meshio():
     vertices, faces = bumpy_torus()
     mesh = meshio.Mesh(vertices, [("triangle", faces)])
     assert sg.sdf(mesh).values.tobytes() == sg.sdf(vertices, faces).values.tobytes()
+
+
+def test_quads_are_two_triangles_each():
+    vertices = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+    quads = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+    values, weights = sg.sdf(vertices, quads)
+    expected, _ = sg.sdf(vertices, quads[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3))
+    np.testing.assert_array_equal(values, expected)
+    np.testing.assert_allclose(weights, 0.5)

@@ -156,7 +156,8 @@ TEST_F(Layouts, AListOfModelsSkipsNothing) {
 
 TEST_F(Layouts, FoldersErrors) {
   write("T1.off");
-  EXPECT_THAT(error("folders"), HasSubstr("needs a folder for each class"));
+  EXPECT_THAT(error("folders"),
+              testing::AllOf(HasSubstr("needs a folder for each class"), HasSubstr("its 1 model must be in a file")));
   write("a/readme.txt");
   EXPECT_THAT(error("folders"), HasSubstr("a: no models"));
   write("a/x.off");
