@@ -165,7 +165,7 @@ class Index:
 def _wanted_method(method: Any, signature: str, articulated: bool) -> tuple[_native.WantedMethod, str]:
     """Returns the method, and the file that its index is named after."""
     if articulated and method is not None:
-        raise InputError("articulated selects a method; omit one of articulated and method")
+        raise InputError("omit method or articulated, which selects a method")
     if method is None:
         if signature:
             raise InputError("signature requires a method")

@@ -146,6 +146,15 @@ TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
                     "--index and --output would both be written to");
   expect_error_line(run_executable("search " + quoted("query.off") + " " + quoted("models") + " --signature d2"),
                     "require --method");
+  expect_error_line(search("query.off", "--articulated"), "--articulated");
+}
+
+TEST_F(SearchCommand, HasAMethodForArticulatedShapesWithAnIndexOfItsOwn) {
+  const Outcome outcome = run_executable("search " + quoted("query.off") + " " + quoted("models") +
+                                         " -k 3 --articulated --cache " + quoted("cache"));
+  EXPECT_EQ(outcome.status, 0);
+  for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
+  EXPECT_TRUE(std::filesystem::exists(at("models.recommended_articulated.search-index")));
 }
 
 TEST_F(SearchCommand, ReRanksAndUsesTheRecommendedMethodByDefault) {

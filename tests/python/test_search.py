@@ -173,5 +173,7 @@ def test_wrong_collections_and_methods_are_errors(models, tmp_path):
             sg.Index(*arguments)
     with pytest.raises(sg.InputError, match="signature requires a method"):
         sg.Index(models, signature="d2")
+    with pytest.raises(sg.InputError, match="articulated"):
+        sg.Index(models, method=METHOD, articulated=True)
     with pytest.raises(sg.InputError, match="signatures"):
         sg.Index(models, method={"name": "x", "signatures": 3})
