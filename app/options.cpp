@@ -77,7 +77,8 @@ CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
       ->group(input_options);
   return command
       .add_option("--offset", arguments.offset,
-                  "Offset distance: a fraction of the bounding-box diagonal, a length such as 0.5mm (requires --unit), "
+                  "Offset distance: a fraction of the bounding-box diagonal such as 0.03 or 3%, a length such as 0.5mm "
+                  "(requires --unit), "
                   "or auto, chosen from gaps and noise")
       ->capture_default_str();
 }
@@ -109,6 +110,13 @@ std::filesystem::path chosen_cache(const CacheOption& option) {
 
 GivenOffset parse_offset(const OffsetArguments& arguments) {
   if (arguments.offset == "auto") return {};
+  if (arguments.offset.ends_with('%')) {
+    const std::optional<double> percent = parse_number(arguments.offset.substr(0, arguments.offset.size() - 1));
+    if (!percent)
+      throw InputError(fmt::format("--offset is {}; expected a number before %", quoted_word(arguments.offset)));
+    require_in_bounds("--offset", *percent / 100, OffsetSdfOptions::offset_bounds);
+    return {.fraction = *percent / 100};
+  }
   const std::optional<Length> length = parse_length(arguments.offset);
   if (!length) {
     throw InputError(
@@ -119,6 +127,12 @@ GivenOffset parse_offset(const OffsetArguments& arguments) {
     const double in_units = in_file_units("--offset", *length, arguments.unit);
     if (!(in_units > 0)) throw InputError(fmt::format("--offset is {}; it must be above 0", arguments.offset));
     return {.fraction = {}, .length = in_units};
+  }
+  const bool is_default = arguments.offset == fmt::format("{}", OffsetSdfOptions{}.offset);
+  if (!arguments.unit.empty() && !is_default) {
+    throw InputError(
+        fmt::format("--offset {0} with --unit may be a length or a fraction of the diagonal; write {0}{1} or {2:g}%",
+                    arguments.offset, arguments.unit, 100 * length->value));
   }
   require_in_bounds("--offset", length->value, OffsetSdfOptions::offset_bounds);
   return {.fraction = length->value};

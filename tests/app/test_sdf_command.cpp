@@ -197,6 +197,9 @@ TEST_F(SdfCommand, AnOffsetMayBeALength) {
   ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 10mm -o '" + at("length.npy") + "'").status, 0);
   ASSERT_EQ(sdf(fmt::format("--method offset_sdf --offset {} -o '{}'", 1 / diagonal, at("fraction.npy"))).status, 0);
   EXPECT_TRUE(text_of(at("length.npy")) == text_of(at("fraction.npy")));
+  ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 3% -o '" + at("percent.npy") + "'").status, 0);
+  ASSERT_EQ(sdf("--method offset_sdf --offset 0.03 -o '" + at("fraction.npy") + "'").status, 0);
+  EXPECT_TRUE(text_of(at("percent.npy")) == text_of(at("fraction.npy")));
 }
 
 TEST_F(SdfCommand, PicturesHaveALegendAndARange) {
@@ -260,6 +263,8 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {good + "--method offset_sdf --offset nan" + out, "offset"},
       {good + "--method offset_sdf --offset 1mm" + out, "--unit"},
       {good + "--method offset_sdf --offset 3m --unit mm" + out, "diagonal"},
+      {good + "--method offset_sdf --offset 0.5 --unit mm" + out, "write 0.5mm or 50%"},
+      {good + "--method offset_sdf --offset half%" + out, "%"},
       {good + "--method cone_sdf --below 2parsecs" + out, "--below"},
       {good + "--method cone_sdf --range 4" + out, "--range"},
       {good + "--method cone_sdf --range 4,1" + out, "--range"},
