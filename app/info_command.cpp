@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -16,6 +17,7 @@
 #include "app/shape_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/preparation/cavities.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/polygons.h"
@@ -74,11 +76,13 @@ long genus(const Shape& shape) {
   return std::ssize(parts) - characteristic / 2;
 }
 
-/// Describes the orientation of the triangles; "none" without triangles.
-std::string winding(const ShapeDiagnostics& found, double volume) {
+/// Describes the orientation of the triangles; "none" without triangles. `components` are those of a solid.
+std::string winding(const Shape& shape, const ShapeDiagnostics& found, const ClosedComponents& components) {
   if (found.triangles == 0) return "none";
   if (found.inconsistent_edges > 0 || found.non_manifold_edges > 0) return "inconsistent";
-  if (!found.closed || std::isnan(volume)) return "consistent";
+  const double volume = found.closed ? signed_volume(shape) : std::numeric_limits<double>::quiet_NaN();
+  if (std::isnan(volume)) return "consistent";
+  if (components.reversed > 0) return "mixed";
   return volume > 0 ? "outward" : "inward";
 }
 
@@ -87,15 +91,15 @@ std::string winding(const ShapeDiagnostics& found, double volume) {
 OrderedJson geometry_json(const Shape& shape, const ShapeDiagnostics& found) {
   const Eigen::AlignedBox3d box = bounding_box(shape);
   const bool solid = found.closed && found.non_manifold_edges == 0 && found.inconsistent_edges == 0;
-  const double volume = solid ? signed_volume(shape) : 0;
+  const ClosedComponents components = solid ? closed_components(shape) : ClosedComponents{};
   OrderedJson json{
       {"bounding_box",
        {{"min", {box.min()[0], box.min()[1], box.min()[2]}}, {"max", {box.max()[0], box.max()[1], box.max()[2]}}}},
       {"volume", nullptr},
       {"genus", nullptr},
-      {"winding", winding(found, volume)}};
+      {"winding", winding(shape, found, components)}};
   if (solid) {
-    json["volume"] = std::abs(volume);
+    json["volume"] = components.volume;
     json["genus"] = genus(shape);
   }
   return json;

@@ -81,7 +81,6 @@ Json packed_field(const ViewField& field, const std::vector<std::int32_t>& place
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  if (low > high) low = high = 0;
   const Eigen::VectorXd values = field.values(places);
   Json packed{{"name", field.name},
               {"low", low},
@@ -201,7 +200,9 @@ Json shape_view_json(const ShapeView& view) {
     places = faces ? counted_up(shape.triangles.rows()) : std::move(order.vertices);
   }
   json["fields"] = Json::array();
-  for (const ViewField& field : view.fields) json["fields"].push_back(packed_field(field, places));
+  for (const ViewField& field : view.fields) {
+    if (field.values(places).array().isFinite().any()) json["fields"].push_back(packed_field(field, places));
+  }
   if (!view.parts.empty()) json["parts"] = packed_parts(view, places);
   if (view.normals.rows() > 0) json["directions"] = packed_directions(view.normals, places);
   return json;

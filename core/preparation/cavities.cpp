@@ -15,7 +15,7 @@ namespace {
 
 /// Connected component of a closed mesh.
 struct ClosedPart {
-  double volume = 0;  ///< negative where it is oriented inwards
+  double six_volumes = 0;  ///< negative where it is oriented inwards
   Eigen::AlignedBox3d box;
 };
 
@@ -35,7 +35,7 @@ std::vector<ClosedPart> closed_parts(const Shape& shape) {
     const auto corner = [&](int k) -> Eigen::Vector3d {
       return shape.vertices.row(shape.triangles(f, k)).transpose() - centre;
     };
-    part.volume += corner(0).dot(corner(1).cross(corner(2))) / 6;
+    part.six_volumes += corner(0).dot(corner(1).cross(corner(2)));
     for (int k = 0; k < 3; ++k) part.box.extend(corner(k));
   }
   std::vector<ClosedPart> result;
@@ -45,20 +45,29 @@ std::vector<ClosedPart> closed_parts(const Shape& shape) {
 
 }  // namespace
 
-std::size_t cavity_count(const Shape& given) {
+ClosedComponents closed_components(const Shape& given) {
   require_usable(given);
   const Shape shape = without_duplicates(given);
-  if (is_cloud(shape) || !is_closed_and_oriented(shape)) return 0;
+  if (is_cloud(shape) || !is_closed_and_oriented(shape)) return {};
   const std::vector<ClosedPart> parts = closed_parts(shape);
-  const auto size = [](const ClosedPart& part) { return std::abs(part.volume); };
-  const double largest = std::ranges::max_element(parts, {}, size)->volume;
-  const auto is_body = [&](const ClosedPart& part) { return part.volume * largest > 0; };
+  const auto size = [](const ClosedPart& part) { return std::abs(part.six_volumes); };
+  const double largest = std::ranges::max_element(parts, {}, size)->six_volumes;
+  const auto is_reversed = [&](const ClosedPart& part) { return part.six_volumes * largest < 0; };
   const auto is_cavity = [&](const ClosedPart& part) {
-    return part.volume * largest < 0 && std::ranges::any_of(parts, [&](const ClosedPart& other) {
-             return is_body(other) && size(other) > size(part) && other.box.contains(part.box);
+    return is_reversed(part) && std::ranges::any_of(parts, [&](const ClosedPart& other) {
+             return other.six_volumes * largest > 0 && size(other) > size(part) && other.box.contains(part.box);
            });
   };
-  return static_cast<std::size_t>(std::ranges::count_if(parts, is_cavity));
+  ClosedComponents components;
+  double six_volumes = 0;
+  for (const ClosedPart& part : parts) {
+    const bool cavity = is_cavity(part);
+    if (cavity) ++components.cavities;
+    if (is_reversed(part) && !cavity) ++components.reversed;
+    six_volumes += cavity ? -size(part) : size(part);
+  }
+  components.volume = six_volumes / 6;
+  return components;
 }
 
 }  // namespace shapegauge

@@ -6,9 +6,16 @@
 
 namespace shapegauge {
 
-/// Counts the inner surfaces of a hollow body: closed components with the opposite orientation to the largest one,
-/// inside the box of a larger component that is oriented like it. Returns 0 for a cloud, and for a mesh that is not
-/// closed and consistently oriented. Throws InputError for an unusable shape (require_usable()).
-std::size_t cavity_count(const Shape& shape);
+/// Connected components of a closed, consistently oriented mesh.
+struct ClosedComponents {
+  std::size_t cavities = 0;  ///< inner surfaces of a hollow body: with the opposite orientation to the largest
+                             ///< component, inside the box of a larger component that is oriented like the largest
+  std::size_t reversed = 0;  ///< other components with the opposite orientation to the largest one
+  double volume = 0;         ///< of the bodies without their cavities, whatever the orientation
+};
+
+/// Returns the components; all zero for a cloud, and for a mesh that is not closed and consistently oriented. Throws
+/// InputError for an unusable shape (require_usable()).
+ClosedComponents closed_components(const Shape& shape);
 
 }  // namespace shapegauge

@@ -62,7 +62,7 @@ std::optional<std::string> leak_warning(const ChosenOffset& chosen) {
 }
 
 std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull) {
-  const auto cavities = static_cast<std::int64_t>(cavity_count(shape));
+  const auto cavities = static_cast<std::int64_t>(closed_components(shape).cavities);
   if (cavities == 0) return std::nullopt;
   return fmt::format(
       "the shape is hollow ({}): {}", count_text(cavities, "inner surface", "inner surfaces"),

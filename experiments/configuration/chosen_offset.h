@@ -27,7 +27,7 @@ std::string reasons_for_offset(const ChosenOffset& chosen);
 /// Returns the warning about an offset smaller than the gaps of the shape, if it is.
 std::optional<std::string> leak_warning(const ChosenOffset& chosen);
 
-/// Says of a hollow body (cavity_count()) whether values are those of its hull, as the offset SDF computes them, or of
+/// Says of a hollow body (closed_components()) whether values are those of its hull, as the offset SDF computes them, or of
 /// its wall. Nothing for other shapes.
 std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull);
 

@@ -58,7 +58,8 @@ Image picture_with_legend(const Shape& shape, const Samples& samples, const Eige
       .below_colour = below_threshold};
   const Image legend = to_image(draw_chart(bar), pixels_per_point, true);
   const bool has_room = view.height >= 160 && 3 * legend.width <= view.width;
-  if (!picture.legend || !has_room) return render_shape(shape, colours, samples.site, view);
+  const bool has_values = values.array().isFinite().any();
+  if (!picture.legend || !has_room || !has_values) return render_shape(shape, colours, samples.site, view);
   const int width = view.width;
   view.width -= legend.width;
   const Image drawn = render_shape(shape, colours, samples.site, view);

@@ -167,9 +167,15 @@ export class ShapeView {
       const { below } = this.scale(shape) || {};
       const field = this.channel.of(shape);
       if (below === undefined || !field) return '';
-      const thin = d3.sum(shape.weights, (weight, place) => (field.values[place] < below ? weight : 0));
+      const areaWhere = (holds) => d3.sum(shape.weights, (weight, place) => (holds(field.values[place]) ? weight : 0));
+      const missing = areaWhere(Number.isNaN);
+      const known = areaWhere((value) => !Number.isNaN(value));
       const name = this.shapes.length > 1 ? `${shape.name}: ` : '';
-      return `${name}${(100 * thin).toFixed(2)} % of the area below ${number(below)}${this.unit && ` ${this.unit}`}`;
+      const percent = (area, all) => `${((100 * area) / all).toFixed(2)} % of the area`;
+      const thin = percent(areaWhere((value) => value < below), known);
+      const red = known > 0 && `${thin} below ${number(below)}${this.unit && ` ${this.unit}`}`;
+      const grey = missing > 0 && `${percent(missing, known + missing)} without a value (grey)`;
+      return name + [red, grey].filter(Boolean).join(', ');
     });
     return `Red: ${words.filter(Boolean).join('; ')}.`;
   }

@@ -136,6 +136,11 @@ TEST_F(ShapeFiles, InfoTellsPlaceVolumeGenusAndWinding) {
   const auto of_two = info("two.off", two);
   EXPECT_EQ(of_two["genus"], 0);
   EXPECT_NEAR(of_two["volume"].get<double>(), 12, 1e-12);
+  Shape beside = test::flipped(test::box({1, 1, 1}, 1));
+  beside.vertices.array() += 9;
+  const auto mixed = info("mixed.off", test::joined({box, beside}));
+  EXPECT_EQ(mixed["winding"], "mixed");
+  EXPECT_NEAR(mixed["volume"].get<double>(), 7, 1e-12);
   Shape open = box;
   open.triangles = box.triangles.bottomRows(box.triangles.rows() - 1).eval();
   const auto of_open = info("open.off", open);
