@@ -93,7 +93,8 @@ std::string reference_tables(std::string_view name) {
   if (list == lists.end()) return section_table(name);
   std::string tables;
   for (const ParameterGroup& group : list->second) {
-    tables += (tables.empty() ? "" : "\n") + reference_table(group, name == "rerank" ? "method" : "type");
+    if (!tables.empty()) tables += '\n';
+    tables += reference_table(group, name == "rerank" ? "method" : "type");
   }
   return tables;
 }
@@ -109,7 +110,9 @@ std::string with_reference_tables(std::string_view page) {
     const std::size_t name = begin + opening.size();
     const std::size_t table = page.find(closing, name) + closing.size();
     filled += page.substr(0, table);
-    filled += "\n" + reference_tables(page.substr(name, table - closing.size() - name)) + "\n";
+    filled += '\n';
+    filled += reference_tables(page.substr(name, table - closing.size() - name));
+    filled += '\n';
     page.remove_prefix(page.find(ending, table));
   }
   return filled.append(page);

@@ -93,9 +93,9 @@ Drawing class_plot(std::span<const NamedEvaluation> evaluations, std::span<const
 
 Drawing scores_plot(std::span<const std::string> methods, std::span<const std::string> measures,
                     std::span<const MethodComparison> comparisons, double confidence) {
-  BarChart chart{.x = {.label = fmt::format("% (with {:g} % intervals)", 100 * confidence), .low = 0, .high = 100},
-                 .groups = {measures.begin(), measures.end()},
-                 .bars = {}};
+  BarChart chart;
+  chart.x = {.label = fmt::format("% (with {:g} % intervals)", 100 * confidence), .low = 0, .high = 100};
+  chart.groups.assign(measures.begin(), measures.end());
   for (std::size_t method = 0; method < methods.size(); ++method) {
     ChartBars bars{.name = methods[method], .values = {}};
     for (const MethodComparison& comparison : comparisons) {
