@@ -7,6 +7,7 @@
 
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/metrics/equal_scores.h"
 #include "shapegauge/pages/multi_dataset_page.h"
 
 namespace shapegauge {
