@@ -216,7 +216,10 @@ void replace_sparse(const tinygltf::Model& model, const tinygltf::Accessor& acce
   if (!sparse.isSparse || sparse.count <= 0) return;
   const auto count = static_cast<std::size_t>(sparse.count);
   const std::size_t size = size_of_component(accessor.componentType, name);
-  if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) fail(name, "a sparse accessor has a wrong offset");
+  // Signed in older versions of tinygltf.
+  if (std::cmp_less(sparse.indices.byteOffset, 0) || std::cmp_less(sparse.values.byteOffset, 0)) {
+    fail(name, "a sparse accessor has a wrong offset");
+  }
   const BufferItems indices =
       items_in(model, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count,
                size_of_component(sparse.indices.componentType, name), name);

@@ -42,31 +42,17 @@ struct PointSource {
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointSource>, PointSource, 3,
                                                  std::int32_t>;
 
-/// Tree of points with its source. Once the tree is built, both number the points in the order of the leaves, which
-/// lets a search read each leaf from adjacent memory. The search and its ties remain those of the original order.
+/// Tree of points with its source.
 struct PointTree {
-  explicit PointTree(const Points& points) : source{points}, tree(3, source), original(tree.vAcc) {
-    source.building = false;
-    std::iota(tree.vAcc.begin(), tree.vAcc.end(), 0);
-    for (std::size_t i = 0; i < original.size(); ++i) {
-      source.points.row(static_cast<Eigen::Index>(i)) = points.row(original[i]);
-    }
-  }
+  explicit PointTree(const Points& points) : source{points}, tree(3, source) { source.building = false; }
   PointTree(const PointTree&) = delete;
   PointTree& operator=(const PointTree&) = delete;
   PointTree(PointTree&&) = delete;
   PointTree& operator=(PointTree&&) = delete;
   ~PointTree() = default;
 
-  /// Finds the points nearest to a position, by their original indices, with squared distances.
-  void search(const double* position, std::size_t count, std::int32_t* indices, double* squared_distances) const {
-    const std::size_t found = tree.knnSearch(position, count, indices, squared_distances);
-    for (std::size_t k = 0; k < found; ++k) indices[k] = original[static_cast<std::size_t>(indices[k])];
-  }
-
   PointSource source;
   Tree tree;
-  std::vector<std::int32_t> original;  ///< indices of the points by their place in the tree
 };
 
 /// Scratch buffers for one query, including the point itself.
@@ -77,7 +63,8 @@ struct Query {
 };
 
 void find(const PointTree& built, const Points& points, Eigen::Index i, Query& query, PointNeighbours& result) {
-  built.search(points.row(i).data(), query.indices.size(), query.indices.data(), query.squared_distances.data());
+  built.tree.knnSearch(points.row(i).data(), query.indices.size(), query.indices.data(),
+                       query.squared_distances.data());
   // If too many points coincide and the point itself is not among those found, drops the last one.
   const auto self = std::find(query.indices.begin(), query.indices.end() - 1, static_cast<std::int32_t>(i));
   std::int32_t* const indices = std::copy(query.indices.begin(), self, result.indices.row(i).data());
@@ -232,11 +219,11 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
   result.distances.resize(n, k);
   if (k == 0) return result;
   const PointTree built(points);
-  // In the tree's order, consecutive queries use the same parts of it.
-  parallel_for_parts(tbb::blocked_range<Eigen::Index>(0, n, 256), [&](const tbb::blocked_range<Eigen::Index>& block) {
+  const std::vector<std::int32_t> order = query_order(points);
+  parallel_for_parts(tbb::blocked_range<std::size_t>(0, order.size(), 256), [&](const auto& block) {
     Query query(static_cast<std::size_t>(k + 1));
-    for (Eigen::Index place = block.begin(); place != block.end(); ++place) {
-      find(built, points, built.original[static_cast<std::size_t>(place)], query, result);
+    for (std::size_t place = block.begin(); place != block.end(); ++place) {
+      find(built, points, order[place], query, result);
     }
   });
   return result;
@@ -253,8 +240,8 @@ PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::
   parallel_for_parts(tbb::blocked_range<std::size_t>(0, order.size(), 256), [&](const auto& block) {
     for (std::size_t place = block.begin(); place != block.end(); ++place) {
       const std::int32_t i = order[place];
-      built.search(points.row(i).data(), static_cast<std::size_t>(k), result.indices.row(i).data(),
-                   result.distances.row(i).data());
+      built.tree.knnSearch(points.row(i).data(), static_cast<std::size_t>(k), result.indices.row(i).data(),
+                           result.distances.row(i).data());
     }
   });
   result.distances = result.distances.cwiseSqrt();
@@ -269,7 +256,7 @@ std::vector<std::int32_t> nearest_points(const Points& points, const Points& amo
     for (std::size_t place = block.begin(); place != block.end(); ++place) {
       const std::int32_t i = order[place];
       double squared_distance = 0;
-      built.search(points.row(i).data(), 1, &nearest[static_cast<std::size_t>(i)], &squared_distance);
+      built.tree.knnSearch(points.row(i).data(), 1, &nearest[static_cast<std::size_t>(i)], &squared_distance);
     }
   });
   return nearest;

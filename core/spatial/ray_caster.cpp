@@ -3,12 +3,28 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <embree3/rtcore.h>
 #include <limits>
 #include <new>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
+
+// Embree 4 passes the context of a ray with other arguments than Embree 3; the rest of the two interfaces is the same.
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+using RayContext = RTCRayQueryContext;
+static void intersect(RTCScene scene, RayContext* context, RTCRayHit* query) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = context;
+  rtcIntersect1(scene, query, &arguments);
+}
+#else
+#include <embree3/rtcore.h>
+using RayContext = RTCIntersectContext;
+static void rtcInitRayQueryContext(RayContext* context) { rtcInitIntersectContext(context); }
+static void intersect(RTCScene scene, RayContext* context, RTCRayHit* query) { rtcIntersect1(scene, context, query); }
+#endif
 
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/shape/shape.h"
@@ -39,7 +55,7 @@ RTCDevice device() {
 
 /// Data of a ray for the filter.
 struct Context {
-  RTCIntersectContext embree;  // the first member: Embree hands its address to the filter
+  RayContext embree;  // the first member: Embree hands its address to the filter
   std::span<const std::int32_t> skipped;
   std::uint32_t best = RTC_INVALID_GEOMETRY_ID;
   float best_distance = std::numeric_limits<float>::infinity();
@@ -120,7 +136,7 @@ void RayCaster::Scene::add_triangles(const Shape& shape) {
 void RayCaster::Scene::cast(const Eigen::Vector3d& from, std::span<const Eigen::Vector3d> directions,
                             std::span<const std::int32_t> skipped, std::span<RayHit> hits) const {
   Context context;
-  rtcInitIntersectContext(&context.embree);
+  rtcInitRayQueryContext(&context.embree);
   context.skipped = skipped;
   RTCRayHit query = {};
   query.ray.org_x = static_cast<float>(from.x());
@@ -135,7 +151,7 @@ void RayCaster::Scene::cast(const Eigen::Vector3d& from, std::span<const Eigen::
     query.ray.tfar = std::numeric_limits<float>::infinity();
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     context.best_distance = std::numeric_limits<float>::infinity();
-    rtcIntersect1(scene.get(), &context.embree, &query);
+    intersect(scene.get(), &context.embree, &query);
     const bool hit = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     hits[i] = {.triangle = hit ? static_cast<std::int32_t>(query.hit.primID) : -1,
                .distance = hit ? query.ray.tfar : 0,
