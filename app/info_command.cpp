@@ -37,7 +37,7 @@ struct InfoArguments {
 /// Returns the number of handles of a closed mesh, summed over its components: components - (V - E + F) / 2. A vertex
 /// counts once for each fan of triangles about it. Components that touch in a point are therefore separate.
 long genus(const Shape& shape) {
-  const std::vector<HalfEdge> uses = half_edges(shape.triangles, welded_vertices(shape.vertices));
+  const std::vector<HalfEdge> uses = surface_half_edges(shape, welding_of(shape));
   std::vector<std::size_t> leader(static_cast<std::size_t>(3 * shape.triangles.rows()));
   std::iota(leader.begin(), leader.end(), std::size_t{0});
   const auto find = [&](std::size_t i) {
@@ -110,6 +110,7 @@ OrderedJson info_of(const Shape& shape) {
   OrderedJson json = diagnostics_json(found);
   if (has_polygons(shape)) json["polygons"] = polygon_count(shape);
   json.update(geometry_json(shape, found));
+  if (is_cloud(shape)) json["normals"] = shape.normals.rows() > 0 ? "from the file" : "none";
   return json;
 }
 
