@@ -9,6 +9,7 @@
 #include "app/help_format.h"
 #include "app/options.h"
 #include "app/terminal.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/results/protocol_audit.h"
 
@@ -31,7 +32,7 @@ StandingOptions standing_options(const ResamplingArguments& arguments) {
 }
 
 std::string formatted_audit(const ProtocolAudit& audit, const ScoreFormat& printed) {
-  if (printed.format == "json") return audit_json(audit).dump(2) + "\n";
+  if (printed.format == "json") return json_text(audit_json(audit), 2) + "\n";
   const auto format = value_of_word<TableFormat>(printed.format).value();
   if (format == TableFormat::csv) return to_csv(audit_csv_table(audit));
   const ScoreStyle style = style_of(printed);

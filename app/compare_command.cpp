@@ -16,6 +16,7 @@
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
@@ -241,7 +242,7 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
 std::string formatted_comparison(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
                                  const ComparisonOptions& options, const CompareArguments& arguments) {
   const ScoreStyle style = style_of(arguments.printed);
-  if (arguments.printed.format == "json") return comparison_json(methods, comparisons, options).dump(2) + "\n";
+  if (arguments.printed.format == "json") return json_text(comparison_json(methods, comparisons, options), 2) + "\n";
   const bool csv = arguments.printed.format == "csv";
   const TextTable pairs = pairs_table(methods, comparisons, style, csv);
   if (csv) return to_csv(pairs);

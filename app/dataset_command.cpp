@@ -12,6 +12,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/datasets/layouts/layouts.h"
@@ -57,7 +58,7 @@ std::string proposed_configuration(const DatasetLocation& location) {
         below ? relative.string() : fs::absolute(location.classification).lexically_normal().string();
   }
   if (location.split != "all") dataset["split"] = location.split;
-  return fmt::format("\"dataset\": {}", dataset.dump());
+  return fmt::format("\"dataset\": {}", json_text(dataset));
 }
 
 DatasetLocation location_of_all(const LookArguments& arguments) {

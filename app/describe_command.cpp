@@ -117,7 +117,7 @@ void learn_and_describe(const DescriptorChoice& choice, const ShapeFiles& files,
     try {
       const DescriptorInput input{.shape = none, .fields = shapes[i]->fields};
       shapes[i]->features = compute_features(choice.descriptor, input, learnt, choice.values);
-    } catch (const std::exception& error) {
+    } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", files.inputs[i].string(), error.what()));
     }
   }
@@ -169,7 +169,7 @@ int run(DescribeArguments& arguments) {
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
     try {
       shapes[job.index] = described(choice, shape, arguments.cleaning, remarks);
-    } catch (const std::exception& error) {
+    } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", job.input, error.what()));
     }
   });

@@ -20,6 +20,7 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
 #include "shapegauge/core/version.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/dataset.h"
@@ -82,7 +83,7 @@ std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& t
   if (task.coverage) json["lists"] = coverage_json(*task.coverage, arguments.evaluation.missing_queries);
   json.update(evaluation_json(*named.evaluation, task.class_names, named.intervals));
   if (arguments.each_query) json["per_query"] = per_query_json(*named.evaluation, task.query_ids);
-  return json.dump(2) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationTask& task,

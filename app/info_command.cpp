@@ -21,6 +21,7 @@
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/polygons.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 
 namespace shapegauge {
@@ -154,7 +155,7 @@ int run(const InfoArguments& arguments) {
     named.update(infos[i]);
     all.push_back(several ? std::move(named) : infos[i]);
   }
-  if (arguments.format == "json") print_output("{}\n", (several ? all : all.front()).dump(2));
+  if (arguments.format == "json") print_output("{}\n", json_text(several ? all : all.front(), 2));
   return status;
 }
 

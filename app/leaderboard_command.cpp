@@ -17,6 +17,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/leaderboard/judge_submissions.h"
 #include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
@@ -78,7 +79,7 @@ JudgingOptions judging_options(const LeaderboardArguments& arguments) {
 std::string formatted_leaderboard(const Leaderboard& board, const JudgingOptions& options,
                                   const LeaderboardArguments& arguments) {
   const ScoreStyle style = style_of(arguments.printed);
-  if (arguments.printed.format == "json") return leaderboard_json(board, options).dump(2) + "\n";
+  if (arguments.printed.format == "json") return json_text(leaderboard_json(board, options), 2) + "\n";
   const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
   if (format == TableFormat::csv) return to_csv(leaderboard_csv_table(board, style));
   return table_text(leaderboard_table(board, style), format);

@@ -151,7 +151,7 @@ int run_command(std::span<const std::string> arguments) {
   } catch (const Interrupted& interruption) {
     return report(interruption.what(), interruption_status());
   } catch (const std::bad_alloc&) {
-    return report("out of memory", exit_unusable_input);
+    return report("out of memory; use fewer threads (--threads), or a machine with more memory", exit_unusable_input);
   } catch (const std::filesystem::filesystem_error& error) {
     return report(fmt::format("cannot access {}: {}", error.path1().string(), error.code().message()),
                   exit_unusable_input);

@@ -156,7 +156,10 @@ double parse_length_option(std::string_view name, const std::string& text, const
 
 ColourChoice parse_colours(const ColourArguments& arguments, const std::string& unit) {
   ColourChoice choice{.range = {}, .logarithmic = arguments.scale == "log"};
-  if (!arguments.below.empty()) choice.threshold = parse_length_option("--below", arguments.below, unit);
+  if (!arguments.below.empty()) {
+    choice.threshold = parse_length_option("--below", arguments.below, unit);
+    if (!(*choice.threshold > 0)) throw InputError(fmt::format("--below is {}; it must be above 0", arguments.below));
+  }
   if (arguments.range.empty()) return choice;
   const std::size_t comma = arguments.range.find(',');
   if (comma == std::string::npos) {

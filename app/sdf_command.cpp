@@ -25,6 +25,7 @@
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/results/field_files.h"
 #include "shapegauge/experiments/results/thickness_summary.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
@@ -222,7 +223,7 @@ void print_summaries(const SdfArguments& arguments, const std::vector<NamedSumma
   if (arguments.format == "json") {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const NamedSummary& summary : summaries) all.push_back(summary_json(summary, words));
-    print_output("{}\n", (arguments.files.inputs.size() > 1 ? all : all.front()).dump(2));
+    print_output("{}\n", json_text(arguments.files.inputs.size() > 1 ? all : all.front(), 2));
     return;
   }
   const auto format = value_of_word<TableFormat>(arguments.format).value();

@@ -17,6 +17,7 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
 #include "shapegauge/core/version.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/search/page_of_answers.h"
@@ -177,7 +178,7 @@ class SearchRun {
   }
 
   void print_answers() const {
-    if (arguments_->format == "json") return print_output("{}\n", json().dump(2));
+    if (arguments_->format == "json") return print_output("{}\n", json_text(json(), 2));
     if (queries_.empty()) return;
     print_output("{}", table_text(table(), value_of_word<TableFormat>(arguments_->format).value()));
   }

@@ -15,6 +15,7 @@
 #include "app/terminal.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
@@ -73,7 +74,7 @@ std::string comparison_text(const SegmentationScores& scores, const MethodCompar
 }
 
 std::string formatted_errors(const SegmentationScores& scores, const SegmentationEvaluationArguments& arguments) {
-  if (arguments.format == "json") return json_of(scores, arguments).dump(2) + "\n";
+  if (arguments.format == "json") return json_text(json_of(scores, arguments), 2) + "\n";
   const auto format = value_of_word<TableFormat>(arguments.format).value();
   const auto text = [&](const TextTable& table) { return table_text(table, format); };
   if (format == TableFormat::csv || format == TableFormat::latex) return text(mean_table(scores));

@@ -226,7 +226,7 @@ int run(ViewArguments& arguments, bool offset_given) {
     try {
       views[job.index] = measured(arguments, fields, offset, colours, shape, job, remarks);
       warnings[job.index] = remarks.warnings;
-    } catch (const std::exception& error) {
+    } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", job.input, error.what()));
     }
   });

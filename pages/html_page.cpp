@@ -8,6 +8,8 @@
 #include <openssl/evp.h>
 #include <vector>
 
+#include "shapegauge/core/base/utf8.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/pages/palette.h"
 
 namespace shapegauge {
@@ -46,11 +48,12 @@ double rounded_to_digits(double value, int digits) {
 }
 
 std::string html_text(std::string_view text) {
-  return replaced(replaced(replaced(replaced(text, "&", "&amp;"), "<", "&lt;"), ">", "&gt;"), "\"", "&quot;");
+  return replaced(replaced(replaced(replaced(with_escaped_bytes(text), "&", "&amp;"), "<", "&lt;"), ">", "&gt;"), "\"",
+                  "&quot;");
 }
 
 std::string script_data(const nlohmann::ordered_json& json) {
-  const std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  const std::string text = json_text(json);
   return replaced(text, "<", "\\u003c");
 }
 

@@ -11,10 +11,10 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/segmentation/alpha_expansion.h"
 #include "shapegauge/segmentation/patch_features.h"
 #include "shapegauge/segmentation/segment_labels.h"
+#include "shapegauge/segmentation/sound_mesh.h"
 
 namespace shapegauge {
 
@@ -74,17 +74,17 @@ std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::spa
   std::vector<std::int32_t> labels;
   labels.reserve(patch.size());
   for (const std::int32_t p : patch) labels.push_back(clusters[static_cast<std::size_t>(p)]);
-  return connected_parts(graph, labels);
+  return renumbered(without_slivers(graph, connected_parts(graph, labels), least_patch / options.patches.count));
 }
 
 std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<double> offset,
                                              const PaperSegmentationOptions& options) {
-  const DistinctTriangles mesh = distinct_triangles(shape);
+  const SoundMesh mesh = sound_mesh(shape);
   const SurfaceGraph graph = surface_graph(mesh.shape);
   ScalarField field{.values = {}, .weights = graph.samples.weights};
   field.values = offset ? offset_sdf(mesh.shape, graph.samples, {.offset = *offset}).values
                         : cone_sdf(mesh.shape, graph.samples, {}).values;
-  return with_duplicates(mesh, paper_segmentation(graph, {&field, 1}, options));
+  return mesh.extended(paper_segmentation(graph, {&field, 1}, options));
 }
 
 }  // namespace shapegauge

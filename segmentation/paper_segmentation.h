@@ -13,7 +13,7 @@
 namespace shapegauge {
 
 /// Cache version of paper_segmentation(); see docs/manual/cache.md.
-inline constexpr int paper_segmentation_version = 4;
+inline constexpr int paper_segmentation_version = 5;
 
 /// Options of the paper's pipeline. The paper gives the number of patches, 50, and leaves the rest open.
 struct PaperSegmentationOptions {
@@ -26,7 +26,8 @@ struct PaperSegmentationOptions {
 /// Segments a surface as in the paper (Section "Shape segmentation"). The steps are: over-segmentation into patches,
 /// feature vectors of patches from the distribution of fields such as the SDF (patch_features()), soft clustering by a
 /// Gaussian mixture, a graph cut, and connected components of each cluster. `fields` are sampled at the graph's nodes.
-/// Labels are numbered as by connected_parts().
+/// Labels are numbered as by connected_parts(). Parts of less than a tenth of the mean area of patches join their
+/// neighbours.
 ///
 /// The graph cut is an alpha-expansion over patches. A patch in a cluster costs minus the logarithm of its probability.
 /// Two adjacent patches in different clusters cost `smoothness` times the sum over their common border of length times
@@ -36,8 +37,8 @@ std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::spa
                                              const PaperSegmentationOptions& options);
 
 /// Segments a shape by its SDF: one label a triangle, or a point of a cloud. `offset` is that of the offset surface, as
-/// a fraction of the diagonal; without it, uses the conventional SDF, for meshes only. Duplicate triangles have the
-/// label of their first. Throws InputError also as offset_sdf() and cone_sdf() do.
+/// a fraction of the diagonal; without it, uses the conventional SDF, for meshes only. Throws InputError also as
+/// sound_mesh(), offset_sdf() and cone_sdf() do.
 std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<double> offset,
                                              const PaperSegmentationOptions& options = {});
 

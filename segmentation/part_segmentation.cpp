@@ -8,11 +8,11 @@
 #include <span>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/region_merging.h"
 #include "shapegauge/segmentation/segment_labels.h"
 #include "shapegauge/segmentation/segmentation_proxy.h"
+#include "shapegauge/segmentation/sound_mesh.h"
 #include "shapegauge/segmentation/surface_regions.h"
 
 namespace shapegauge {
@@ -64,7 +64,8 @@ std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const P
   check(options, surface.graph.size());
   const PatchOptions patch_options{.count = std::max(options.patches, patches_per_part * options.parts),
                                    .seed = options.seed};
-  const std::vector<std::int32_t> patch = patches(surface.graph, patch_options, patch_costs(surface));
+  const std::vector<std::int32_t> patch = renumbered(without_slivers(
+      surface.graph, patches(surface.graph, patch_options, patch_costs(surface)), least_patch / patch_options.count));
   const std::int32_t most = std::max(most_regions, patch_options.count);
   const std::vector<std::int32_t> initial = largest_patches(surface.graph, patch, most);
   Regions regions = surface_regions(surface, initial, options.samples);
@@ -81,16 +82,14 @@ std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const P
 
 std::vector<std::int32_t> part_segmentation(const Shape& given, const PartSegmentationOptions& options,
                                             const PartModel& model) {
-  require_usable(given);
-  const DistinctTriangles mesh = distinct_triangles(given);
+  const SoundMesh mesh = sound_mesh(given);
   const Shape& shape = mesh.shape;
   // Many parts of few triangles consist of single triangles.
   if (triangles_per_part * options.parts > shape.triangles.rows()) {
-    return with_duplicates(mesh, part_segmentation(thick_surface(shape), options, model));
+    return mesh.extended(part_segmentation(thick_surface(shape), options, model));
   }
   const SegmentationProxy cut = segmentation_proxy(facing_outward(shape));
-  return with_duplicates(mesh,
-                         renumbered(cut.transferred(part_segmentation(thick_surface(cut.shape), options, model))));
+  return mesh.extended(renumbered(cut.transferred(part_segmentation(thick_surface(cut.shape), options, model))));
 }
 
 }  // namespace shapegauge

@@ -13,7 +13,7 @@
 namespace shapegauge {
 
 /// Cache version of part_segmentation(); see docs/manual/cache.md.
-inline constexpr int part_segmentation_version = 5;
+inline constexpr int part_segmentation_version = 6;
 
 /// Options of part_segmentation().
 struct PartSegmentationOptions {
@@ -38,12 +38,14 @@ inline constexpr std::array part_segmentation_table = {
 /// Segments a shape into parts as people would: returns a part number for each triangle, or point of a cloud, from 0 on
 /// in the order of the parts' first triangles.
 ///
-/// Meshes of few triangles or with many cracks are replaced by their segmentation_proxy(). The surface is divided into
-/// patches, which are merged into regions. Each step merges the two regions most likely to belong to one part,
-/// according to the model. Its features describe mutual visibility, thickness, the concavity between regions and their
-/// form. Finally, borders are smoothed. Parts are connected except for pieces that smoothing separates. Unconnected
-/// components are different parts, and there may therefore be more parts than requested. The same input gives the same
-/// labels on any number of threads.
+/// Triangles with two corners at one place have the part of the closest other triangle, duplicates that of their first
+/// (sound_mesh()). Meshes of few triangles or with many cracks are replaced by their segmentation_proxy(). The surface
+/// is divided into patches, which are merged into regions. Each step merges the two regions most likely to belong to
+/// one part, according to the model. Patches of less than a tenth of the mean area join their neighbours first. The
+/// features describe mutual visibility, thickness, the concavity between regions and their form. Finally, borders are
+/// smoothed. Parts are connected except for pieces that smoothing separates. Unconnected components are different
+/// parts, and there may therefore be more parts than requested. The same input gives the same labels on any number of
+/// threads.
 ///
 /// Throws InputError for options out of range, more parts than triangles or points, and as thick_surface() does.
 std::vector<std::int32_t> part_segmentation(const Shape& shape, const PartSegmentationOptions& options,

@@ -15,6 +15,9 @@ struct PatchOptions {
   std::uint64_t seed = 1;  ///< seed of the first patch's position
 };
 
+/// Smallest area of a patch or part, as a fraction of the mean area of patches: smaller ones are slivers.
+inline constexpr double least_patch = 0.1;
+
 /// Divides a surface into compact, connected patches: returns a patch number for each node, from 0 on without gaps.
 ///
 /// Patches grow from centres along the links; each node joins the centre with the cheapest path. Centres start in

@@ -65,13 +65,6 @@ std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels) {
   return result;
 }
 
-std::vector<std::int32_t> with_duplicates(const DistinctTriangles& mesh, std::vector<std::int32_t> labels) {
-  if (!mesh.has_duplicates()) return labels;
-  std::vector<std::int32_t> all = mesh.triangle_of;
-  for (std::int32_t& triangle : all) triangle = labels[static_cast<std::size_t>(triangle)];
-  return all;
-}
-
 std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
   check(graph, labels);
   DisjointSets sets;
@@ -84,6 +77,38 @@ std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<c
   std::vector<std::int32_t> parts(labels.size());
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = sets.find(static_cast<std::int32_t>(i));
   return renumbered(parts);
+}
+
+std::vector<std::int32_t> without_slivers(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
+                                          double least_share) {
+  check(graph, labels);
+  LabelBorders borders = borders_of(graph, labels);
+  const double least_area = least_share * graph.samples.weights.sum();
+  std::vector<std::int32_t> merged_into(borders.areas.size());
+  std::iota(merged_into.begin(), merged_into.end(), 0);
+  std::vector<std::int32_t> order = merged_into;
+  std::ranges::stable_sort(order, {},
+                           [&](std::int32_t label) { return borders.areas[static_cast<std::size_t>(label)]; });
+  for (const std::int32_t label : order) {
+    auto& lengths = borders.lengths[static_cast<std::size_t>(label)];
+    if (borders.areas[static_cast<std::size_t>(label)] >= least_area || lengths.empty()) continue;
+    const std::int32_t other =
+        std::ranges::max_element(lengths, {}, [](const auto& border) { return border.second; })->first;
+    borders.areas[static_cast<std::size_t>(other)] += borders.areas[static_cast<std::size_t>(label)];
+    for (const auto& [neighbour, length] : lengths) {
+      auto& around = borders.lengths[static_cast<std::size_t>(neighbour)];
+      around.erase(label);
+      if (neighbour == other) continue;
+      around[other] += length;
+      borders.lengths[static_cast<std::size_t>(other)][neighbour] += length;
+    }
+    merged_into[static_cast<std::size_t>(label)] = other;
+  }
+  std::vector<std::int32_t> result(labels.begin(), labels.end());
+  for (std::int32_t& label : result) {
+    while (merged_into[static_cast<std::size_t>(label)] != label) label = merged_into[static_cast<std::size_t>(label)];
+  }
+  return result;
 }
 
 std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {

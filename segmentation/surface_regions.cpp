@@ -240,6 +240,14 @@ class Sights {
   Points normals_;
 };
 
+/// Returns false for a surface that is narrower than rays resolve, which are of single precision: every ray then meets
+/// all triangles.
+bool is_resolved(const ThickSurface& surface) {
+  constexpr double least_share = 1e-7;
+  const double diagonal = bounding_box_diagonal(surface.barrier);
+  return surface.unit * surface.unit > least_share * diagonal * diagonal;
+}
+
 }  // namespace
 
 std::vector<double> patch_costs(const ThickSurface& surface) {
@@ -260,6 +268,7 @@ Regions surface_regions(const ThickSurface& surface, std::span<const std::int32_
   add_nodes(regions, surface, patch);
   add_borders(regions, surface, patch);
   const RayCaster caster(surface.barrier, EdgeHandling::fast);
+  if (!is_resolved(surface)) return regions;
   add_opposites(regions, surface, patch, caster);
   Sights sights(regions, surface, caster, sampled(surface, patch, regions, samples));
   sights.add_inside();

@@ -2,24 +2,11 @@
 
 #include <algorithm>
 
+#include "shapegauge/core/base/utf8.h"
+
 namespace shapegauge {
 
 namespace {
-
-/// Returns the length of the UTF-8 character at the beginning of the text; 0 for an invalid one.
-std::size_t length_of_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const unsigned lead = byte(0);
-  if ((lead >= 0x80 && lead < 0xC2) || lead >= 0xF5) return 0;
-  const std::size_t length = 1U + (lead >= 0xC2 ? 1U : 0U) + (lead >= 0xE0 ? 1U : 0U) + (lead >= 0xF0 ? 1U : 0U);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80) return 0;
-  }
-  // Overlong encodings, surrogates, and values beyond U+10FFFF.
-  const bool wrong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F) ||
-                     (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F);
-  return wrong ? 0 : length;
-}
 
 /// Returns true for a UTF-8 control character: C0, delete, or C1.
 bool is_control(std::string_view character) {

@@ -1,6 +1,7 @@
 #include "shapegauge/core/base/utf8.h"
 
 #include <cstddef>
+#include <fmt/format.h>
 
 namespace shapegauge {
 
@@ -41,6 +42,34 @@ std::string to_utf8(std::string text) {
     }
   }
   return converted;
+}
+
+std::size_t length_of_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned lead = byte(0);
+  if ((lead >= 0x80 && lead < 0xC2) || lead >= 0xF5) return 0;
+  const std::size_t length = 1U + (lead >= 0xC2 ? 1U : 0U) + (lead >= 0xE0 ? 1U : 0U) + (lead >= 0xF0 ? 1U : 0U);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80) return 0;
+  }
+  // Overlong encodings, surrogates, and values beyond U+10FFFF.
+  const bool wrong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F) ||
+                     (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F);
+  return wrong ? 0 : length;
+}
+
+std::string with_escaped_bytes(std::string_view text) {
+  std::string escaped;
+  while (!text.empty()) {
+    const std::size_t length = length_of_character(text);
+    if (length > 0) {
+      escaped += text.substr(0, length);
+    } else {
+      escaped += fmt::format("\\x{:02X}", static_cast<unsigned char>(text.front()));
+    }
+    text.remove_prefix(length > 0 ? length : 1);
+  }
+  return escaped;
 }
 
 }  // namespace shapegauge

@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <sys/mman.h>
@@ -56,16 +58,53 @@ struct NewFile {
 };
 
 /// Creates a new file beside `path` under a unique name: other threads and processes may write to the same folder.
-NewFile create_beside(const fs::path& path) {
+NewFile create_beside(const fs::path& path, mode_t mode) {
   static std::atomic<unsigned> counter = 0;
   while (true) {
     // With part of the name only, as names have at most 255 bytes.
     const fs::path name = path.parent_path() /
                           fmt::format("{}.{}-{}.part", path.filename().string().substr(0, 200), ::getpid(), counter++);
-    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (descriptor >= 0) return {descriptor, name};
     if (errno != EEXIST) fail_writing(path, errno);
   }
+}
+
+/// Files that must not exist when they are published.
+class NewFiles {
+ public:
+  void set(const fs::path& path, bool is_new) {
+    const std::scoped_lock lock(mutex_);
+    if (is_new) {
+      paths_.insert(key_of(path));
+    } else {
+      paths_.erase(key_of(path));
+    }
+  }
+  bool take(const fs::path& path) {
+    const std::scoped_lock lock(mutex_);
+    return paths_.erase(key_of(path)) > 0;
+  }
+
+ private:
+  static fs::path key_of(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
+
+  std::mutex mutex_;
+  std::set<fs::path> paths_;
+};
+
+NewFiles& new_files() {
+  static NewFiles files;
+  return files;
+}
+
+/// Moves a file to a name that no file may have. Returns 0 or the error.
+int move_to_new(const fs::path& from, const fs::path& to) {
+  if (::link(from.c_str(), to.c_str()) != 0) {
+    // File systems without hard links.
+    return errno == EEXIST || ::rename(from.c_str(), to.c_str()) != 0 ? errno : 0;
+  }
+  return ::unlink(from.c_str()) != 0 ? errno : 0;
 }
 
 /// Returns the size of an open file. Throws InputError if it is not a regular file, or empty.
@@ -119,9 +158,13 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   }
   fs::path target = fs::exists(status) ? fs::canonical(path_, ignored) : path_;
   target_ = target.empty() ? path_ : std::move(target);
-  NewFile file = create_beside(target_);
+  constexpr mode_t by_umask = 0666;
+  const auto mode = static_cast<mode_t>(status.permissions() & fs::perms::mask);
+  NewFile file = create_beside(target_, fs::exists(status) ? mode : by_umask);
   descriptor_ = file.descriptor;
   unfinished_ = std::move(file.path);
+  // An existing file keeps its permissions, whatever the umask.
+  if (fs::exists(status) && ::fchmod(descriptor_, mode) != 0) fail_writing(path_, errno);
 }
 
 AtomicFile::~AtomicFile() {
@@ -145,10 +188,16 @@ void AtomicFile::publish(Flush flush) {
   int error = is_new && flush == Flush::yes && ::fsync(descriptor_) != 0 ? errno : 0;
   // Quotas and network file systems report some errors only on closing.
   if (::close(std::exchange(descriptor_, -1)) != 0 && error == 0) error = errno;
-  if (error == 0 && is_new && ::rename(unfinished_.c_str(), target_.c_str()) != 0) error = errno;
+  if (error == 0 && is_new && new_files().take(path_)) {
+    error = move_to_new(unfinished_, target_);
+  } else if (error == 0 && is_new && ::rename(unfinished_.c_str(), target_.c_str()) != 0) {
+    error = errno;
+  }
   if (error != 0) fail_writing(path_, error);
   unfinished_.clear();
 }
+
+void expect_new_file(const fs::path& path, bool is_new) { new_files().set(path, is_new); }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes, Flush flush) {
   AtomicFile file(path);

@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
 
 namespace shapegauge {
 
@@ -90,7 +91,9 @@ void check_output_files(std::span<const fs::path> inputs, std::span<const Output
           fmt::format("{} and {} would both be written to {}", other->second, output.what, output.path.string()));
     }
     std::error_code unknown;
-    if (!fs::exists(output.path, unknown) || (replace && output.may_be_input)) continue;
+    const bool exists = fs::exists(output.path, unknown);
+    expect_new_file(output.path, !exists && !replace && !output.is_updated);
+    if (!exists || (replace && output.may_be_input)) continue;
     if (const auto input = read.find(identity); input != read.end()) {
       throw InputError(fmt::format("{} would overwrite the input {}; give it another name{}", output.what,
                                    input->second.string(), output.may_be_input ? ", or use `replace=true`" : ""));

@@ -32,7 +32,8 @@ bool is_page(const std::filesystem::path& output);
 
 /// Throws InputError if an output is an input or another output (including links and other spellings of a path), if it
 /// exists and `replace` is not set, if its extension is not supported, and if standard input or standard output is
-/// named twice. Devices and pipes are always accepted.
+/// named twice. Devices and pipes are always accepted. A file that does not exist yet is not replaced later either,
+/// should another process create it meanwhile (expect_new_file()).
 void check_output_files(std::span<const std::filesystem::path> inputs, std::span<const OutputFile> outputs,
                         bool replace);
 

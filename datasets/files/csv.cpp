@@ -22,6 +22,17 @@ std::optional<char> declared_separator(std::string_view text) {
   return line.back();
 }
 
+// Returns true for a text that, behind any apostrophes, a spreadsheet takes as a formula: it begins with =, @, or a
+// sign that belongs to no number.
+bool is_formula(std::string_view text) {
+  const bool is_protected = text.starts_with('\'');
+  text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
+  if (text.size() < 2) return false;
+  if (text.front() == '=' || text.front() == '@') return true;
+  return (text.front() == '+' || text.front() == '-') &&
+         (is_protected || !parse_number(text.substr(0, text.find(' '))));
+}
+
 }  // namespace
 
 CsvReader::CsvReader(std::string_view text, std::string source, char separator)
@@ -49,6 +60,7 @@ CsvRow CsvReader::take_row() {
     if (row.cells.size() == most_csv_cells) fail(line_, fmt::format("the row has more than {} cells", most_csv_cells));
     skip_blanks();
     row.cells.push_back(rest_.starts_with('"') ? take_quoted_cell() : std::string(take_to_cell_end()));
+    if (row.cells.back().starts_with('\'') && is_formula(row.cells.back())) row.cells.back().erase(0, 1);
     const bool more = rest_.starts_with(separator_);
     if (!more) ++line_;
     rest_.remove_prefix(rest_.empty() ? 0 : 1);
@@ -188,9 +200,11 @@ char number_separator(std::string_view text) {
 }
 
 std::string csv_cell(std::string_view text) {
+  const std::string_view mark = is_formula(text) ? "'" : "";
   const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos && text == trim(text);
-  if (plain) return std::string(text);
+  if (plain) return std::string(mark).append(text);
   std::string cell = "\"";
+  cell += mark;
   for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
   return cell + '"';
 }

@@ -20,9 +20,9 @@ struct CsvRow {
 inline constexpr std::size_t most_csv_cells = 1'000'000;
 
 /// Reader of separated values (RFC 4180) row by row. Lines end with LF or CR LF, or with CR in a text without LF. A
-/// quoted cell may contain separators, line ends and, doubled, quotation marks. Blanks around a cell are removed. A
-/// first line "sep=;", as Excel writes it, is skipped; first_separator() and number_separator() return what it
-/// declares.
+/// quoted cell may contain separators, line ends and, doubled, quotation marks. Blanks around a cell are removed, and
+/// so is the apostrophe in front of a formula (csv_cell()). A first line "sep=;", as Excel writes it, is skipped;
+/// first_separator() and number_separator() return what it declares.
 class CsvReader {
  public:
   /// The text must outlive the reader.
@@ -77,7 +77,8 @@ std::optional<std::size_t> find_class_column(const CsvRow& header, const std::st
 /// or semicolons and no commas other than quoted or decimal ones (between digits).
 char number_separator(std::string_view text);
 
-/// Formats a cell that parse_csv() restores, quoted if necessary.
+/// Formats a cell that parse_csv() restores, quoted if necessary. A cell that a spreadsheet would take as a formula
+/// ("=1+1") gets an apostrophe in front, which a spreadsheet does not show.
 std::string csv_cell(std::string_view text);
 
 /// Formats the cells as one line with its LF.

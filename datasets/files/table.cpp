@@ -59,13 +59,24 @@ std::string plain_cell(std::string text) {
   return printable(text);
 }
 
-std::string markdown_cell(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '|' || c == '\\') escaped += '\\';
-    escaped += c == '\n' || c == '\r' ? ' ' : c;
+/// Returns true for a digit or a letter; those beyond ASCII count as letters.
+bool is_word_character(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c & '\x80') != 0;
+}
+
+/// Returns true for a character between two others that Markdown would not print as it is.
+bool is_markup(char before, char c, char after) {
+  switch (c) {
+    case '_':  // within a word it is literal
+      return !(is_word_character(before) && is_word_character(after));
+    case '<':
+    case '&':
+      return is_word_character(after) || after == '/' || after == '!' || after == '?' || after == '#';
+    case '(':  // of a link
+      return before == ']';
+    default:
+      return std::string_view("\\`*|~").find(c) != std::string_view::npos;
   }
-  return escaped;
 }
 
 std::string latex_cell(const std::string& text) {
@@ -182,8 +193,17 @@ std::string to_plain_text(const TextTable& table) {
   return text;
 }
 
+std::string markdown_text(const std::string& text) {
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (is_markup(i > 0 ? text[i - 1] : ' ', text[i], i + 1 < text.size() ? text[i + 1] : ' ')) escaped += '\\';
+    escaped += text[i] == '\n' || text[i] == '\r' ? ' ' : text[i];
+  }
+  return escaped;
+}
+
 std::string to_markdown(const TextTable& table) {
-  const TextTable escaped = with_emphases(with_cells(table, markdown_cell), with_markdown);
+  const TextTable escaped = with_emphases(with_cells(table, markdown_text), with_markdown);
   std::vector<std::size_t> widths = column_widths(escaped);
   std::string rule = "|";
   for (std::size_t i = 0; i < widths.size(); ++i) {

@@ -39,6 +39,8 @@ void embolden_best(TextTable& table, std::size_t first_key);
 std::string to_csv(const TextTable& table);
 /// Formats a table for a terminal: aligned columns, separated by two blanks.
 std::string to_plain_text(const TextTable& table);
+/// Escapes a text for one line of Markdown, where it then appears as it is.
+std::string markdown_text(const std::string& text);
 /// Formats a table as Markdown, aligned in the source as well.
 std::string to_markdown(const TextTable& table);
 /// Formats a table as a LaTeX tabular environment, which needs the package booktabs.

@@ -73,20 +73,32 @@ std::optional<std::string> Cache::read(EntryKind kind, const std::string& key) {
 }
 
 void Cache::write(EntryKind kind, const std::string& key, const std::string& content) {
-  const fs::path path = entry_path(folder_, kind, key);
-  try {
-    std::error_code failure;
-    fs::create_directories(path.parent_path(), failure);
-    if (failure) throw InputError(fmt::format("cannot create {}: {}", path.parent_path().string(), failure.message()));
-    write_cache_tag(folder_);
-    // Only results that take long to compute are worth flushing; others are quickly recomputed from them.
-    const bool takes_long = kind == EntryKind::field || kind == EntryKind::samples || kind == EntryKind::comparison;
-    write_file_atomically(path, encode_entry(kind, key, content), takes_long ? Flush::yes : Flush::no);
-  } catch (const InputError& error) {
-    writable_ = false;
-    const std::scoped_lock lock(mutex_);
-    if (writing_error_.empty()) writing_error_ = error.what();
+  // Only results that take long to compute are worth flushing; others are quickly recomputed from them.
+  const bool takes_long = kind == EntryKind::field || kind == EntryKind::samples || kind == EntryKind::comparison;
+  constexpr int attempts = 10;  // another process may clear the cache meanwhile
+  for (int attempt = 1; attempt <= attempts; ++attempt) {
+    try {
+      return write_entry(entry_path(folder_, kind, key), encode_entry(kind, key, content),
+                         takes_long ? Flush::yes : Flush::no);
+    } catch (const InputError& error) {
+      if (attempt < attempts) continue;
+      writable_ = false;
+      const std::scoped_lock lock(mutex_);
+      if (writing_error_.empty()) writing_error_ = error.what();
+    }
   }
+}
+
+void Cache::write_entry(const fs::path& path, std::string_view bytes, Flush flush) const {
+  std::error_code failure;
+  fs::create_directories(path.parent_path(), failure);
+  if (failure) throw InputError(fmt::format("cannot create {}: {}", path.parent_path().string(), failure.message()));
+  write_cache_tag(folder_);
+  // A pipe of that name would block.
+  if (const fs::file_status found = fs::status(path, failure); fs::exists(found) && !fs::is_regular_file(found)) {
+    fs::remove(path, failure);
+  }
+  write_file_atomically(path, bytes, flush);
 }
 
 void Cache::report_damaged(EntryKind kind, const std::string& key) {

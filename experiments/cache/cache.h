@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/cache/codec.h"
 
 namespace shapegauge {
@@ -133,6 +134,7 @@ class Cache {
 
   std::optional<std::string> read(EntryKind kind, const std::string& key);
   void write(EntryKind kind, const std::string& key, const std::string& content);
+  void write_entry(const std::filesystem::path& path, std::string_view bytes, Flush flush) const;
   void count(EntryKind kind, bool hit);
   void report_damaged(EntryKind kind, const std::string& key);
 

@@ -5,6 +5,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
@@ -32,7 +33,8 @@ void publish(StagedResults& staged, const fs::path& destination, const Experimen
              const RunOutcome& outcome) {
   check_results_are_no_inputs(destination, outcome.files, experiment.input_paths);
   const fs::path& folder = staged.folder();
-  write_file_atomically(folder / manifest_name, manifest_of(experiment.configuration, outcome, folder).dump(2) + "\n");
+  write_file_atomically(folder / manifest_name,
+                        json_text(manifest_of(experiment.configuration, outcome, folder), 2) + "\n");
   staged.publish(outcome.files);
 }
 

@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
@@ -146,7 +147,8 @@ std::vector<std::string> changed_inputs(const Json& manifest, const Json& now) {
   const Json& recorded = manifest.at("inputs");
   const std::map<std::string, std::string> before = named_inputs(recorded);
   Json recorded_kinds = Json::object();  // earlier versions recorded no classification of a segmentation
-  for (const auto& [kind, hashes] : now.items()) {
+  const Json names = escaped_json(now);  // as in manifests
+  for (const auto& [kind, hashes] : names.items()) {
     if (recorded.contains(kind)) recorded_kinds[kind] = hashes;
   }
   const std::map<std::string, std::string> after = named_inputs(recorded_kinds);

@@ -18,6 +18,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 
 namespace shapegauge {
@@ -98,6 +99,9 @@ void remove_superseded(const fs::path& folder, std::span<const std::string> earl
 void move_file(const fs::path& from, const fs::path& to) {
   make_folder(to.parent_path());
   std::error_code failure;
+  if (const fs::file_status earlier = fs::status(to, failure); fs::is_regular_file(earlier)) {
+    fs::permissions(from, earlier.permissions(), failure);
+  }
   fs::rename(from, to, failure);
   if (failure) throw InputError(fmt::format("cannot write {}: {}", to.string(), failure.message()));
 }
@@ -195,7 +199,7 @@ void prepare_result_folder(const fs::path& folder, const nlohmann::json& configu
   std::error_code ignored;
   fs::remove(probe, ignored);
 
-  if (replace || !has_results(folder) || earlier_configuration(folder) == configuration) return;
+  if (replace || !has_results(folder) || earlier_configuration(folder) == escaped_json(configuration)) return;
   throw InputError(fmt::format(
       "{} has results of another configuration; use another folder with `output`, or `replace=true`", folder.string()));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <new>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -39,6 +40,7 @@ std::vector<ModelFailure> run_jobs(std::span<const std::size_t> models, std::str
                                    const RunControl& control, const std::function<void(std::size_t model)>& job,
                                    const std::function<void(const std::function<void()>&)>& run_workers) {
   std::vector<ModelFailure> failures;
+  bool out_of_memory = false;  // says nothing about the model
   std::mutex mutex;
   std::size_t done = 0;
   std::atomic<bool> stopped = false;
@@ -46,6 +48,10 @@ std::vector<ModelFailure> run_jobs(std::span<const std::size_t> models, std::str
     try {
       // Isolated: a thread waiting for its own shape's samples must not start another shape.
       tbb::this_task_arena::isolate([&] { job(model); });
+    } catch (const std::bad_alloc&) {
+      const std::scoped_lock lock(mutex);
+      out_of_memory = true;
+      stopped = true;
     } catch (const std::exception& error) {
       const std::scoped_lock lock(mutex);
       failures.push_back({.model = model, .message = error.what()});
@@ -67,6 +73,7 @@ std::vector<ModelFailure> run_jobs(std::span<const std::size_t> models, std::str
     }
   });
   if (control.interrupted() || interruption_requested()) throw Interrupted();
+  if (out_of_memory) throw std::bad_alloc();
   std::ranges::sort(failures, {}, &ModelFailure::model);
   if (stop_at_failure && failures.size() > 1) failures.resize(1);
   return failures;

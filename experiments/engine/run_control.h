@@ -53,7 +53,8 @@ void with_threads(const RunControl& control, const std::function<void()>& work);
 
 /// Runs a job for each model, in parallel in the calling TBB arena. A job that throws makes its model a failure. With
 /// stop_at_failure, jobs not yet started are skipped, and only the first failure counts. Models start in order. Returns
-/// the failures in that order. Throws Interrupted.
+/// the failures in that order. A lack of memory is no failure of a model: it stops all jobs. Throws Interrupted, and
+/// std::bad_alloc.
 std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
                                          bool stop_at_failure, const RunControl& control,
                                          const std::function<void(std::size_t model)>& job);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/experiments/engine/manifest.h"
@@ -93,7 +94,7 @@ std::string key_of(const Json& common, const EvaluationFiles& files, const std::
                  shared_ids,
                  similarity,
                  distance};
-  return sha256(key.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return sha256(json_text(key));
 }
 
 // Returns the files of a submission.

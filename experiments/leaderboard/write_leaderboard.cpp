@@ -10,6 +10,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/engine/result_folder.h"
@@ -156,14 +157,14 @@ SiteUpdate write_site(const fs::path& folder, const std::string& title, const Le
     changed.push_back(i);
   }
   // Written first, it marks the folder as a site, which an interruption leaves to the next call.
-  write_file_atomically(folder / site_data, site_json(board, options, begun).dump(2) + "\n");
+  write_file_atomically(folder / site_data, json_text(site_json(board, options, begun), 2) + "\n");
   make_folder(folder / site_methods);
   for (const std::size_t i : changed) write_submission_page(folder / pages[i], board.submissions[i]);
   SiteUpdate update{.written = changed.size(), .unchanged = keys.size() - changed.size()};
   write_file_atomically(folder / site_index, leaderboard_html(title, board, options, pages));
   write_file_atomically(folder / site_csv, to_csv(leaderboard_csv_table(board)));
   write_file_atomically(folder / site_latex, latex_of(board));
-  write_file_atomically(folder / site_data, site_json(board, options, keys).dump(2) + "\n");
+  write_file_atomically(folder / site_data, json_text(site_json(board, options, keys), 2) + "\n");
   std::error_code absent;
   for (const auto& [page, key] : earlier) {
     if (!keys.contains(page) && fs::remove(folder / page, absent)) ++update.removed;

@@ -11,6 +11,7 @@
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/configuration/dataset_files.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/schema.h"
@@ -191,7 +192,7 @@ class MultiDatasetRun {
 
   void add(const DatasetPart& part, const fs::path& folder, const RunOutcome& outcome) {
     const auto manifest = manifest_of(part.experiment.configuration, outcome, folder);
-    write_file_atomically(folder / manifest_name, manifest.dump(2) + "\n");
+    write_file_atomically(folder / manifest_name, json_text(manifest, 2) + "\n");
     results_.datasets.push_back({.name = part.name,
                                  .folder = part.folder,
                                  .has_report = std::ranges::find(outcome.files, report_name) != outcome.files.end(),
@@ -237,7 +238,7 @@ class MultiDatasetRun {
     const MultiDatasetTable& main = main_table(results_);
     const TextTable summary = multi_dataset_summary(results_, main);
     const std::array<std::string, result_files.size()> texts{to_csv(multi_dataset_csv_table(results_)),
-                                                             multi_dataset_json(results_).dump(2) + "\n",
+                                                             json_text(multi_dataset_json(results_), 2) + "\n",
                                                              to_markdown(summary),
                                                              to_latex(summary),
                                                              to_csv(multi_dataset_pairs_table(results_)),

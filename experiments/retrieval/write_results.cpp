@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/result_folder.h"
@@ -67,11 +68,10 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
       rows.push_back(std::move(row));
     }
   }
-  return OrderedJson{{"name", results.configuration.name},          {"unit", "percent"},
-                     {"ties", name_of(results.configuration.ties)}, {"tied", ties_json(evaluations)},
-                     {"confidence", IntervalOptions().confidence},  {"rows", std::move(rows)}}
-             .dump(2) +
-         "\n";
+  const OrderedJson json{{"name", results.configuration.name},          {"unit", "percent"},
+                         {"ties", name_of(results.configuration.ties)}, {"tied", ties_json(evaluations)},
+                         {"confidence", IntervalOptions().confidence},  {"rows", std::move(rows)}};
+  return json_text(json, 2) + "\n";
 }
 
 /// Returns the text files of the results by name.

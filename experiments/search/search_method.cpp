@@ -8,6 +8,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
@@ -123,7 +124,7 @@ std::string SearchMethod::key() const {
     depends_on["signatures"].push_back({{"keys", fields}, {"parts", signature.parts}});
   }
   depends_on["settings"] = to_json(configuration.signatures);
-  return sha256(depends_on.dump());
+  return sha256(json_text(depends_on));
 }
 
 SearchMethod search_method(Json document, const std::string& source, const std::string& wanted) {

@@ -38,7 +38,7 @@ std::string summary(const SegmentationResults& results, std::string (*text)(cons
 }
 
 std::string summary_markdown(const SegmentationResults& results) {
-  std::string text = fmt::format("# {}\n\n", results.experiment.name);
+  std::string text = fmt::format("# {}\n\n", markdown_text(results.experiment.name));
   if (!results.experiment.description.empty()) text += results.experiment.description + "\n\n";
   return text + summary(results, to_markdown);
 }

@@ -163,14 +163,14 @@ std::vector<std::pair<std::string, TextTable>> comparing_tables(const ShapeCompa
 }
 
 std::string summary_markdown(const ShapeComparisonResults& results) {
-  std::string text = fmt::format("# {}\n", results.comparison.name);
+  std::string text = fmt::format("# {}\n", markdown_text(results.comparison.name));
   if (!results.comparison.description.empty()) text += fmt::format("\n{}\n", results.comparison.description);
   for (const auto& [title, table] : comparing_tables(results)) {
     text += fmt::format("\n## {}\n\n{}", title, to_markdown(table));
   }
   const std::vector<std::string> warnings = field_warnings(results.fields);
   if (!warnings.empty()) text += "\n## Warnings\n\n";
-  for (const std::string& warning : warnings) text += fmt::format("- {}\n", warning);
+  for (const std::string& warning : warnings) text += fmt::format("- {}\n", markdown_text(warning));
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/version.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
@@ -46,7 +47,7 @@ std::string result_key(EntryKind kind, const Json& depends_on) {
   inputs["kind"] = name_of(kind);
   inputs["program"] = program();
   // Keys of objects are sorted, and numbers are shortest texts that restore them.
-  return sha256(inputs.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return sha256(json_text(inputs));
 }
 
 std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, const Json& versions,

@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/pages/coarse_view.h"
 #include "shapegauge/pages/shape_view.h"
 
@@ -24,7 +25,7 @@ std::string model_view(const Shape& shape, std::span<const SampledField> fields,
     view.fields.push_back(
         {.name = "", .values = of_samples.means(field.values), .colours = range.value_or(Interval{})});
   }
-  return shape_view_json(view).dump();
+  return json_text(shape_view_json(view));
 }
 
 }  // namespace shapegauge

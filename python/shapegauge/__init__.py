@@ -9,9 +9,8 @@ Unusable input raises InputError, a ValueError. Values are the same bytes as tho
 threads; its warnings are Python warnings. Ctrl-C stops computations.
 """
 
-from . import _native
+from ._native import InputError, version as _version
 from ._evaluation import Comparison, Scores, compare, distances, evaluate, fuse, rerank
-from ._native import InputError
 from ._run import Run, run
 from ._search import Answer, Found, Index
 from ._shapes import ScalarField, Shape, describe, field, normals, read, sdf, segment, write
@@ -20,4 +19,4 @@ __all__ = [
     "Answer", "Comparison", "Found", "Index", "InputError", "Run", "ScalarField", "Scores", "Shape", "compare", "describe",
     "distances", "evaluate", "field", "fuse", "normals", "read", "rerank", "run", "sdf", "segment", "write",
 ]
-__version__ = _native.version()
+__version__ = _version()

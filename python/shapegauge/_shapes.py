@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json as _json
-from typing import Any, Mapping, NamedTuple, Optional, Union
+from dataclasses import dataclass
+from typing import Any, Iterator, Mapping, NamedTuple, Optional, Union
 
 import numpy as _numpy
 
@@ -29,12 +30,8 @@ class Shape(NamedTuple):
         return f"<Shape: {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
 
-class _ValuesAndWeights(NamedTuple):
-    values: _numpy.ndarray
-    weights: _numpy.ndarray
-
-
-class ScalarField(_ValuesAndWeights):
+@dataclass(frozen=True, eq=False)
+class ScalarField:
     """Values of a field with their weights (areas): ``values, weights = sg.sdf(mesh)``.
 
     values, weights: float64, one a sample; NaN for a missing value. points: positions of the samples, n x 3: centroids of
@@ -43,21 +40,20 @@ class ScalarField(_ValuesAndWeights):
     SDF, n x 3; otherwise None.
     """
 
-    points: Optional[_numpy.ndarray] = None
+    values: _numpy.ndarray
+    weights: _numpy.ndarray
     offset: Optional[float] = None
     normals: Optional[_numpy.ndarray] = None
+    points: Optional[_numpy.ndarray] = None
 
-    def __new__(cls, values: _numpy.ndarray, weights: _numpy.ndarray, offset: Optional[float] = None,
-                normals: Optional[_numpy.ndarray] = None, points: Optional[_numpy.ndarray] = None) -> ScalarField:
-        field = super().__new__(cls, values, weights)
-        field.offset = offset
-        field.normals = normals
-        field.points = points
-        return field
+    def __iter__(self) -> Iterator[_numpy.ndarray]:
+        return iter((self.values, self.weights))
 
-    def _replace(self, **changes: Any) -> ScalarField:
-        members: dict[str, Any] = {**self._asdict(), **vars(self), **changes}
-        return ScalarField(**members)
+    def __getitem__(self, index: int) -> _numpy.ndarray:
+        return (self.values, self.weights)[index]
+
+    def __array__(self, *arguments: Any, **settings: Any) -> _numpy.ndarray:
+        raise TypeError("a ScalarField is not an array: use its .values, and its .weights for averages")
 
 
 def read(path: PathLike) -> Shape:

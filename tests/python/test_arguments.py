@@ -30,7 +30,7 @@ def test_settings_after_an_object_are_those_after_arrays(mesh):
     for settings in (("offset_sdf", 0.03), ("offset_sdf", 0.2), ("cone_sdf",), ()):
         np.testing.assert_array_equal(sg.sdf(mesh, *settings).values, sg.sdf(*both, *settings).values)
     assert (sg.sdf(mesh, "offset_sdf", 0.03).values != sg.sdf(mesh, "offset_sdf", 0.2).values).any()
-    np.testing.assert_array_equal(sg.field(mesh, "cone_sdf")[0], sg.field(*both, "cone_sdf")[0])
+    np.testing.assert_array_equal(sg.field(mesh, "cone_sdf").values, sg.field(*both, "cone_sdf").values)
     np.testing.assert_array_equal(sg.normals(mesh, 0.2), sg.normals(*both, offset=0.2))
     np.testing.assert_array_equal(sg.describe(mesh, "d2"), sg.describe(*both, "d2"))
     np.testing.assert_array_equal(sg.segment(mesh, "paper", parts=2), sg.segment(*both, "paper", parts=2))

@@ -1,6 +1,7 @@
 """Results as pickles, data frames, plots and intervals; arguments from other packages."""
 
 import copy
+import dataclasses
 import json
 import os
 import pickle
@@ -46,14 +47,20 @@ def test_fields_pickle_and_say_where_their_samples_are():
 
 def test_replaced_values_keep_the_rest_of_a_field():
     field = sg.sdf(*bumpy_torus())
-    scaled = field._replace(values=2 * field.values)
+    scaled = dataclasses.replace(field, values=2 * field.values)
     np.testing.assert_array_equal(scaled.values, 2 * field.values)
-    np.testing.assert_array_equal(scaled.weights, field.weights)
-    assert scaled.offset == field.offset == 0.05
+    assert scaled.weights is field.weights and scaled.offset == field.offset == 0.05
     assert scaled.points is field.points and scaled.normals is field.normals
-    with pytest.raises(TypeError):
-        field._replace(value=0)
-    assert type(field)._make([field.values, field.weights]).offset is None
+
+
+def test_field_is_not_an_array_of_values_and_weights():
+    field = sg.sdf(*bumpy_torus())
+    values, weights = field
+    assert values is field.values and weights is field.weights and field[0] is values
+    assert np.mean(field.values) == values.mean()
+    for statistic in (np.mean, np.median, np.max, np.asarray):
+        with pytest.raises(TypeError, match="values"):
+            statistic(field)
 
 
 def test_frame_has_a_row_for_each_query():

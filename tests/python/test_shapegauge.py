@@ -57,9 +57,9 @@ def test_objects_with_arrays_are_shapes(torus):
     trimesh = types.SimpleNamespace(vertices=vertices, faces=faces)
     open3d = types.SimpleNamespace(vertices=vertices, triangles=faces)
     for mesh in (trimesh, open3d, sg.Shape(vertices, faces, np.zeros((0, 3)))):
-        np.testing.assert_array_equal(sg.sdf(mesh)[0], expected)
+        np.testing.assert_array_equal(sg.sdf(mesh).values, expected)
     cloud = types.SimpleNamespace(points=vertices, normals=[])
-    np.testing.assert_array_equal(sg.sdf(cloud, offset="auto")[0], sg.sdf(vertices, offset="auto")[0])
+    np.testing.assert_array_equal(sg.sdf(cloud, offset="auto").values, sg.sdf(vertices, offset="auto").values)
 
 
 class Rows:
@@ -93,8 +93,8 @@ def test_objects_of_open3d(torus):
     vertices, faces = torus
     given = sg.normals(vertices)
     mesh, cloud = open3d_objects(vertices, faces, given)
-    np.testing.assert_array_equal(sg.sdf(mesh)[0], sg.sdf(vertices, faces)[0])
-    np.testing.assert_array_equal(sg.sdf(cloud)[0], sg.sdf(vertices, normals=given)[0])
+    np.testing.assert_array_equal(sg.sdf(mesh).values, sg.sdf(vertices, faces).values)
+    np.testing.assert_array_equal(sg.sdf(cloud).values, sg.sdf(vertices, normals=given).values)
     _, bare = open3d_objects(vertices, faces, [])
     np.testing.assert_array_equal(sg.normals(bare), sg.normals(vertices))
 

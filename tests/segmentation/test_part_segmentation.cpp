@@ -10,6 +10,7 @@
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/segmentation/part_segmentation.h"
+#include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/segment_labels.h"
 #include "tests/segmentation/dumbbell.h"
 #include "tests/support/doubled_shapes.h"
@@ -65,6 +66,59 @@ TEST(PartSegmentation, DoubledTrianglesHaveThePartsOfTheirFirst) {
       of_all.push_back(expected[static_cast<std::size_t>(triangle)]);
     EXPECT_EQ(part_segmentation(doubled.shape, options), of_all) << doubled.name;
   }
+}
+
+/// Adds triangles with two corners at one place behind each of some triangles: a repeated index, a coincident vertex,
+/// and all corners at one vertex.
+Shape with_degenerate(const Shape& shape) {
+  Shape result = shape;
+  const auto vertices = static_cast<std::int32_t>(shape.vertices.rows());
+  result.vertices.conservativeResize(vertices + 1, 3);
+  result.vertices.row(vertices) = shape.vertices.row(shape.triangles(0, 0));
+  result.triangles.conservativeResize(shape.triangles.rows() + 3, 3);
+  const auto& first = shape.triangles.row(0);
+  result.triangles.bottomRows<3>() << first[0], first[1], first[1], vertices, first[0], first[2], first[2], first[2],
+      first[2];
+  return result;
+}
+
+TEST(PartSegmentation, TrianglesWithoutAreaAreNoParts) {
+  const Shape shape = test::dumbbell(4);
+  const PartSegmentationOptions options{.parts = 3, .samples = 200};
+  const Labels expected = part_segmentation(shape, options);
+  ASSERT_EQ(count_of(expected), 3U);
+  Labels all = expected;
+  all.insert(all.end(), 3, expected[0]);
+  EXPECT_EQ(part_segmentation(with_degenerate(shape), options), all);
+}
+
+TEST(PartSegmentation, SliversAreNoParts) {
+  // Two triangles stand upright on edges, almost without area.
+  Shape shape = test::dumbbell(4);
+  const auto vertices = static_cast<std::int32_t>(shape.vertices.rows());
+  shape.vertices.conservativeResize(vertices + 2, 3);
+  shape.triangles.conservativeResize(shape.triangles.rows() + 2, 3);
+  for (std::int32_t i = 0; i < 2; ++i) {
+    const Eigen::RowVector3i corners = shape.triangles.row(100 * i);
+    shape.vertices.row(vertices + i) =
+        (shape.vertices.row(corners[0]) + shape.vertices.row(corners[1])) * (0.5 + 1e-4 * (i + 1));
+    shape.triangles.row(shape.triangles.rows() - 2 + i) << corners[0], corners[1], vertices + i;
+  }
+  const PartSegmentationOptions options{.samples = 200};
+  const Labels parts = part_segmentation(shape, options);
+  const Eigen::VectorXd areas = triangle_areas(shape);
+  Eigen::VectorXd of_part = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count_of(parts)));
+  for (std::size_t i = 0; i < parts.size(); ++i) of_part[parts[i]] += areas[static_cast<Eigen::Index>(i)];
+  EXPECT_GT(of_part.minCoeff(), least_patch / options.patches * areas.sum());
+}
+
+TEST(PartSegmentation, ANeedleIsOnePart) {
+  Shape shape;
+  shape.vertices.resize(3, 3);
+  shape.vertices << 0, 0, 0, 0.3, 0.5, 0.7, 0.3, 0.5, 0.7 + 1e-10;
+  shape.triangles.resize(1, 3);
+  shape.triangles << 0, 1, 2;
+  EXPECT_EQ(part_segmentation(shape, {}), (Labels{0}));
 }
 
 TEST(PartSegmentation, ASphereIsOnePart) { EXPECT_EQ(count_of(part_segmentation(test::sphere(1, 4), {})), 1U); }

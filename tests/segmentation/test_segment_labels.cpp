@@ -38,6 +38,26 @@ TEST(SegmentLabels, ConnectedPartsTellCapsOfOneLabelApart) {
   }
 }
 
+TEST(SegmentLabels, SliversJoinTheNeighbourOfTheLongestBorder) {
+  const Shape sphere = test::sphere(1, 3);
+  const SurfaceGraph graph = surface_graph(sphere);
+  const Labels halves = [&] {
+    Labels labels;
+    for (std::int32_t i = 0; i < graph.size(); ++i) labels.push_back(graph.samples.points(i, 2) > 0 ? 1 : 0);
+    return labels;
+  }();
+  Labels labels = halves;
+  labels[5] = 2;
+  labels[200] = 3;
+  EXPECT_EQ(without_slivers(graph, labels, 0.01), halves);
+  EXPECT_EQ(without_slivers(graph, labels, 1e-5), labels) << "larger than the least share";
+  // A chain of slivers joins the half around it.
+  for (const SurfaceLink& link : graph.links_of(5)) {
+    if (halves[static_cast<std::size_t>(link.to)] == halves[5]) labels[static_cast<std::size_t>(link.to)] = 4;
+  }
+  EXPECT_EQ(without_slivers(graph, labels, 0.01), halves);
+}
+
 TEST(SegmentLabels, TheLargestPartHasTheFirstColour) {
   const std::vector<Colour> colours =
       label_colours(test::hand_made_graph({1, 5, 3}, test::chain({1, 1})), Labels{0, 1, 2});

@@ -1,4 +1,6 @@
 #include <csignal>
+#include <filesystem>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <string>
 #include <sys/resource.h>
@@ -14,10 +16,13 @@ namespace shapegauge {
 
 namespace {
 
+namespace fs = std::filesystem;
 using test::bytes_of;
+using test::input_error_of;
 using test::TemporaryFolder;
 using ::testing::AllOf;
 using ::testing::EndsWith;
+using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
@@ -68,6 +73,36 @@ TEST(AtomicFile, IsReadableAsTheUmaskSays) {
   struct stat status = {};
   ASSERT_EQ(::stat((folder.path() / "out").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777U, 0640U);
+}
+
+TEST(AtomicFile, ReplacementKeepsThePermissions) {
+  const TemporaryFolder folder;
+  for (const auto mode : {0600, 0640, 0666, 0444}) {
+    const fs::path path = folder.file(fmt::format("{:o}", mode), "old");
+    fs::permissions(path, fs::perms(mode));
+    write_file_atomically(path, "new");
+    EXPECT_EQ(bytes_of(path), "new");
+    EXPECT_EQ(fs::status(path).permissions(), fs::perms(mode));
+  }
+}
+
+TEST(AtomicFile, DoesNotReplaceAFileThatMustBeNew) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "result";
+  expect_new_file(path, true);
+  const fs::path other = folder.file("result", "of another program");
+  EXPECT_THAT(input_error_of([&] { write_file_atomically(path, "ours"); }), HasSubstr("exists"));
+  EXPECT_EQ(bytes_of(other), "of another program");
+  EXPECT_EQ(folder.size(), 1U);
+}
+
+TEST(AtomicFile, ReplacesItsOwnNewFile) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "result";
+  expect_new_file(path, true);
+  write_file_atomically(path, "first");
+  write_file_atomically(path, "second");
+  EXPECT_EQ(bytes_of(path), "second");
 }
 
 TEST(AtomicFile, FollowsASymbolicLink) {

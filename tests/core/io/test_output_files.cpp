@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
 #include "tests/support/test_files.h"
 
@@ -40,6 +41,17 @@ TEST_F(CheckedOutputFiles, NewFilesAndAbsentOnesPass) {
                      {.path = at("absent/new.csv"), .what = "--table"}}),
             "");
   EXPECT_EQ(refusal({}), "");
+}
+
+TEST_F(CheckedOutputFiles, AFileThatAnotherProgramCreatesMeanwhileStays) {
+  for (const bool replace : {false, true}) {
+    const fs::path path = at(replace ? "replaced" : "new");
+    ASSERT_EQ(refusal({{.path = path, .what = "--output"}}, replace), "");
+    test::write_text(path, "theirs");
+    const std::string error = test::input_error_of([&] { write_file_atomically(path, "ours"); });
+    EXPECT_THAT(error, HasSubstr(replace ? "no error" : "exists"));
+    EXPECT_EQ(test::text_of(path), replace ? "ours" : "theirs");
+  }
 }
 
 TEST_F(CheckedOutputFiles, AnInputIsNeverOverwritten) {

@@ -102,6 +102,17 @@ TEST(Csv, ColumnsAreFoundInAnyCase) {
   EXPECT_EQ(find_class_column({.cells = {"id", "Class"}, .line = 1}, "f"), 1U);
 }
 
+TEST(Csv, FormulasGetAnApostropheThatIsNotRead) {
+  for (const std::string& text : {"=1+1", "@x", "+cmd|' /C calc'!A0", "-x", "'=1", "''-5", "=a,b"}) {
+    EXPECT_THAT(csv_cell(text), testing::MatchesRegex("\"?'.*")) << text;
+    EXPECT_EQ(parse_csv(csv_line({text}), "x").at(0).cells, std::vector{text});
+  }
+  for (const std::string& text : {"-0.5", "+1e3", "-inf", "-1.5 [-2, -1]", "=", "-", "a=b", "'quoted'"}) {
+    EXPECT_EQ(csv_cell(text).find(text), text.find(',') == std::string::npos ? 0U : 1U) << text;
+    EXPECT_EQ(parse_csv(csv_line({text}), "x").at(0).cells, std::vector{text});
+  }
+}
+
 RC_GTEST_PROP(Csv, CellsReadBackAsTheyWere, ()) {
   const auto cell =
       rc::gen::container<std::string>(rc::gen::element('a', ',', '"', ' ', '\t', '\n', '\r', '\xC3', '\xA9'));

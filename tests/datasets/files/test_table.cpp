@@ -30,6 +30,16 @@ TEST(Table, Markdown) {
             "| é_x       | 100.0 |\n");
 }
 
+TEST(Table, MarkdownEscapesItsMarks) {
+  const std::vector<std::pair<std::string, std::string>> cases{{"our_sdf 2 < 3 [1, 2] (a)", "our_sdf 2 < 3 [1, 2] (a)"},
+                                                               {"*a* _b_ `c` ~d~", R"(\*a\* \_b\_ \`c\` \~d\~)"},
+                                                               {"a|b\\c", R"(a\|b\\c)"},
+                                                               {"<b>x</b> &lt;", R"(\<b>x\</b> \&lt;)"},
+                                                               {"[x](y)", R"([x]\(y))"},
+                                                               {"\u00e9_x", "\u00e9_x"}};
+  for (const auto& [text, expected] : cases) EXPECT_EQ(markdown_text(text), expected);
+}
+
 TEST(Table, Latex) {
   EXPECT_EQ(to_latex(table),
             "\\begin{tabular}{lr}\n"

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <thread>
 #include <vector>
 
@@ -207,6 +208,32 @@ TEST_F(CacheTest, AFolderWithoutPermissionIsOneWarning) {
   }
   fs::permissions(folder(), fs::perms(0755));
   EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("Permission denied")));
+}
+
+TEST_F(CacheTest, APipeInPlaceOfAnEntryIsReplaced) {
+  fs::create_directories(entry().parent_path());
+  ASSERT_EQ(::mkfifo(entry().c_str(), 0600), 0);
+  Cache cache(folder());
+  EXPECT_EQ(cache.find<std::string>(EntryKind::field, entry_key), std::nullopt);
+  cache.put(EntryKind::field, entry_key, std::string("value"));
+  EXPECT_EQ(cache.find<std::string>(EntryKind::field, entry_key), "value");
+}
+
+TEST_F(CacheTest, ClearingDuringARunDoesNotDisableIt) {
+  Cache cache(folder());
+  std::jthread clearing([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      clear_cache(folder());
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  });
+  for (int i = 0; i < 300; ++i)
+    cache.put(EntryKind::samples, std::string(61, 'c') + std::to_string(100 + i), std::string("x"));
+  clearing.request_stop();
+  clearing.join();
+  cache.put(EntryKind::field, entry_key, std::string("value"));
+  EXPECT_EQ(cache.find<std::string>(EntryKind::field, entry_key), "value");
+  EXPECT_THAT(cache.warnings(), IsEmpty());
 }
 
 TEST_F(CacheTest, SeveralRunsShareAFolder) {

@@ -61,6 +61,14 @@ TEST(ForEachModel, WhatHasNotBegunIsSkippedAfterAFailure) {
   EXPECT_THAT(begun, testing::ElementsAre(2, 3));
 }
 
+TEST(ForEachModel, LackOfMemoryIsNoFailureOfAModel) {
+  const std::vector<std::size_t> models{0, 1, 2};
+  const auto job = [](std::size_t model) {
+    if (model == 1) throw std::bad_alloc();
+  };
+  EXPECT_THROW(for_each_model(models, "models", false, {}, job), std::bad_alloc);
+}
+
 TEST(ForEachModelInTurn, WorksOnOneModelAtATimeWithAllThreads) {
   const std::vector<std::size_t> models{2, 3, 5, 7};
   int jobs = 0;

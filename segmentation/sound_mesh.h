@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// Mesh without the triangles that are not segmented themselves: duplicates (distinct_triangles()), and triangles with
+/// two corners at one place, which have no area and no neighbours.
+struct SoundMesh {
+  Shape shape;
+  /// By triangle of the given mesh: its index in `shape`, that of its first duplicate or, for corners at one place,
+  /// that of the closest triangle. Empty for a cloud.
+  std::vector<std::int32_t> triangle_of;
+
+  /// Extends labels of `shape` to all triangles of the given mesh. Returns labels of a cloud unchanged.
+  [[nodiscard]] std::vector<std::int32_t> extended(std::vector<std::int32_t> labels) const;
+};
+
+/// Returns the mesh to segment in place of a given one; a cloud stays unchanged. Throws InputError for an unusable
+/// shape (require_usable()), and if no triangle is left.
+SoundMesh sound_mesh(const Shape& given);
+
+}  // namespace shapegauge
