@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 struct LeaderboardArguments {
   std::vector<fs::path> submissions;
   EvaluationArguments evaluation;
-  ResamplingArguments resampling{.blocks = "classes", .confidence = 0.95, .resampling = {}};
+  ResamplingArguments resampling{.blocks = "queries", .confidence = 0.95, .resampling = {}};
   CacheOption cache;
   fs::path output;
   std::string title = "Leaderboard";

@@ -16,10 +16,9 @@ namespace shapegauge {
 
 /// Unit of resampling and randomisation.
 ///
-/// classes: all queries of a class together. The queries of one matrix are not independent: one outlier of a class
-/// affects the answers to all of the class's queries. Classes can be assumed to be independent samples of a population.
-/// queries: each query separately, as if they were independent. Intervals are then too narrow and tests too liberal;
-/// for comparison with published scores only.
+/// classes: all queries of a class together. Results then hold for other classes as well, of which these are a sample:
+/// a method may be better in some classes and worse in others. queries: each query separately. Results hold for further
+/// queries of these classes, and say nothing of other classes: the queries of a class are answered alike.
 enum class ResamplingUnit { classes, queries };
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<ResamplingUnit>{"classes", "queries"};
