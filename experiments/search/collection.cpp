@@ -170,7 +170,7 @@ fs::path usual_index_path(const fs::path& collection, const fs::path& method) {
   fs::path beside = fs::absolute(collection).lexically_normal();
   if (!beside.has_filename()) beside = beside.parent_path();  // "models/"
   std::string name = beside.filename().string();
-  if (!method.empty()) name += "." + method.stem().string();
+  if (!method.empty()) name.append(".").append(method.stem().string());
   return beside.parent_path() / (name + ".search-index");
 }
 

@@ -28,13 +28,13 @@ using Json = nlohmann::ordered_json;
 
 std::string summary(const SegmentationResults& results, std::string (*text)(const TextTable&)) {
   if (!results.has_people) return text(consistency_table(results));
-  std::string result = text(mean_table(results.scores)) + "\n" + text(class_table(results.scores));
-  if (const TextTable moved = moved_table(results); !moved.rows.empty()) result += "\n" + text(moved);
+  std::vector<std::string> tables{text(mean_table(results.scores)), text(class_table(results.scores))};
+  if (const TextTable moved = moved_table(results); !moved.rows.empty()) tables.push_back(text(moved));
   if (const std::optional<MethodComparison> comparison = rand_comparison(results.scores)) {
-    result += "\n" + text(interval_table(results.scores, *comparison));
-    result += "\n" + text(pair_table(results.scores, *comparison));
+    tables.push_back(text(interval_table(results.scores, *comparison)));
+    tables.push_back(text(pair_table(results.scores, *comparison)));
   }
-  return result;
+  return fmt::format("{}", fmt::join(tables, "\n"));
 }
 
 std::string summary_markdown(const SegmentationResults& results) {
