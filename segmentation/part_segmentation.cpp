@@ -100,7 +100,7 @@ std::vector<std::int32_t> part_segmentation(const Shape& given, const PartSegmen
   const SegmentationProxy cut = segmentation_proxy(facing_outward(shape));
   const std::vector<std::int32_t> labels =
       renumbered(cut.transferred(part_segmentation(thick_surface(cut.shape), options, model)));
-  return mesh.extended(without_small(surface_graph(shape), labels, options));
+  return mesh.extended(options.parts > 0 ? labels : without_small(surface_graph(shape), labels, options));
 }
 
 }  // namespace shapegauge

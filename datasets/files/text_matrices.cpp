@@ -27,9 +27,11 @@ bool is_missing(std::string_view word) {
   return std::ranges::find(words, lower_case(std::string(word))) != words.end();
 }
 
+// Returns whether the word is an integer, beyond 2^53, that is not the number.
 bool is_rounded_integer(std::string_view word, double number) {
   constexpr double largest = 9007199254740992.0;  // 2^53
-  return std::abs(number) > largest && word.find_first_not_of("+-0123456789") == std::string_view::npos;
+  if (std::abs(number) <= largest || word.find_first_not_of("+-0123456789") != std::string_view::npos) return false;
+  return fmt::format("{:.0f}", std::abs(number)) != word.substr(word.find_first_not_of("+-0"));
 }
 
 // Assembles a matrix from the rows of a text file; errors have file and line. Of a square one, entries on the diagonal

@@ -1,10 +1,12 @@
 #include "shapegauge/experiments/retrieval/write_results.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/json_text.h"
@@ -74,6 +76,24 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
   return json_text(json, 2) + "\n";
 }
 
+/// The summary for a terminal, with one row where both averages are equal, as in classes of one size.
+std::string printed_summary(std::span<const NamedEvaluation> evaluations) {
+  TextTable table = summary_table(evaluations);
+  const auto average = static_cast<std::size_t>(std::ranges::find(table.header, "average") - table.header.begin());
+  std::vector<std::vector<std::string>> rows;
+  for (std::vector<std::string>& row : table.rows) {
+    std::vector<std::string> other = row;
+    if (!rows.empty()) other[average] = rows.back()[average];
+    if (!rows.empty() && other == rows.back()) {
+      rows.back()[average] = "both";
+    } else {
+      rows.push_back(std::move(row));
+    }
+  }
+  table.rows = std::move(rows);
+  return to_plain_text(table);
+}
+
 /// Returns the text files of the results by name.
 std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results,
                                                             std::span<const NamedEvaluation> evaluations) {
@@ -126,7 +146,7 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
   std::vector<NamedEvaluation> evaluations = all_evaluations(results);
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_entries(results),
-                     .summary = to_plain_text(summary_table(evaluations)),
+                     .summary = printed_summary(evaluations),
                      .warnings = run_warnings(results),
                      .left_out = results.failures,
                      .incomplete = incomplete_methods(results),

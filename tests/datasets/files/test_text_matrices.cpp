@@ -106,7 +106,7 @@ TEST(CsvMatrix, AFaultIsOneErrorWithItsLine) {
   EXPECT_THAT(csv_error("id,a,b\nb,0,1\na,1,0\n"),
               AllOf(HasSubstr("m.csv:2: "), HasSubstr("\"b\""), HasSubstr("\"a\"")));
   EXPECT_THAT(csv_error("id,a,a\na,0,1\na,1,0\n"), HasSubstr("m.csv:1: repeated id \"a\""));
-  EXPECT_THAT(csv_error("id,a,\na,0,1\n,1,0\n"), HasSubstr("m.csv:1: an id is empty"));
+  EXPECT_THAT(csv_error("id,,a\n,0,1\na,1,0\n"), HasSubstr("m.csv:1: an id is empty"));
   EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1\n"), HasSubstr("m.csv:3: expected 2 numbers as in line 2, found 1"));
   EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1,0\nc,1,1\n"), HasSubstr("m.csv:4: there are more rows than the 2 ids"));
   for (const char* text : {"0|1\n1|0\n", "0 1\n1 0\n"}) {
@@ -128,9 +128,10 @@ TEST(CsvMatrix, AFaultIsOneErrorWithItsLine) {
 
 TEST(CsvMatrix, EveryPrefixReadsOrIsAnInputError) {
   const std::string valid = "id,a,\"b,c\"\na,0,1.5\n\"b,c\",1.5,0\n";
-  for (std::size_t length = 0; length + 1 < valid.size(); ++length) {
+  for (std::size_t length = 0; length + 2 < valid.size(); ++length) {
     EXPECT_THAT(csv_error(valid.substr(0, length)), HasSubstr("m.csv")) << length;
   }
+  EXPECT_EQ(csv_error(valid.substr(0, valid.size() - 2)), "no error") << "the diagonal may be empty";
   EXPECT_EQ(csv_error(valid.substr(0, valid.size() - 1)), "no error");
 }
 

@@ -319,7 +319,7 @@ TEST_F(EvaluationTaskTest, TwoFilesOfLabelsAreTwoSetsOfModels) {
   const EvaluationData two = open_evaluation_files({.matrix = matrix, .labels = queries, .targets = targets});
   EXPECT_EQ(measure(two, "NN"), 1);
   EXPECT_THAT(two.task.retrieval.own_column, testing::Each(-1));
-  EXPECT_THAT(two.task.warnings, ElementsAre(AllOf(HasSubstr("3 ids are in both"), HasSubstr("`shared_ids`"))));
+  EXPECT_THAT(two.task.warnings, testing::Contains(AllOf(HasSubstr("3 ids are in both"), HasSubstr("`shared_ids`"))));
   const auto other = file("u.cla", "PSB 1\n3 5\n\na 0 1\n1\n\nb 0 2\n0\n4\n\nc 0 2\n2\n3\n");
   EXPECT_NO_THROW(open_evaluation_files({.matrix = matrix, .labels = queries, .targets = other}));
 
@@ -327,7 +327,7 @@ TEST_F(EvaluationTaskTest, TwoFilesOfLabelsAreTwoSetsOfModels) {
       open_evaluation_files({.matrix = matrix, .labels = queries, .targets = targets, .shared_ids = true});
   EXPECT_THAT(shared.task.retrieval.own_column, ElementsAre(0, 1, 2));
   EXPECT_EQ(measure(shared, "NN"), 0) << "each query is left out of its answer";
-  EXPECT_THAT(shared.task.warnings, testing::IsEmpty());
+  EXPECT_THAT(shared.task.warnings, testing::Each(testing::Not(HasSubstr("in both"))));
 }
 
 TEST_F(EvaluationTaskTest, ThePublicPartOfAllModelsNeedsSharedIds) {
