@@ -90,8 +90,7 @@ std::string printed_summary(std::span<const NamedEvaluation> evaluations) {
       rows.push_back(std::move(row));
     }
   }
-  table.rows = std::move(rows);
-  return to_plain_text(table);
+  return to_plain_text({.header = table.header, .rows = std::move(rows), .text_columns = table.text_columns});
 }
 
 /// Returns the text files of the results by name.
