@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -44,46 +45,86 @@ std::string legal_values(const CLI::Option& option) {
   return fmt::format("{} from {} to {}", kind, bounds.substr(0, dash), bounds.substr(dash + 3));
 }
 
+std::string names_of(const CLI::Option& option) {
+  return option.get_positional() ? option.get_name(true) : option.get_name(false, true);
+}
+
 std::string option_row(const CLI::Option& option) {
-  const bool is_positional = option.get_positional();
-  const std::string names = is_positional ? option.get_name(true) : option.get_name(false, true);
   const bool is_list = option.get_items_expected_max() > 1 || option.get_expected_max() > 1;
   std::string value = cell(legal_values(option));
   if (is_list) value += " ...";
   const std::string default_value = option.get_default_str();
-  return fmt::format("| `{}` | {} | {} | {} |\n", names, cell(option.get_description()), value,
+  return fmt::format("| `{}` | {} | {} | {} |\n", names_of(option), cell(option.get_description()), value,
                      option.get_required()   ? "required"
                      : default_value.empty() ? ""
                                              : fmt::format("`{}`", default_value));
 }
 
-/// Tables of the arguments and options of a command, one for each of its groups.
-std::string option_tables(const CLI::App& command) {
-  std::string tables;
-  const std::string head = "| name | meaning | values | default |\n|---|---|---|---|\n";
-  std::string arguments;
+/// Arguments and options of a command, without --help and hidden options.
+std::vector<const CLI::Option*> listed_options(const CLI::App& command) {
+  std::vector<const CLI::Option*> listed;
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_positional()) arguments += option_row(*option);
+    const bool is_hidden = !option->get_positional() && option->get_group().empty();
+    if (option != command.get_help_ptr() && !is_hidden) listed.push_back(option);
   }
-  if (!arguments.empty()) tables += "\nArguments:\n\n" + head + arguments;
-  for (const std::string& group : command.get_groups()) {
-    std::string rows;
-    for (const CLI::Option* option : command.get_options()) {
-      const bool is_help = option == command.get_help_ptr();
-      if (!option->get_positional() && !is_help && option->get_group() == group) rows += option_row(*option);
+  return listed;
+}
+
+using RowCounts = std::map<std::string, std::map<std::string, int>>;
+
+void count_rows(const CLI::App& command, RowCounts& counts) {
+  for (const CLI::Option* option : listed_options(command)) ++counts[names_of(*option)][option_row(*option)];
+  for (const CLI::App* inner : commands_of(command)) count_rows(*inner, counts);
+}
+
+/// Rows of the options that several commands share, by the options' names: the most frequent row of each name.
+using SharedRows = std::map<std::string, std::string>;
+
+SharedRows shared_rows(const CLI::App& program) {
+  RowCounts counts;
+  for (const CLI::App* command : commands_of(program)) count_rows(*command, counts);
+  SharedRows shared;
+  for (const auto& [names, rows] : counts) {
+    const auto most = std::ranges::max_element(rows, {}, [](const auto& row) { return row.second; });
+    if (most->second > 1) shared[names] = most->first;
+  }
+  return shared;
+}
+
+constexpr std::string_view table_head = "| name | meaning | values | default |\n|---|---|---|---|\n";
+
+/// Tables of a command's own arguments and options, one for each of its groups, and the names of the shared ones.
+std::string option_tables(const CLI::App& command, const SharedRows& shared) {
+  std::string arguments;
+  std::map<std::string, std::string> rows;  // by group
+  std::vector<std::string> shared_names;
+  for (const CLI::Option* option : listed_options(command)) {
+    const std::string row = option_row(*option);
+    const auto known = shared.find(names_of(*option));
+    if (known != shared.end() && known->second == row) {
+      shared_names.push_back(known->first);
+    } else {
+      (option->get_positional() ? arguments : rows[option->get_group()]) += row;
     }
-    if (!group.empty() && !rows.empty()) tables += fmt::format("\n{}:\n\n{}{}", group, head, rows);
   }
+  std::string tables;
+  if (!arguments.empty()) tables += fmt::format("\nArguments:\n\n{}{}", table_head, arguments);
+  for (const std::string& group : command.get_groups()) {
+    if (!rows[group].empty()) tables += fmt::format("\n{}:\n\n{}{}", group, table_head, rows[group]);
+  }
+  if (!shared_names.empty()) tables += fmt::format("\nShared: `{}`.\n", fmt::join(shared_names, "`, `"));
   return tables;
 }
 
-std::string section(const CLI::App& command, const std::string& path) {
+std::string section(const CLI::App& command, const std::string& path, const SharedRows& shared) {
   std::string text = fmt::format("\n## {}\n\n{}.\n", path, cell(command.get_description()));
   if (text.ends_with("..\n")) text.erase(text.size() - 2, 1);
-  text += option_tables(command);
+  text += option_tables(command, shared);
   if (const std::string notes = command.get_footer(); !notes.empty())
     text += fmt::format("\n```text\n{}\n```\n", notes);
-  for (const CLI::App* inner : commands_of(command)) text += section(*inner, path + " " + inner->get_name());
+  for (const CLI::App* inner : commands_of(command)) {
+    text += section(*inner, path + " " + inner->get_name(), shared);
+  }
   return text;
 }
 
@@ -93,14 +134,21 @@ std::string command_reference(const CLI::App& program) {
   std::string page =
       "# Commands\n\n"
       "<!-- Written by the target update_reference from the program's tables of options. -->\n\n"
-      "Every command explains itself with `--help`; `shapegauge help COMMAND` is the same. [Exit\n"
-      "statuses](definitions.md#exit-status) and [formats of files](file_formats.md) are described elsewhere.\n\n"
+      "Every command explains itself with `--help`; `shapegauge help COMMAND` is the same. Options that several "
+      "commands\n"
+      "have are listed [once](#shared-options). See also [exit statuses](definitions.md#exit-status) and [formats of\n"
+      "files](file_formats.md).\n\n"
       "| command | purpose |\n|---|---|\n";
   for (const CLI::App* command : commands_of(program)) {
     page += fmt::format("| [{0}](#shapegauge-{0}) | {1} |\n", command->get_name(), cell(command->get_description()));
   }
-  page += "\n## Options of every command\n" + option_tables(program);
-  for (const CLI::App* command : commands_of(program)) page += section(*command, "shapegauge " + command->get_name());
+  const SharedRows shared = shared_rows(program);
+  page +=
+      fmt::format("\n## Options of every command\n{}\n## Shared options\n\n{}", option_tables(program, {}), table_head);
+  for (const auto& [names, row] : shared) page += row;
+  for (const CLI::App* command : commands_of(program)) {
+    page += section(*command, "shapegauge " + command->get_name(), shared);
+  }
   return page;
 }
 
