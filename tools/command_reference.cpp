@@ -60,13 +60,14 @@ std::string option_row(const CLI::Option& option) {
                                              : fmt::format("`{}`", default_value));
 }
 
-/// Arguments and options of a command, without --help and hidden options.
+/// Arguments of a command, followed by its options without --help and hidden ones.
 std::vector<const CLI::Option*> listed_options(const CLI::App& command) {
   std::vector<const CLI::Option*> listed;
   for (const CLI::Option* option : command.get_options()) {
     const bool is_hidden = !option->get_positional() && option->get_group().empty();
     if (option != command.get_help_ptr() && !is_hidden) listed.push_back(option);
   }
+  std::ranges::stable_partition(listed, &CLI::Option::get_positional);
   return listed;
 }
 
@@ -77,7 +78,8 @@ void count_rows(const CLI::App& command, RowCounts& counts) {
   for (const CLI::App* inner : commands_of(command)) count_rows(*inner, counts);
 }
 
-/// Rows of the options that several commands share, by the options' names: the most frequent row of each name.
+/// Rows of the options that several commands share, by the options' names. Of several rows of one name, the one of at
+/// least half of the commands that have it.
 using SharedRows = std::map<std::string, std::string>;
 
 SharedRows shared_rows(const CLI::App& program) {
@@ -85,18 +87,19 @@ SharedRows shared_rows(const CLI::App& program) {
   for (const CLI::App* command : commands_of(program)) count_rows(*command, counts);
   SharedRows shared;
   for (const auto& [names, rows] : counts) {
+    int commands = 0;
+    for (const auto& [row, count] : rows) commands += count;
     const auto most = std::ranges::max_element(rows, {}, [](const auto& row) { return row.second; });
-    if (most->second > 1) shared[names] = most->first;
+    if (most->second > 1 && 2 * most->second >= commands) shared[names] = most->first;
   }
   return shared;
 }
 
-constexpr std::string_view table_head = "| name | meaning | values | default |\n|---|---|---|---|\n";
+constexpr std::string_view table_head = "\n| name | meaning | values | default |\n|---|---|---|---|\n";
 
-/// Tables of a command's own arguments and options, one for each of its groups, and the names of the shared ones.
-std::string option_tables(const CLI::App& command, const SharedRows& shared) {
-  std::string arguments;
-  std::map<std::string, std::string> rows;  // by group
+/// Table of a command's own arguments and options, and the names of the shared ones.
+std::string option_table(const CLI::App& command, const SharedRows& shared) {
+  std::string rows;
   std::vector<std::string> shared_names;
   for (const CLI::Option* option : listed_options(command)) {
     const std::string row = option_row(*option);
@@ -104,22 +107,19 @@ std::string option_tables(const CLI::App& command, const SharedRows& shared) {
     if (known != shared.end() && known->second == row) {
       shared_names.push_back(known->first);
     } else {
-      (option->get_positional() ? arguments : rows[option->get_group()]) += row;
+      rows += row;
     }
   }
-  std::string tables;
-  if (!arguments.empty()) tables += fmt::format("\nArguments:\n\n{}{}", table_head, arguments);
-  for (const std::string& group : command.get_groups()) {
-    if (!rows[group].empty()) tables += fmt::format("\n{}:\n\n{}{}", group, table_head, rows[group]);
-  }
-  if (!shared_names.empty()) tables += fmt::format("\nShared: `{}`.\n", fmt::join(shared_names, "`, `"));
-  return tables;
+  std::string table;
+  if (!rows.empty()) table += fmt::format("{}{}", table_head, rows);
+  if (!shared_names.empty()) table += fmt::format("\nShared: `{}`.\n", fmt::join(shared_names, "`, `"));
+  return table;
 }
 
 std::string section(const CLI::App& command, const std::string& path, const SharedRows& shared) {
   std::string text = fmt::format("\n## {}\n\n{}.\n", path, cell(command.get_description()));
   if (text.ends_with("..\n")) text.erase(text.size() - 2, 1);
-  text += option_tables(command, shared);
+  text += option_table(command, shared);
   if (const std::string notes = command.get_footer(); !notes.empty())
     text += fmt::format("\n```text\n{}\n```\n", notes);
   for (const CLI::App* inner : commands_of(command)) {
@@ -144,7 +144,7 @@ std::string command_reference(const CLI::App& program) {
   }
   const SharedRows shared = shared_rows(program);
   page +=
-      fmt::format("\n## Options of every command\n{}\n## Shared options\n\n{}", option_tables(program, {}), table_head);
+      fmt::format("\n## Options of every command\n{}\n## Shared options\n{}", option_table(program, {}), table_head);
   for (const auto& [names, row] : shared) page += row;
   for (const CLI::App* command : commands_of(program)) {
     page += section(*command, "shapegauge " + command->get_name(), shared);
