@@ -14,8 +14,8 @@ namespace shapegauge {
 
 namespace {
 
-/// Text for a cell of a Markdown table.
-std::string cell(std::string_view text) {
+/// Text in Markdown, also for cells of tables.
+std::string in_markdown(std::string_view text) {
   std::string escaped;
   for (const char character : text) {
     if (character == '|' || character == '<' || character == '*') escaped += '\\';
@@ -49,15 +49,21 @@ std::string names_of(const CLI::Option& option) {
   return option.get_positional() ? option.get_name(true) : option.get_name(false, true);
 }
 
-std::string option_row(const CLI::Option& option) {
-  const bool is_list = option.get_items_expected_max() > 1 || option.get_expected_max() > 1;
-  std::string value = cell(legal_values(option));
-  if (is_list) value += " ...";
-  const std::string default_value = option.get_default_str();
-  return fmt::format("| `{}` | {} | {} | {} |\n", names_of(option), cell(option.get_description()), value,
-                     option.get_required()   ? "required"
-                     : default_value.empty() ? ""
-                                             : fmt::format("`{}`", default_value));
+/// Item of a list: names, legal values, default and meaning.
+std::string option_item(const CLI::Option& option) {
+  std::vector<std::string> remarks;
+  if (const std::string values = legal_values(option); !values.empty()) {
+    const bool is_list = option.get_items_expected_max() > 1 || option.get_expected_max() > 1;
+    remarks.push_back(in_markdown(values) + (is_list ? " ..." : ""));
+  }
+  if (option.get_required()) {
+    remarks.emplace_back("required");
+  } else if (const std::string usual = option.get_default_str(); !usual.empty()) {
+    remarks.push_back(fmt::format("default `{}`", usual));
+  }
+  return fmt::format("- `{}`{}: {}\n", names_of(option),
+                     remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, "; ")),
+                     in_markdown(option.get_description()));
 }
 
 /// Arguments of a command, followed by its options without --help and hidden ones.
@@ -71,55 +77,52 @@ std::vector<const CLI::Option*> listed_options(const CLI::App& command) {
   return listed;
 }
 
-using RowCounts = std::map<std::string, std::map<std::string, int>>;
+using ItemCounts = std::map<std::string, std::map<std::string, int>>;
 
-void count_rows(const CLI::App& command, RowCounts& counts) {
-  for (const CLI::Option* option : listed_options(command)) ++counts[names_of(*option)][option_row(*option)];
-  for (const CLI::App* inner : commands_of(command)) count_rows(*inner, counts);
+void count_items(const CLI::App& command, ItemCounts& counts) {
+  for (const CLI::Option* option : listed_options(command)) ++counts[names_of(*option)][option_item(*option)];
+  for (const CLI::App* inner : commands_of(command)) count_items(*inner, counts);
 }
 
-/// Rows of the options that several commands share, by the options' names. Of several rows of one name, the one of at
+/// Items of the options that several commands share, by the options' names. Of several items of one name, the one of at
 /// least half of the commands that have it.
-using SharedRows = std::map<std::string, std::string>;
+using SharedItems = std::map<std::string, std::string>;
 
-SharedRows shared_rows(const CLI::App& program) {
-  RowCounts counts;
-  for (const CLI::App* command : commands_of(program)) count_rows(*command, counts);
-  SharedRows shared;
-  for (const auto& [names, rows] : counts) {
+SharedItems shared_items(const CLI::App& program) {
+  ItemCounts counts;
+  for (const CLI::App* command : commands_of(program)) count_items(*command, counts);
+  SharedItems shared;
+  for (const auto& [names, items] : counts) {
     int commands = 0;
-    for (const auto& [row, count] : rows) commands += count;
-    const auto most = std::ranges::max_element(rows, {}, [](const auto& row) { return row.second; });
+    for (const auto& [item, count] : items) commands += count;
+    const auto most = std::ranges::max_element(items, {}, [](const auto& item) { return item.second; });
     if (most->second > 1 && 2 * most->second >= commands) shared[names] = most->first;
   }
   return shared;
 }
 
-constexpr std::string_view table_head = "\n| name | meaning | values | default |\n|---|---|---|---|\n";
-
-/// Table of a command's own arguments and options, and the names of the shared ones.
-std::string option_table(const CLI::App& command, const SharedRows& shared) {
-  std::string rows;
+/// List of a command's own arguments and options, and the names of the shared ones.
+std::string option_list(const CLI::App& command, const SharedItems& shared) {
+  std::string items;
   std::vector<std::string> shared_names;
   for (const CLI::Option* option : listed_options(command)) {
-    const std::string row = option_row(*option);
+    const std::string item = option_item(*option);
     const auto known = shared.find(names_of(*option));
-    if (known != shared.end() && known->second == row) {
+    if (known != shared.end() && known->second == item) {
       shared_names.push_back(known->first);
     } else {
-      rows += row;
+      items += item;
     }
   }
-  std::string table;
-  if (!rows.empty()) table += fmt::format("{}{}", table_head, rows);
-  if (!shared_names.empty()) table += fmt::format("\nShared: `{}`.\n", fmt::join(shared_names, "`, `"));
-  return table;
+  if (!items.empty()) items.insert(0, "\n");
+  if (!shared_names.empty()) items += fmt::format("\nShared: `{}`.\n", fmt::join(shared_names, "`, `"));
+  return items;
 }
 
-std::string section(const CLI::App& command, const std::string& path, const SharedRows& shared) {
-  std::string text = fmt::format("\n## {}\n\n{}.\n", path, cell(command.get_description()));
+std::string section(const CLI::App& command, const std::string& path, const SharedItems& shared) {
+  std::string text = fmt::format("\n## {}\n\n{}.\n", path, in_markdown(command.get_description()));
   if (text.ends_with("..\n")) text.erase(text.size() - 2, 1);
-  text += option_table(command, shared);
+  text += option_list(command, shared);
   if (const std::string notes = command.get_footer(); !notes.empty())
     text += fmt::format("\n```text\n{}\n```\n", notes);
   for (const CLI::App* inner : commands_of(command)) {
@@ -134,18 +137,18 @@ std::string command_reference(const CLI::App& program) {
   std::string page =
       "# Commands\n\n"
       "<!-- Written by the target update_reference from the program's tables of options. -->\n\n"
-      "Every command explains itself with `--help`; `shapegauge help COMMAND` is the same. Options that several "
-      "commands\n"
-      "have are listed [once](#shared-options). See also [exit statuses](definitions.md#exit-status) and [formats of\n"
+      "Every command explains itself with `--help`; `shapegauge help COMMAND` is the same. [Shared\n"
+      "options](#shared-options) are listed once. See also [exit statuses](definitions.md#exit-status) and [formats "
+      "of\n"
       "files](file_formats.md).\n\n"
       "| command | purpose |\n|---|---|\n";
   for (const CLI::App* command : commands_of(program)) {
-    page += fmt::format("| [{0}](#shapegauge-{0}) | {1} |\n", command->get_name(), cell(command->get_description()));
+    page +=
+        fmt::format("| [{0}](#shapegauge-{0}) | {1} |\n", command->get_name(), in_markdown(command->get_description()));
   }
-  const SharedRows shared = shared_rows(program);
-  page +=
-      fmt::format("\n## Options of every command\n{}\n## Shared options\n{}", option_table(program, {}), table_head);
-  for (const auto& [names, row] : shared) page += row;
+  const SharedItems shared = shared_items(program);
+  page += fmt::format("\n## Options of every command\n{}\n## Shared options\n\n", option_list(program, {}));
+  for (const auto& [names, item] : shared) page += item;
   for (const CLI::App* command : commands_of(program)) {
     page += section(*command, "shapegauge " + command->get_name(), shared);
   }
