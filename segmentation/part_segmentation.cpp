@@ -34,6 +34,16 @@ void check(const PartSegmentationOptions& options, std::int32_t nodes) {
   if (options.samples < 1) throw InputError(fmt::format("at least 1 sample is needed, not {}", options.samples));
 }
 
+PatchOptions patch_options_of(const PartSegmentationOptions& options) {
+  return {.count = std::max(options.patches, patches_per_part * options.parts), .seed = options.seed};
+}
+
+/// Gives parts of less than a part of a patch's usual area to their neighbours.
+std::vector<std::int32_t> without_small(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
+                                        const PartSegmentationOptions& options) {
+  return renumbered(without_slivers(graph, labels, least_patch / patch_options_of(options).count));
+}
+
 /// Numbers the patches by decreasing area, or -1 beyond a maximum. Only components increase the number of patches;
 /// these have no neighbours to merge with.
 std::vector<std::int32_t> largest_patches(const SurfaceGraph& graph, std::span<const std::int32_t> patch,
@@ -62,10 +72,9 @@ std::vector<std::int32_t> largest_patches(const SurfaceGraph& graph, std::span<c
 std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const PartSegmentationOptions& options,
                                             const PartModel& model) {
   check(options, surface.graph.size());
-  const PatchOptions patch_options{.count = std::max(options.patches, patches_per_part * options.parts),
-                                   .seed = options.seed};
-  const std::vector<std::int32_t> patch = renumbered(without_slivers(
-      surface.graph, patches(surface.graph, patch_options, patch_costs(surface)), least_patch / patch_options.count));
+  const PatchOptions patch_options = patch_options_of(options);
+  const std::vector<std::int32_t> patch =
+      without_small(surface.graph, patches(surface.graph, patch_options, patch_costs(surface)), options);
   const std::int32_t most = std::max(most_regions, patch_options.count);
   const std::vector<std::int32_t> initial = largest_patches(surface.graph, patch, most);
   Regions regions = surface_regions(surface, initial, options.samples);
@@ -89,7 +98,9 @@ std::vector<std::int32_t> part_segmentation(const Shape& given, const PartSegmen
     return mesh.extended(part_segmentation(thick_surface(shape), options, model));
   }
   const SegmentationProxy cut = segmentation_proxy(facing_outward(shape));
-  return mesh.extended(renumbered(cut.transferred(part_segmentation(thick_surface(cut.shape), options, model))));
+  const std::vector<std::int32_t> labels =
+      renumbered(cut.transferred(part_segmentation(thick_surface(cut.shape), options, model)));
+  return mesh.extended(without_small(surface_graph(shape), labels, options));
 }
 
 }  // namespace shapegauge

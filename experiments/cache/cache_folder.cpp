@@ -71,6 +71,11 @@ CacheContents contents_of(const std::vector<CacheFile>& files) {
   return contents;
 }
 
+/// Whether another run may be writing the file; after an hour that run no longer exists.
+bool may_be_written(const CacheFile& file) {
+  return !file.kind && file.last_used > fs::file_time_type::clock::now() - std::chrono::hours(1);
+}
+
 /// Removes empty folders of entries, the tag if no other folder is left, and the cache's folder.
 void remove_empty_folders(const fs::path& cache) {
   std::error_code not_empty;
@@ -155,7 +160,8 @@ CacheContents::Amount CacheContents::total() const {
 CacheContents cache_contents(const fs::path& cache) { return contents_of(cache_files(cache)); }
 
 CacheContents clear_cache(const fs::path& cache) {
-  const std::vector<CacheFile> files = cache_files(cache);
+  std::vector<CacheFile> files = cache_files(cache);
+  std::erase_if(files, may_be_written);
   for (const CacheFile& file : files) {
     std::error_code failure;
     fs::remove(file.path, failure);
@@ -174,10 +180,8 @@ void trim_cache(const fs::path& cache, std::uintmax_t limit) {
   }
   std::ranges::sort(files, {}, &CacheFile::last_used);
   std::uintmax_t bytes = contents_of(files).total().bytes;
-  // Writing an entry never takes that long: its run no longer exists.
-  const auto abandoned = fs::file_time_type::clock::now() - std::chrono::hours(1);
   for (const CacheFile& file : files) {
-    const bool remove = file.kind ? bytes > limit : file.last_used < abandoned;
+    const bool remove = file.kind ? bytes > limit : !may_be_written(file);
     std::error_code stays;
     if (remove && fs::remove(file.path, stays)) bytes -= file.bytes;
   }

@@ -65,8 +65,8 @@ struct CacheContents {
 /// Counts the files of cache_files().
 CacheContents cache_contents(const std::filesystem::path& cache);
 
-/// Removes all files that caches have written, and the folder if it is then empty. Returns what was removed. Throws
-/// InputError if a file cannot be removed.
+/// Removes all files that caches have written, except those that a run may be writing, and the folder if it is then
+/// empty. Returns what was removed. Throws InputError if a file cannot be removed.
 CacheContents clear_cache(const std::filesystem::path& cache);
 
 /// Removes unfinished files of killed runs, then the least recently used entries until the rest is within the limit.

@@ -163,7 +163,7 @@ TEST_F(DescribeCommand, EvaluateComparesFeaturesByTheirDescriptorsDistance) {
   EXPECT_EQ(test::text_of(at("x.npy.csv")), test::text_of(at("matrix/x.npy.csv")));
   expect_error_lines({{fmt::format("evaluate '{}' --distance light_field --labels '{}'", at("matrix/x.npy").string(),
                                    at("classes.txt").string()),
-                       "4500 features, not 3"}});
+                       "distances, not features"}});
 }
 
 /// Distances of ten places on a line.

@@ -212,8 +212,8 @@ TEST_F(RunParts, EvaluateRowsOfManyModels) {
     if (i % 1475 == 0) classification += fmt::format("\nclass{} 0 1475\n", i);
     classification += fmt::format("{}\n", i);
     write_text(at(fmt::format("many/T{}.off", i)),
-               fmt::format("OFF\n4 4 0\n0 0 0\n1 0 0\n0 {0} 0\n0 0 {1}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n",
-                           1 + i % 7 + (i / 1475), 1 + i % 11));
+               fmt::format("OFF\n# {2}\n4 4 0\n0 0 0\n1 0 0\n0 {0} 0\n0 0 {1}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n",
+                           1 + i % 7 + (i / 1475), 1 + i % 11, i));
   }
   write_text(at("many/test.cla"), classification);
   const json field{{"type", "cone_sdf"}, {"rays", 1}};

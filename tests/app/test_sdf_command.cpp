@@ -198,8 +198,8 @@ TEST_F(SdfCommand, AnOffsetMayBeALength) {
   ASSERT_EQ(sdf(fmt::format("--method offset_sdf --offset {} -o '{}'", 1 / diagonal, at("fraction.npy"))).status, 0);
   EXPECT_TRUE(text_of(at("length.npy")) == text_of(at("fraction.npy")));
   ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 3% -o '" + at("percent.npy") + "'").status, 0);
-  ASSERT_EQ(sdf("--method offset_sdf --offset 0.03 -o '" + at("fraction.npy") + "'").status, 0);
-  EXPECT_TRUE(text_of(at("percent.npy")) == text_of(at("fraction.npy")));
+  ASSERT_EQ(sdf("--method offset_sdf --offset 0.03 -o '" + at("three.npy") + "'").status, 0);
+  EXPECT_TRUE(text_of(at("percent.npy")) == text_of(at("three.npy")));
 }
 
 TEST_F(SdfCommand, PicturesHaveALegendAndARange) {

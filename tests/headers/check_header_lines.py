@@ -36,7 +36,7 @@ BOUNDS = {
     "datasets/layouts/dataset.h": 50_000,
     "experiments/configuration/configuration.h": 144_000,
     "experiments/configuration/json_document.h": 56_000,
-    "experiments/engine/experiment.h": 108_000,
+    "experiments/engine/experiment.h": 144_000,
     "experiments/signatures/compute_signatures.h": 144_000,
 }
 # Lines of <functional> with GCC 12, by which the bounds are scaled for standard libraries with longer headers.
@@ -44,7 +44,6 @@ FUNCTIONAL = 28_600
 FOLDERS_OF_SOURCES = ["app", "core", "datasets", "experiments", "metrics", "pages", "retrieval", "segmentation"]
 # Headers with members of type JSON, the only ones that include it in full.
 JSON_MEMBERS = {
-    "experiments/cache/cache.h",
     "experiments/configuration/derived_distances.h",
     "experiments/configuration/descriptor_choice.h",
     "experiments/configuration/perturbation_steps.h",
@@ -86,7 +85,7 @@ def json_headers(sources):
 
 def main():
     sources, compiler, folders = sys.argv[1:]
-    wrong = long_headers(compiler, [f"-isystem{folder}" for folder in folders.split(";") if folder])
+    wrong = long_headers(compiler, [f"-I{folder}" for folder in folders.split(";") if folder])
     wrong += json_headers(pathlib.Path(sources))
     sys.exit("\n".join(wrong) if wrong else 0)
 

@@ -203,9 +203,15 @@ std::vector<double> measures_of(const Matrix& distances, const std::vector<int>&
 std::vector<double> precisions_of(const Matrix& distances, const std::vector<int>& labels, int query,
                                   Protocol protocol) {
   const std::vector<int> h = hits_without_query(distances, labels, query, {});
-  if (length(h) == 0) return std::vector<double>(protocol == Protocol::psb ? 20 : 11, 0);  // no answer
   const int class_size = size_of_class(labels, query);
   std::vector<double> precisions;
+  if (length(h) == 0) {  // no answer: 0, where the protocol defines something
+    const bool psb = protocol == Protocol::psb;
+    for (int j = psb ? 1 : 0; j <= (psb ? 20 : 10); ++j) {
+      precisions.push_back(psb && j * (class_size - 1) < 20 ? std::numeric_limits<double>::quiet_NaN() : 0);
+    }
+    return precisions;
+  }
   if (protocol == Protocol::psb) {
     for (int j = 1; j <= 20; ++j) precisions.push_back(interpolated(points_at_hits(h, class_size - 1), 0.05 * j));
     return precisions;

@@ -37,7 +37,7 @@ TEST(ReportPage, NoNameCanBreakThePage) {
   EXPECT_EQ(data["description"], report.description);
   EXPECT_EQ(data["classes"], report.classes);
   EXPECT_EQ(data["ids"][0], report.ids[0]);
-  EXPECT_EQ(data["ids"][3], "bytes that are no text: \xef\xbf\xbd\xef\xbf\xbd");
+  EXPECT_EQ(data["ids"][3], R"(bytes that are no text: \xFF\xFE)");
   EXPECT_EQ(data["methods"][1]["name"], report.methods[1].name);
 }
 

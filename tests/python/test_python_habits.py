@@ -246,7 +246,7 @@ def test_messages_of_runs_name_arguments(tmp_path):
                      "signatures": [{"name": "d2", "descriptor": {"type": "d2"}}]}
     with pytest.raises(sg.InputError, match="another folder with output, or replace=True"):
         sg.run(configuration, tmp_path, cache="")
-    with pytest.raises(sg.InputError, match="^settings foo: expected dotted.key=value"):
+    with pytest.raises(sg.InputError, match="^setting foo: expected dotted.key=value"):
         sg.run(configuration, tmp_path, settings="foo", cache="")
 
 

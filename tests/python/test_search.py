@@ -138,7 +138,7 @@ def test_messages_name_arguments_of_the_package(models, tmp_path):
         sg.Index(models, tmp_path / "absent" / "index", method=METHOD, cache="")
     opened(models, index=tmp_path / "one")
     other = {**METHOD, "signatures": [{"name": "d2", "descriptor": {"type": "d2", "bins": 20}}]}
-    with pytest.raises(sg.InputError, match="rebuild it by searching with update=True"):
+    with pytest.raises(sg.InputError, match="rebuild it by searching without update=False"):
         sg.Index(models, tmp_path / "one", method=other, cache="", update=False)
     reranked = {"name": "r", "signatures": [*METHOD["signatures"],
                                             {"name": "better", "rerank": {"of": "d2", "method": "diffusion"}}]}

@@ -242,7 +242,9 @@ TEST(KeptNearest, IsTheNearestBeforeAndTheOthersAreUnchanged) {
     const std::int32_t first = nearest.indices(i, 0);
     EXPECT_EQ(nearest_in_row(kept, i, 1).front().model, first);
     for (Eigen::Index j = 0; j < 80; ++j) {
-      if (j != first) EXPECT_EQ(kept(i, j), moved(i, j));
+      if (j != first) {
+        EXPECT_EQ(kept(i, j), moved(i, j));
+      }
     }
     EXPECT_LE(kept(i, first), moved(i, first));
     changed += kept(i, first) < moved(i, first) ? 1 : 0;

@@ -14,7 +14,7 @@ TEST(SettingNames, InBackquotesAreSpelledByTheInterface) {
   };
   EXPECT_EQ(spelled("use `on_error=skip` or `replace`"), "use <on_error|skip> or <replace|>");
   EXPECT_EQ(spelled("`set=a.b=3`"), "<set|a.b=3>");
-  EXPECT_EQ(spelled("no setting: `A b`, ``, ` and `ties=index`"), "no setting: `A b`, ``, ` and `ties=index`");
+  EXPECT_EQ(spelled("no setting: `A b`, `` and `"), "no setting: `A b`, `` and `");
   EXPECT_EQ(spelled("`A b` and `ties=index`"), "`A b` and <ties|index>");
 }
 

@@ -94,7 +94,7 @@ TEST(ReadOff, ColoursAfterFaces) {
 }
 
 TEST(ReadOff, DataAfterTheLastFace) {
-  expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + off_faces + "3 0 0 0\nSKEL {}\n");
+  expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + off_faces + "SKEL {}\n");
 }
 TEST(ReadOff, PaddingAfterTheLastFace) {
   expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + off_faces + std::string(9, '\0'));

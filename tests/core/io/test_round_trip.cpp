@@ -116,7 +116,7 @@ class RandomOffWriter {
       for (const std::int32_t vertex : face) line += space() + fmt::format("{}", vertex);
       end_line(line + face_extras);
     }
-    return text_ + pick({"", "3 0 0 0", "# the end", "\x1A", "some words\n"});
+    return text_ + pick({"", "# the end", "\x1A", "some words\n"});
   }
 
  private:

@@ -88,7 +88,7 @@ TEST(ReadShape, UnknownFormatIsAnError) {
   const auto path = folder.file("notes.doc", "hello\n");
   expect_error(path, path.string() +
                          ": unknown shape format \".doc\"; known are .off, .obj, .ply, .stl, .gltf, .glb, .xyz, .pwn, "
-                         ".pts, .txt");
+                         ".pts, .txt, .csv");
 }
 
 TEST(ReadShape, CommonFormatsThatAreNotReadComeWithAdvice) {

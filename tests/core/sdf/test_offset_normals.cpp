@@ -55,7 +55,7 @@ TEST(OffsetNormals, OfARegularDenseCloudOfASphereAreWithinADegree) {
 
 TEST(OffsetNormals, OfANoisySphereAreTwiceAsGoodAsItsOwnWhereNoiseIsAsLargeAsEdges) {
   // Edges are 0.011 of the diagonal long. At vertices, where the faces' normals average, it takes stronger noise; below
-  // that the offset surface is no better (docs/notes/figures.md, Fig 5).
+  // that the offset surface is no better (docs/notes/reproducing.md, Fig 5).
   for (const auto& [noise, site] :
        {std::pair(0.005, SampleSite::faces), {0.02, SampleSite::faces}, {0.02, SampleSite::vertices}}) {
     RandomNumbers random(1);

@@ -103,11 +103,11 @@ TEST(Csv, ColumnsAreFoundInAnyCase) {
 }
 
 TEST(Csv, FormulasGetAnApostropheThatIsNotRead) {
-  for (const std::string& text : {"=1+1", "@x", "+cmd|' /C calc'!A0", "-x", "'=1", "''-5", "=a,b"}) {
+  for (const std::string text : {"=1+1", "@x", "+cmd|' /C calc'!A0", "-x", "'=1", "''-5", "=a,b"}) {
     EXPECT_THAT(csv_cell(text), testing::MatchesRegex("\"?'.*")) << text;
     EXPECT_EQ(parse_csv(csv_line({text}), "x").at(0).cells, std::vector{text});
   }
-  for (const std::string& text : {"-0.5", "+1e3", "-inf", "-1.5 [-2, -1]", "=", "-", "a=b", "'quoted'"}) {
+  for (const std::string text : {"-0.5", "+1e3", "-inf", "-1.5 [-2, -1]", "=", "-", "a=b", "'quoted'"}) {
     EXPECT_EQ(csv_cell(text).find(text), text.find(',') == std::string::npos ? 0U : 1U) << text;
     EXPECT_EQ(parse_csv(csv_line({text}), "x").at(0).cells, std::vector{text});
   }

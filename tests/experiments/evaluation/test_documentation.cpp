@@ -5,6 +5,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/metrics/evaluation.h"
+#include "shapegauge/retrieval/distances.h"
 #include "tests/support/test_files.h"
 
 // The worked example of docs/reference/definitions.md: numbers on the page must be those of the library.

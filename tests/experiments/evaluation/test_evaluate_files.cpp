@@ -10,6 +10,8 @@
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/retrieval/distance_matrix.h"
+#include "shapegauge/retrieval/distances.h"
 #include "tests/datasets/files/write_matrix.h"
 #include "tests/support/test_files.h"
 

@@ -228,7 +228,6 @@ TEST(JudgeSubmissions, EveryInputOfAnEvaluationIsInItsKey) {
       {"curve", [&](JudgingOptions& o) { o.evaluation.curve = CurveKind::trec; }},
       {"minimum class size", [&](JudgingOptions& o) { o.evaluation.minimum_class_size = 3; }},
       {"order", [&](JudgingOptions& o) { o.files.order = RowOrder::file; }},
-      {"similarity", [&](JudgingOptions& o) { o.files.similarity = true; }},
       {"ids", [&](JudgingOptions& o) { o.files.ids = labels("ids.txt", ids); }},
       {"qrels",
        [&](JudgingOptions& o) {

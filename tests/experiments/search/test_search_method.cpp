@@ -54,7 +54,7 @@ TEST(SearchMethodOf, TheKeyIsOfAllThatAnswersDependOn) {
   document["distance"] = "chi2";
   EXPECT_NE(search_method(document, "small.json", "local").key(), key);
   document = folder.configuration();
-  document["signatures"][6]["scale"] = "median";
+  document["signatures"][7]["scale"] = "median";
   EXPECT_NE(search_method(document, "small.json", "local").key(), key);
   EXPECT_NE(folder.method("d2").key(), key);
 }

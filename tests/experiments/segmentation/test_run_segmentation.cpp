@@ -144,7 +144,7 @@ TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
 }
 
 TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
-  const nlohmann::json removed{{"type", "remove_faces"}, {"fraction", 0.3}};
+  const nlohmann::json removed{{"type", "remove_faces"}, {"fraction", 0.8}};
   const nlohmann::json turned{{"type", "motion"}, {"scale", 3}};
   SegmentationExperiment run = segmentation_from_json(
       {{"name", "balls"},
@@ -160,7 +160,7 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
   const SegmentedShape& shape = results.shapes[0];
   for (const auto& labels : shape.labels) ASSERT_EQ(labels.size(), 640U);
   EXPECT_TRUE(std::isnan(shape.moved[0]));
-  EXPECT_GT(shape.moved[1], 0);  // single triangles become disconnected, hence parts
+  EXPECT_GT(shape.moved[1], 0);  // pieces become disconnected, hence parts
   EXPECT_EQ(shape.moved[2], 0);
   EXPECT_EQ(shape.moved[3], 0);  // two clouds, transferred back to the triangles
   EXPECT_EQ(results.scores.errors[1][0].rand_index,
