@@ -13,16 +13,15 @@ def cells(row):
 
 def broken_rows(page):
     """Returns a message for each row that differs from the header of its table. Code blocks are skipped."""
+    lines = page.read_text(encoding="utf-8").splitlines()
     header, is_code, messages = None, False, []
-    for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
+    for number, (line, following) in enumerate(zip(lines, [*lines[1:], ""]), 1):
         is_code ^= line.startswith("```")
-        if is_code or not line.startswith("|"):
-            if header is not None and line.strip():
-                messages.append(f"{page}:{number}: text directly after a table belongs to it")
-            header = None
-        elif header is None:
+        if header is None and not is_code and re.fullmatch(r"\|[-:| ]+\|", following):
             header = cells(line)
-        elif cells(line) != header:
+        elif header is not None and not line.strip():
+            header = None
+        elif header is not None and cells(line) != header:
             messages.append(f"{page}:{number}: {cells(line)} cells, the header has {header}")
     return messages
 
