@@ -24,7 +24,7 @@ std::string in_markdown(std::string_view text) {
   return escaped;
 }
 
-/// Legal values of an option, from the name of its type: a list of words, a range, or the kind of value.
+/// Legal values of an option, from the name of its type: a list of words or a range; otherwise empty.
 std::string legal_values(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
   const std::string type = option.get_type_name();
@@ -35,14 +35,10 @@ std::string legal_values(const CLI::Option& option) {
     return fmt::format("`{}`", fmt::join(words, "`, `"));
   }
   const std::size_t range = type.find(" in [");
-  std::string kind = type.substr(0, type.find(':'));
-  std::ranges::transform(kind, kind.begin(), [](unsigned char character) { return std::tolower(character); });
-  if (kind == "int" || kind == "uint") kind = "integer";
-  if (kind == "float") kind = "number";
-  if (range == std::string::npos) return kind;
+  if (range == std::string::npos) return "";
   const std::string bounds = type.substr(range + 5, type.rfind(']') - range - 5);
   const std::size_t dash = bounds.find(" - ");
-  return fmt::format("{} from {} to {}", kind, bounds.substr(0, dash), bounds.substr(dash + 3));
+  return fmt::format("{} to {}", bounds.substr(0, dash), bounds.substr(dash + 3));
 }
 
 std::string names_of(const CLI::Option& option) {
@@ -52,10 +48,8 @@ std::string names_of(const CLI::Option& option) {
 /// Item of a list: names, legal values, default and meaning.
 std::string option_item(const CLI::Option& option) {
   std::vector<std::string> remarks;
-  if (const std::string values = legal_values(option); !values.empty()) {
-    const bool is_list = option.get_items_expected_max() > 1 || option.get_expected_max() > 1;
-    remarks.push_back(in_markdown(values) + (is_list ? " ..." : ""));
-  }
+  if (const std::string values = legal_values(option); !values.empty()) remarks.push_back(in_markdown(values));
+  if (option.get_items_expected_max() > 1 || option.get_expected_max() > 1) remarks.emplace_back("list");
   if (option.get_required()) {
     remarks.emplace_back("required");
   } else if (const std::string usual = option.get_default_str(); !usual.empty()) {

@@ -17,7 +17,7 @@ def broken_rows(page):
     header, is_code, messages = None, False, []
     for number, (line, following) in enumerate(zip(lines, [*lines[1:], ""]), 1):
         is_code ^= line.startswith("```")
-        if header is None and not is_code and re.fullmatch(r"\|[-:| ]+\|", following):
+        if header is None and not is_code and re.fullmatch(r"\|(:?-+:?\|)+", following):
             header = cells(line)
         elif header is not None and not line.strip():
             header = None
