@@ -218,13 +218,11 @@ int run(const RunArguments& arguments) {
 void add_run_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("run", "Run an experiment from its configuration");
   command->footer(
-      "Example: shapegauge run configs/shrec11_table2.json --set signatures.0.histogram.bins=40\nExisting results of "
-      "the same configuration are replaced, those of another configuration only with --replace or\n--force.\nResults "
-      "for each shape are cached. An interrupted run continues from the cache, and changed bins do not "
-      "recompute\nfields. See shapegauge cache --help.\n--part K/N computes one of N parts of the work into "
-      "the cache, on any machine that shares it; the run without --part\nthen writes the results.\n--replay "
-      "results/NAME/manifest.json repeats the run of the manifest without the cache, "
-      "into results/NAME-replay\nor --output, and compares each output with the recorded one.");
+      "Example: shapegauge run configs/shrec11_table2.json --set signatures.0.histogram.bins=40\n"
+      "Results of another configuration are replaced only with --replace or --force. An interrupted run continues from "
+      "the\ncache (shapegauge cache --help).\n"
+      "After the parts of --part, which may run at the same time, the run without it writes the results.\n"
+      "--replay repeats a run without the cache, into results/NAME-replay or --output, and compares each output.");
   const auto arguments = std::make_shared<RunArguments>();
   begin_option_group(*command, input_options);
   CLI::Option* configuration =

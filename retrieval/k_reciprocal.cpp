@@ -25,7 +25,7 @@ using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // by column
 constexpr std::array reciprocal_table = {
     option_of<&ReciprocalOptions::neighbours>(
         "neighbours", {.low = 1, .high = 1000},
-        "Number of nearest models among which mutual neighbours are found; a list gives the mean of the results.",
+        "Number of nearest models that may be mutual neighbours; results of a list are averaged.",
         automatic_neighbours),
     option_of<&ReciprocalOptions::expansion_neighbours>(
         "expansion_neighbours", {.low = 1, .high = 1000},

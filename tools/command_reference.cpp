@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace shapegauge {
 
 namespace {
 
-/// Text for a cell of a Markdown table.
-std::string cell(std::string_view text) {
+/// Text in Markdown, also for cells of tables.
+std::string in_markdown(std::string_view text) {
   std::string escaped;
   for (const char character : text) {
     if (character == '|' || character == '<' || character == '*') escaped += '\\';
@@ -23,7 +24,7 @@ std::string cell(std::string_view text) {
   return escaped;
 }
 
-/// Legal values of an option, from the name of its type: a list of words, a range, or the kind of value.
+/// Legal values of an option, from the name of its type: a list of words or a range; otherwise empty.
 std::string legal_values(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
   const std::string type = option.get_type_name();
@@ -34,56 +35,93 @@ std::string legal_values(const CLI::Option& option) {
     return fmt::format("`{}`", fmt::join(words, "`, `"));
   }
   const std::size_t range = type.find(" in [");
-  std::string kind = type.substr(0, type.find(':'));
-  std::ranges::transform(kind, kind.begin(), [](unsigned char character) { return std::tolower(character); });
-  if (kind == "int" || kind == "uint") kind = "integer";
-  if (kind == "float") kind = "number";
-  if (range == std::string::npos) return kind;
+  if (range == std::string::npos) return "";
   const std::string bounds = type.substr(range + 5, type.rfind(']') - range - 5);
   const std::size_t dash = bounds.find(" - ");
-  return fmt::format("{} from {} to {}", kind, bounds.substr(0, dash), bounds.substr(dash + 3));
+  return fmt::format("{} to {}", bounds.substr(0, dash), bounds.substr(dash + 3));
 }
 
-std::string option_row(const CLI::Option& option) {
-  const bool is_positional = option.get_positional();
-  const std::string names = is_positional ? option.get_name(true) : option.get_name(false, true);
-  const bool is_list = option.get_items_expected_max() > 1 || option.get_expected_max() > 1;
-  std::string value = cell(legal_values(option));
-  if (is_list) value += " ...";
-  const std::string default_value = option.get_default_str();
-  return fmt::format("| `{}` | {} | {} | {} |\n", names, cell(option.get_description()), value,
-                     option.get_required()   ? "required"
-                     : default_value.empty() ? ""
-                                             : fmt::format("`{}`", default_value));
+std::string names_of(const CLI::Option& option) {
+  return option.get_positional() ? option.get_name(true) : option.get_name(false, true);
 }
 
-/// Tables of the arguments and options of a command, one for each of its groups.
-std::string option_tables(const CLI::App& command) {
-  std::string tables;
-  const std::string head = "| name | meaning | values | default |\n|---|---|---|---|\n";
-  std::string arguments;
+/// Item of a list: names, legal values, default and meaning.
+std::string option_item(const CLI::Option& option) {
+  std::vector<std::string> remarks;
+  if (const std::string values = legal_values(option); !values.empty()) remarks.push_back(in_markdown(values));
+  if (option.get_items_expected_max() > 1 || option.get_expected_max() > 1) remarks.emplace_back("list");
+  if (option.get_required()) {
+    remarks.emplace_back("required");
+  } else if (const std::string usual = option.get_default_str(); !usual.empty()) {
+    remarks.push_back(fmt::format("default `{}`", usual));
+  }
+  return fmt::format("- `{}`{}: {}\n", names_of(option),
+                     remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, "; ")),
+                     in_markdown(option.get_description()));
+}
+
+/// Arguments of a command, followed by its options without --help and hidden ones.
+std::vector<const CLI::Option*> listed_options(const CLI::App& command) {
+  std::vector<const CLI::Option*> listed;
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_positional()) arguments += option_row(*option);
+    const bool is_hidden = !option->get_positional() && option->get_group().empty();
+    if (option != command.get_help_ptr() && !is_hidden) listed.push_back(option);
   }
-  if (!arguments.empty()) tables += "\nArguments:\n\n" + head + arguments;
-  for (const std::string& group : command.get_groups()) {
-    std::string rows;
-    for (const CLI::Option* option : command.get_options()) {
-      const bool is_help = option == command.get_help_ptr();
-      if (!option->get_positional() && !is_help && option->get_group() == group) rows += option_row(*option);
-    }
-    if (!group.empty() && !rows.empty()) tables += fmt::format("\n{}:\n\n{}{}", group, head, rows);
-  }
-  return tables;
+  std::ranges::stable_partition(listed, &CLI::Option::get_positional);
+  return listed;
 }
 
-std::string section(const CLI::App& command, const std::string& path) {
-  std::string text = fmt::format("\n## {}\n\n{}.\n", path, cell(command.get_description()));
+using ItemCounts = std::map<std::string, std::map<std::string, int>>;
+
+void count_items(const CLI::App& command, ItemCounts& counts) {
+  for (const CLI::Option* option : listed_options(command)) ++counts[names_of(*option)][option_item(*option)];
+  for (const CLI::App* inner : commands_of(command)) count_items(*inner, counts);
+}
+
+/// Items of the options that several commands share, by the options' names. Of several items of one name, the one of at
+/// least half of the commands that have it.
+using SharedItems = std::map<std::string, std::string>;
+
+SharedItems shared_items(const CLI::App& program) {
+  ItemCounts counts;
+  for (const CLI::App* command : commands_of(program)) count_items(*command, counts);
+  SharedItems shared;
+  for (const auto& [names, items] : counts) {
+    int commands = 0;
+    for (const auto& [item, count] : items) commands += count;
+    const auto most = std::ranges::max_element(items, {}, [](const auto& item) { return item.second; });
+    if (most->second > 1 && 2 * most->second >= commands) shared[names] = most->first;
+  }
+  return shared;
+}
+
+/// List of a command's own arguments and options, and the names of the shared ones.
+std::string option_list(const CLI::App& command, const SharedItems& shared) {
+  std::string items;
+  std::vector<std::string> shared_names;
+  for (const CLI::Option* option : listed_options(command)) {
+    const std::string item = option_item(*option);
+    const auto known = shared.find(names_of(*option));
+    if (known != shared.end() && known->second == item) {
+      shared_names.push_back(known->first);
+    } else {
+      items += item;
+    }
+  }
+  if (!items.empty()) items.insert(0, "\n");
+  if (!shared_names.empty()) items += fmt::format("\nShared: `{}`.\n", fmt::join(shared_names, "`, `"));
+  return items;
+}
+
+std::string section(const CLI::App& command, const std::string& path, const SharedItems& shared) {
+  std::string text = fmt::format("\n## {}\n\n{}.\n", path, in_markdown(command.get_description()));
   if (text.ends_with("..\n")) text.erase(text.size() - 2, 1);
-  text += option_tables(command);
+  text += option_list(command, shared);
   if (const std::string notes = command.get_footer(); !notes.empty())
     text += fmt::format("\n```text\n{}\n```\n", notes);
-  for (const CLI::App* inner : commands_of(command)) text += section(*inner, path + " " + inner->get_name());
+  for (const CLI::App* inner : commands_of(command)) {
+    text += section(*inner, path + " " + inner->get_name(), shared);
+  }
   return text;
 }
 
@@ -93,14 +131,21 @@ std::string command_reference(const CLI::App& program) {
   std::string page =
       "# Commands\n\n"
       "<!-- Written by the target update_reference from the program's tables of options. -->\n\n"
-      "Every command explains itself with `--help`; `shapegauge help COMMAND` is the same. [Exit\n"
-      "statuses](definitions.md#exit-status) and [formats of files](file_formats.md) are described elsewhere.\n\n"
+      "Every command explains itself with `--help`; `shapegauge help COMMAND` is the same. [Shared\n"
+      "options](#shared-options) are listed once. See also [exit statuses](definitions.md#exit-status) and [formats "
+      "of\n"
+      "files](file_formats.md).\n\n"
       "| command | purpose |\n|---|---|\n";
   for (const CLI::App* command : commands_of(program)) {
-    page += fmt::format("| [{0}](#shapegauge-{0}) | {1} |\n", command->get_name(), cell(command->get_description()));
+    page +=
+        fmt::format("| [{0}](#shapegauge-{0}) | {1} |\n", command->get_name(), in_markdown(command->get_description()));
   }
-  page += "\n## Options of every command\n" + option_tables(program);
-  for (const CLI::App* command : commands_of(program)) page += section(*command, "shapegauge " + command->get_name());
+  const SharedItems shared = shared_items(program);
+  page += fmt::format("\n## Options of every command\n{}\n## Shared options\n\n", option_list(program, {}));
+  for (const auto& [names, item] : shared) page += item;
+  for (const CLI::App* command : commands_of(program)) {
+    page += section(*command, "shapegauge " + command->get_name(), shared);
+  }
   return page;
 }
 

@@ -3,7 +3,11 @@
 #include <fmt/ranges.h>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/schema.h"
 
@@ -75,6 +79,20 @@ std::string section_table(std::string_view section) {
          markdown_table(parameters).substr(head.size());
 }
 
+/// The table without the rows that `known` has, followed by a sentence that names their keys.
+std::string without_known_rows(std::string_view table, std::string_view known, std::string_view where) {
+  std::string rows;
+  std::vector<std::string_view> keys;
+  for (const std::string_view line : split_lines(table)) {
+    if (line.starts_with("| `") && known.find(line) != std::string_view::npos) {
+      keys.push_back(line.substr(2, line.find(" |", 2) - 2));
+    } else {
+      rows += fmt::format("{}\n", line);
+    }
+  }
+  return keys.empty() ? std::string(table) : fmt::format("{}\n{}: {}.\n", rows, where, fmt::join(keys, ", "));
+}
+
 /// - `key`: the setting that names the group.
 std::string reference_table(const ParameterGroup& group, std::string_view key) {
   if (group.description.empty()) return markdown_table(group.parameters);
@@ -90,11 +108,16 @@ std::string reference_tables(std::string_view name) {
                                                                       {"descriptors", descriptor_groups()},
                                                                       {"rerank", rerank_groups()}};
   const auto list = lists.find(name);
-  if (list == lists.end()) return section_table(name);
+  if (list == lists.end()) {
+    const bool is_other_kind = name == "comparison_experiment" || name == "segmentation_experiment";
+    return is_other_kind ? without_known_rows(section_table(name), section_table("retrieval_experiment"),
+                                              "As in a retrieval experiment")
+                         : section_table(name);
+  }
   std::string tables;
   for (const ParameterGroup& group : list->second) {
     if (!tables.empty()) tables += '\n';
-    tables += reference_table(group, name == "rerank" ? "method" : "type");
+    tables += without_known_rows(reference_table(group, name == "rerank" ? "method" : "type"), tables, "As above");
   }
   return tables;
 }

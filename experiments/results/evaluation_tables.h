@@ -90,7 +90,7 @@ std::string psb_plot(const PrecisionRecallCurve& curve);
 /// Returns the measures of each query by its id, as fractions.
 nlohmann::ordered_json per_query_json(const Evaluation& evaluation, std::span<const std::string> ids);
 
-/// Formats an evaluation as JSON (docs/reference/definitions.md#result-files): protocol, ties, and the numbers of
+/// Formats an evaluation as JSON (docs/reference/file_formats.md#results-of-a-run): protocol, ties, and the numbers of
 /// queries, of queries affected by ties, and of models that are never queries; the measures as fractions: micro, macro,
 /// and per class by the class's name; and confidence intervals of the averages, if any.
 nlohmann::ordered_json evaluation_json(const Evaluation& evaluation, std::span<const std::string> class_names,

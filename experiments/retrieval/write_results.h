@@ -15,8 +15,8 @@ Experiment retrieval_experiment(Configuration configuration);
 /// Returns the entry for experiment_kinds().
 ExperimentKind retrieval_kind();
 
-/// Writes all result files of a run (docs/reference/definitions.md#result-files) into the folder, but the manifest and
-/// the distances, which run_experiment() writes by rows. Throws InputError if a file cannot be written.
+/// Writes all result files of a run (docs/reference/file_formats.md#results-of-a-run) into the folder, but the manifest
+/// and the distances, which run_experiment() writes by rows. Throws InputError if a file cannot be written.
 RunOutcome write_results(const std::filesystem::path& folder, const ExperimentResults& results);
 
 /// Returns the names of the files of distances, by signature; empty if the configuration does not keep them.

@@ -12,6 +12,7 @@
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -79,6 +80,15 @@ TEST(ExperimentSchema, HasTheParametersOfEachType) {
   EXPECT_EQ(schema_at("/generated_shape/required"), Json({"class"}));
   EXPECT_EQ(schema_at("/histogram/required"), Json({"range"}));
   EXPECT_EQ(schema_at("/histogram/properties/bins/maximum"), 100000);
+}
+
+TEST(ConfigurationReference, ShowsAValidConfiguration) {
+  const std::string page = read_file_bytes(SHAPEGAUGE_CONFIGURATION_GUIDE);
+  const std::string_view fence = "```json\n";
+  const std::size_t begin = page.find(fence) + fence.size();
+  const Json document = Json::parse(page.substr(begin, page.find("```", begin) - begin));
+  const Configuration configuration = configuration_from_json(document, "example", ".");
+  EXPECT_EQ(configuration.signatures.size(), document["signatures"].size());
 }
 
 TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {

@@ -8,7 +8,7 @@
 #include "shapegauge/retrieval/distances.h"
 #include "tests/support/test_files.h"
 
-// The worked example of docs/manual/evaluation.md: numbers on the page must be those of the library.
+// The worked example of docs/reference/definitions.md: numbers on the page must be those of the library.
 
 namespace shapegauge {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 using test::text_of;
 
 const std::string& guide() {
-  static const std::string text = text_of(SHAPEGAUGE_EVALUATION_GUIDE);
+  static const std::string text = text_of(SHAPEGAUGE_DEFINITIONS);
   return text;
 }
 
@@ -118,7 +118,7 @@ TEST_F(FiveShapes, UnderEveryOrderOfTheTied) {
 
 TEST(Guide, NamesTheDistancesThatThereAre) {
   std::vector<std::string> named;
-  for (const auto& row : table_after("### Feature vectors")) {
+  for (const auto& row : table_after("## Distances")) {
     for (std::string_view cell = row[0]; cell.find('`') != std::string_view::npos;) {
       cell.remove_prefix(cell.find('`') + 1);
       named.emplace_back(cell.substr(0, cell.find('`')));
@@ -129,9 +129,9 @@ TEST(Guide, NamesTheDistancesThatThereAre) {
 }
 
 TEST(Guide, NamesTheProtocolsAndTheCurvesThatThereAre) {
-  for (const std::string& name : protocol_names()) EXPECT_THAT(guide(), testing::HasSubstr("\n- `" + name + "`"));
-  const std::string curves = guide().substr(guide().find("## Precision-recall curves"));
-  for (const std::string& name : curve_kind_names()) EXPECT_THAT(curves, testing::HasSubstr("\n- `" + name + "`:"));
+  for (const std::string& name : protocol_names()) EXPECT_THAT(guide(), testing::HasSubstr("\n| `" + name + "`"));
+  const std::string curves = guide().substr(guide().find("## Precision-recall"));
+  for (const std::string& name : curve_kind_names()) EXPECT_THAT(curves, testing::HasSubstr("\n| `" + name + "` |"));
 }
 
 }  // namespace
