@@ -131,12 +131,17 @@ tinygltf::Model load(const ShapeSource& source, GltfFiles& files) {
        fmt::format("it is no valid glTF: {}", errors.empty() ? "it cannot be read" : printable(errors, 200)));
 }
 
+/// Refuses files with a required extension, as the standard demands, unless it is about surfaces and lights only or the
+/// numbers of positions.
 void require_readable(const tinygltf::Model& model, const std::string& name) {
+  static constexpr std::array<std::string_view, 5> readable{"KHR_materials_", "KHR_texture_", "EXT_texture_",
+                                                            "KHR_lights_", "KHR_mesh_quantization"};
   for (const std::string& extension : model.extensionsRequired) {
-    if (extension.find("compression") != std::string::npos) {
-      fail(name, fmt::format("its meshes are compressed ({}), which is not read; export it without compression",
-                             quoted_word(extension)));
-    }
+    const auto begins = [&](std::string_view prefix) { return extension.starts_with(prefix); };
+    if (std::ranges::any_of(readable, begins)) continue;
+    const bool compressed = extension.find("compression") != std::string::npos;
+    fail(name, fmt::format("it requires the extension {}, which is not read; export it without {}",
+                           quoted_word(extension), compressed ? "compression" : "it"));
   }
 }
 
@@ -236,10 +241,8 @@ void replace_sparse(const tinygltf::Model& model, const tinygltf::Accessor& acce
   }
 }
 
-Positions positions_of(const tinygltf::Model& model, int accessor_index, const std::string& name) {
-  const tinygltf::Accessor& accessor = item_at(model.accessors, accessor_index, "accessor", name);
-  if (accessor.type != TINYGLTF_TYPE_VEC3) fail(name, "the positions of a mesh are no vectors of three numbers");
-  if (accessor.bufferView < 0) fail(name, "the positions of a mesh have no buffer view; it may be compressed");
+/// Positions that an accessor finds in a buffer.
+Positions stored_positions(const tinygltf::Model& model, const tinygltf::Accessor& accessor, const std::string& name) {
   const std::size_t size = size_of_component(accessor.componentType, name);
   const BufferItems items = items_in(model, accessor.bufferView, accessor.byteOffset, accessor.count, 3 * size, name);
   Positions positions(items.count);
@@ -249,6 +252,23 @@ Positions positions_of(const tinygltf::Model& model, int accessor_index, const s
           component_at(items.at(i) + static_cast<std::size_t>(k) * size, accessor.componentType, accessor.normalized);
     }
   }
+  return positions;
+}
+
+/// Positions of an accessor without a buffer view: zeros, which a sparse accessor replaces.
+Positions zero_positions(const tinygltf::Model& model, const tinygltf::Accessor& accessor, const std::string& name) {
+  if (!accessor.sparse.isSparse) fail(name, "the positions of a mesh have no buffer view; it may be compressed");
+  std::size_t bytes = 0;
+  for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
+  if (accessor.count > bytes) fail(name, fmt::format("a mesh has {} positions, more than its data", accessor.count));
+  return Positions(accessor.count, Positions::value_type::Zero());
+}
+
+Positions positions_of(const tinygltf::Model& model, int accessor_index, const std::string& name) {
+  const tinygltf::Accessor& accessor = item_at(model.accessors, accessor_index, "accessor", name);
+  if (accessor.type != TINYGLTF_TYPE_VEC3) fail(name, "the positions of a mesh are no vectors of three numbers");
+  Positions positions =
+      accessor.bufferView < 0 ? zero_positions(model, accessor, name) : stored_positions(model, accessor, name);
   replace_sparse(model, accessor, positions, name);
   return positions;
 }

@@ -155,10 +155,15 @@ TEST_F(Gltf, SparseAccessorsReplacePositions) {
   json = with_change(json, R"({"buffer": 0, "byteOffset": 48, "byteLength": 24})",
                      R"({"buffer": 0, "byteOffset": 48, "byteLength": 24},
       {"buffer": 0, "byteOffset": 72, "byteLength": 4}, {"buffer": 0, "byteOffset": 76, "byteLength": 12})");
-  const Shape shape = read(with_change(json, R"("byteLength": 72})", R"("byteLength": 88})"));
+  json = with_change(json, R"("byteLength": 72})", R"("byteLength": 88})");
+  const Shape shape = read(json);
   ASSERT_EQ(shape.vertices.rows(), 4);
   EXPECT_EQ(shape.vertices.row(1), Eigen::RowVector3d(1, 0, 0));
   EXPECT_EQ(shape.vertices.row(2), Eigen::RowVector3d(7, 8, 9));
+  // Without a buffer view the other positions are zeros.
+  const Shape zeros = read(with_change(json, R"("bufferView": 0, "componentType": 5126)", R"("componentType": 5126)"));
+  EXPECT_EQ(zeros.vertices.row(1), Eigen::RowVector3d(0, 0, 0));
+  EXPECT_EQ(zeros.vertices.row(2), Eigen::RowVector3d(7, 8, 9));
 }
 
 TEST_F(Gltf, RefusesWhatDoesNotFit) {
@@ -173,6 +178,11 @@ TEST_F(Gltf, RefusesWhatDoesNotFit) {
   EXPECT_THAT(error_of(document(R"({"mesh": 0})", R"("uri": "tetrahedron.bin", )",
                                 R"("extensionsRequired": ["KHR_draco_mesh_compression"], )")),
               HasSubstr("compress"));
+  const std::string uri = R"("uri": "tetrahedron.bin", )";
+  EXPECT_THAT(error_of(document(R"({"mesh": 0})", uri, R"("extensionsRequired": ["EXT_mesh_gpu_instancing"], )")),
+              HasSubstr("EXT_mesh_gpu_instancing"));
+  EXPECT_EQ(
+      read(document(R"({"mesh": 0})", uri, R"("extensionsRequired": ["KHR_materials_unlit"], )")).triangles.rows(), 4);
   test::write_text(
       folder_.path() / "tetrahedron.bin",
       with_change(tetrahedron_bytes(), bytes_of<std::uint16_t>({1, 2, 3}), bytes_of<std::uint16_t>({1, 2, 4})));
