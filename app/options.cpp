@@ -1,6 +1,7 @@
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -108,6 +109,23 @@ std::filesystem::path chosen_cache(const CacheOption& option) {
   return option.named.empty() ? default_cache_folder() : option.named;
 }
 
+bool take_unit_of_files(std::string& unit, const std::vector<std::filesystem::path>& files) {
+  constexpr std::string_view metres = "m";
+  const auto is_gltf = [](const std::filesystem::path& file) {
+    const std::string extension = lower_case(file.extension().string());
+    return extension == ".gltf" || extension == ".glb";
+  };
+  const auto found = std::ranges::find_if(files, is_gltf);
+  if (found == files.end() || unit == metres) return false;
+  if (!unit.empty()) {
+    throw InputError(
+        fmt::format("{}: coordinates of glTF files are in metres, not {}; omit --unit", found->string(), unit));
+  }
+  if (!std::ranges::all_of(files, is_gltf)) return false;
+  unit = metres;
+  return true;
+}
+
 GivenOffset parse_offset(const OffsetArguments& arguments) {
   if (arguments.offset == "auto") return {};
   if (arguments.offset.ends_with('%')) {
@@ -129,7 +147,7 @@ GivenOffset parse_offset(const OffsetArguments& arguments) {
     return {.fraction = {}, .length = in_units};
   }
   const bool is_default = arguments.offset == fmt::format("{}", OffsetSdfOptions{}.offset);
-  if (!arguments.unit.empty() && !is_default) {
+  if (!arguments.unit.empty() && !arguments.unit_of_files && !is_default) {
     throw InputError(
         fmt::format("--offset {0} with --unit may be a length or a fraction of the diagonal; write {0}{1} or {2:g}%",
                     arguments.offset, arguments.unit, 100 * length->value));

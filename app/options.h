@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/shape_files.h"
 #include "shapegauge/core/shape/shape.h"
@@ -51,8 +52,13 @@ void add_cleaning_options(CLI::App& command, CleaningArguments& arguments);
 /// Values of --offset and --unit. `offset` holds the default.
 struct OffsetArguments {
   std::string offset = "auto";
-  std::string unit = {};  ///< of the files' coordinates; empty if unknown
+  std::string unit = {};       ///< of the files' coordinates; empty if unknown
+  bool unit_of_files = false;  ///< whether the unit is that of the files' format, not given
 };
+
+/// Sets the unit to metres if it is not given and all files are glTF, whose unit that is. Returns whether it did.
+/// Throws InputError if another unit is given for such a file.
+bool take_unit_of_files(std::string& unit, const std::vector<std::filesystem::path>& files);
 
 /// Adds --offset and --unit, for parse_offset(). Returns --offset.
 CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments);

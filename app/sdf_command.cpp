@@ -279,6 +279,7 @@ void check_outputs(SdfArguments& arguments) {
 
 int run(SdfArguments& arguments) {
   check_outputs(arguments);
+  arguments.offset.unit_of_files = take_unit_of_files(arguments.offset.unit, arguments.files.inputs);
   const FieldPicture picture = picture_of(arguments);
   const GivenOffset given_offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : GivenOffset{};
   wanted_field(arguments, given_offset.fraction);  // reports wrong settings before any file is read

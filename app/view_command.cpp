@@ -217,6 +217,7 @@ void check_output(const fs::path& output) {
 int run(ViewArguments& arguments, bool offset_given) {
   check_output(arguments.output);
   const std::vector<WantedField> fields = wanted_fields(arguments, offset_given);
+  arguments.offset.unit_of_files = take_unit_of_files(arguments.offset.unit, arguments.files.inputs);
   const GivenOffset offset = parse_offset(arguments.offset);
   const ColourChoice colours = parse_colours(arguments.colours, arguments.offset.unit);
   arguments.files.others = {{.path = arguments.output, .what = "--output", .takes_stream = true}};

@@ -192,6 +192,11 @@ TEST_F(SdfCommand, SummariesAreInAnyFormatAndUnit) {
   EXPECT_THAT(sdf("--method cone_sdf --summary --unit mm").output, HasSubstr("median (mm)"));
 }
 
+TEST_F(SdfCommand, GltfIsInMetres) {
+  const std::string absent = "sdf '" + at("absent.glb") + "' --method inscribed_ball --summary --below 1.2";
+  expect_error_lines({{absent + " --unit mm", "metres"}, {absent + "mm", "No such file"}});
+}
+
 TEST_F(SdfCommand, AnOffsetMayBeALength) {
   const double diagonal = bounding_box_diagonal(shape);
   ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 10mm -o '" + at("length.npy") + "'").status, 0);
