@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/fields/inscribed_ball.h"
+#include "shapegauge/core/shape/shape.h"
+
+/// Parts of faces that are below a limit of thickness; not part of the public interface.
+namespace shapegauge {
+
+/// Triangular part of a face.
+struct Cell {
+  std::array<Eigen::Vector3d, 3> corners;
+  std::int32_t face = 0;
+};
+
+/// Cell of which at least a part is below the limit.
+struct ThinCell {
+  Cell cell;
+  double area = 0;                                 ///< of the part below the limit
+  std::array<std::optional<double>, 3> diameters;  ///< near the corners; nothing if not below the limit
+  double edge_share = 0;                           ///< fraction of these whose angle is below `wall_angle`
+};
+
+/// Least contact angle of walls; below are edges (ThinRegion::is_edge()), in degrees.
+inline constexpr double wall_angle = 150;
+
+/// Ball below the limit and the point of the surface that it touches.
+struct MeasuredPoint {
+  Eigen::Vector3d position;
+  TouchingBall ball;
+};
+
+/// Finds the parts of a mesh's surface that are below a limit.
+class CellSampler {
+ public:
+  /// Keeps references to mesh and balls.
+  CellSampler(const Shape& mesh, const TouchingBalls& balls, BallSide side, double limit, bool parallel);
+
+  /// Returns the thin cells: a cell of each smaller than spacing().
+  [[nodiscard]] std::vector<ThinCell> thin_cells() const;
+
+  /// Returns the smallest ball near a thin cell: descends into the half with the smaller one.
+  [[nodiscard]] MeasuredPoint least_near(const ThinCell& thin) const;
+
+  /// Returns the largest size of sampled cells: half of the limit, or more on a mesh of a very large area.
+  [[nodiscard]] double spacing() const { return spacing_; }
+
+ private:
+  /// What examine() makes of a cell.
+  struct Finding {
+    bool split = false;
+    std::optional<ThinCell> thin = {};
+  };
+
+  [[nodiscard]] std::vector<Cell> faces() const;
+  [[nodiscard]] Finding examine(const Cell& cell) const;
+  [[nodiscard]] std::optional<TouchingBall> ball_at(const Cell& cell, const Eigen::Vector3d& point) const;
+  [[nodiscard]] double crossing(const Cell& cell, const Eigen::Vector3d& below, const Eigen::Vector3d& above) const;
+  [[nodiscard]] double share_below(const ThinCell& thin) const;
+
+  const Shape& mesh_;
+  const TouchingBalls& balls_;
+  BallSide side_;
+  double limit_;
+  bool parallel_;
+  double spacing_;
+};
+
+}  // namespace shapegauge
