@@ -22,20 +22,36 @@ namespace shapegauge {
 
 namespace {
 
-/// Returns the cells as a mesh.
-Shape mesh_of(std::span<const ThinCell> cells) {
+/// Returns cells as a mesh without common vertices. `cell_of` returns the Cell of an element.
+template <typename Element, typename CellOf>
+Shape mesh_of(const std::vector<Element>& elements, const CellOf& cell_of) {
   Shape mesh;
-  const auto count = static_cast<Eigen::Index>(cells.size());
+  const auto count = static_cast<Eigen::Index>(elements.size());
   mesh.vertices.resize(3 * count, 3);
   mesh.triangles.resize(count, 3);
   for (Eigen::Index i = 0; i < count; ++i) {
+    const Cell& cell = cell_of(elements[static_cast<std::size_t>(i)]);
     for (int k = 0; k < 3; ++k) {
-      mesh.vertices.row(3 * i + k) =
-          cells[static_cast<std::size_t>(i)].cell.corners[static_cast<std::size_t>(k)].transpose();
+      mesh.vertices.row(3 * i + k) = cell.corners[static_cast<std::size_t>(k)].transpose();
       mesh.triangles(i, k) = static_cast<std::int32_t>(3 * i + k);
     }
   }
   return mesh;
+}
+
+/// Joins the vertices of a mesh at equal positions.
+Shape welded(const Shape& mesh) {
+  const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
+  std::vector<std::int32_t> index(merged.size());
+  std::vector<std::int32_t> kept;
+  for (std::size_t v = 0; v < merged.size(); ++v) {
+    const bool first = merged[v] == static_cast<std::int32_t>(v);
+    index[v] = first ? static_cast<std::int32_t>(kept.size()) : index[static_cast<std::size_t>(merged[v])];
+    if (first) kept.push_back(merged[v]);
+  }
+  Shape result{.vertices = mesh.vertices(kept, Eigen::all), .triangles = mesh.triangles};
+  for (std::int32_t& corner : result.triangles.reshaped()) corner = index[static_cast<std::size_t>(corner)];
+  return result;
 }
 
 /// Joins cells at sides that only one cell has: of neighbours of another size, and at T-junctions. A side is joined to
@@ -60,8 +76,8 @@ void join_across_sizes(const Shape& cells, const UnitFrame& frame, std::span<con
 }
 
 /// Returns the cells of each connected region.
-std::vector<std::vector<std::int32_t>> connected(std::span<const ThinCell> cells, const UnitFrame& frame) {
-  const Shape mesh = mesh_of(cells);
+std::vector<std::vector<std::int32_t>> connected(const std::vector<ThinCell>& cells, const UnitFrame& frame) {
+  const Shape mesh = mesh_of(cells, [](const ThinCell& cell) -> const Cell& { return cell.cell; });
   const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
   const std::vector<HalfEdge> sides = half_edges(mesh.triangles, merged);
   DisjointSets sets;
@@ -98,14 +114,16 @@ double median_of(std::span<const ThinCell> cells, std::span<const std::int32_t> 
   }
   std::ranges::sort(diameters);
   double sum = 0;
+  double median = 0;
   for (const auto& [diameter, area] : diameters) {
+    if (2 * sum >= total) break;
+    median = diameter;
     sum += area;
-    if (2 * sum >= total) return diameter;
   }
-  return diameters.back().first;
+  return median;
 }
 
-ThinRegion region_of(std::span<const ThinCell> cells, std::span<const std::int32_t> members) {
+ThinRegion region_of(std::span<const ThinCell> cells, const std::vector<std::int32_t>& members) {
   ThinRegion region;
   for (const std::int32_t i : members) {
     const ThinCell& cell = cells[static_cast<std::size_t>(i)];
@@ -122,8 +140,8 @@ ThinRegion region_of(std::span<const ThinCell> cells, std::span<const std::int32
 }
 
 /// Adds the smallest ball of a region.
-void measure_least(const CellSampler& sampler, std::span<const ThinCell> cells, std::span<const std::int32_t> members,
-                   ThinRegion& region) {
+void measure_least(const CellSampler& sampler, std::span<const ThinCell> cells,
+                   const std::vector<std::int32_t>& members, ThinRegion& region) {
   const auto value = [&](std::int32_t i) { return least_of(cells[static_cast<std::size_t>(i)]); };
   const MeasuredPoint least =
       sampler.least_near(cells[static_cast<std::size_t>(*std::ranges::min_element(members, {}, value))]);
@@ -132,16 +150,12 @@ void measure_least(const CellSampler& sampler, std::span<const ThinCell> cells, 
   region.opposite = least.ball.contact;
 }
 
-ThinRegions regions_below(const Shape& mesh, const TouchingBalls& balls, BallSide side, double limit,
-                          const CheckOptions& options) {
-  ThinRegions result{.limit = limit, .regions = {}};
-  if (limit == 0) return result;
-  const CellSampler sampler(mesh, balls, side, limit, options.ball.parallel);
-  result.spacing = sampler.spacing();
-  const std::vector<ThinCell> cells = sampler.thin_cells();
-  for (const std::vector<std::int32_t>& members : connected(cells, unit_frame(mesh))) {
+ThinRegions regions_of(const CellSampler& sampler, const std::vector<ThinCell>& cells, const UnitFrame& frame,
+                       double min_area) {
+  ThinRegions result{.regions = {}};
+  for (const std::vector<std::int32_t>& members : connected(cells, frame)) {
     ThinRegion region = region_of(cells, members);
-    if (region.area < options.min_area) {
+    if (region.area < min_area) {
       ++result.small_regions;
       result.small_area += region.area;
       continue;
@@ -151,6 +165,43 @@ ThinRegions regions_below(const Shape& mesh, const TouchingBalls& balls, BallSid
   }
   std::ranges::stable_sort(result.regions, std::greater{}, &ThinRegion::area);
   return result;
+}
+
+/// Regions below one limit and the cells that they consist of.
+struct CheckedSide {
+  ThinRegions found;
+  DividedCells cells;
+};
+
+/// Checks one side of the surface, divided into cells before.
+CheckedSide check_side(const Shape& mesh, const TouchingBalls& balls, BallSide side, double limit,
+                       const CheckOptions& options, std::vector<Cell> cells) {
+  if (limit == 0) {
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i].origin = static_cast<std::int32_t>(i);
+    return {.found = {.regions = {}}, .cells = {.thin = {}, .others = std::move(cells)}};
+  }
+  const CellSampler sampler(mesh, balls, side, limit, options.ball.parallel);
+  CheckedSide result{.found = {.regions = {}}, .cells = sampler.divide(std::move(cells))};
+  result.found = regions_of(sampler, result.cells.thin, unit_frame(mesh), options.min_area);
+  result.found.limit = limit;
+  result.found.spacing = sampler.spacing();
+  return result;
+}
+
+/// Returns the surface as the check of gaps divided it.
+CheckedSurface surface_of(const CheckedSide& walls, const CheckedSide& gaps) {
+  const std::vector<Cell> cells = gaps.cells.all();
+  CheckedSurface surface{.mesh = welded(mesh_of(cells, [](const Cell& cell) -> const Cell& { return cell; })),
+                         .fractions = {}};
+  surface.fractions.setConstant(std::ssize(cells), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    double fraction = std::numeric_limits<double>::infinity();
+    const auto origin = static_cast<std::size_t>(cells[i].origin);
+    if (origin < walls.cells.thin.size()) fraction = least_of(walls.cells.thin[origin]) / walls.found.limit;
+    if (i < gaps.cells.thin.size()) fraction = std::min(fraction, least_of(gaps.cells.thin[i]) / gaps.found.limit);
+    if (std::isfinite(fraction)) surface.fractions[static_cast<Eigen::Index>(i)] = fraction;
+  }
+  return surface;
 }
 
 void check_input(const Shape& mesh, const CheckOptions& options) {
@@ -182,8 +233,11 @@ PartReport check_part(const Shape& mesh, const CheckOptions& options) {
     const bool inside = (of_outward == BallSide::inside) != inside_out;
     return inside ? BallSide::inside : BallSide::outside;
   };
-  report.walls = regions_below(mesh, balls, side(BallSide::inside), options.min_wall, options);
-  report.gaps = regions_below(mesh, balls, side(BallSide::outside), options.min_gap, options);
+  CheckedSide walls = check_side(mesh, balls, side(BallSide::inside), options.min_wall, options, cells_of(mesh));
+  CheckedSide gaps = check_side(mesh, balls, side(BallSide::outside), options.min_gap, options, walls.cells.all());
+  if (options.keep_surface) report.surface = surface_of(walls, gaps);
+  report.walls = std::move(walls.found);
+  report.gaps = std::move(gaps.found);
   return report;
 }
 

@@ -12,19 +12,20 @@ namespace shapegauge {
 
 /// Limits of check_part(). Lengths and areas are in the shape's units.
 struct CheckOptions {
-  double min_wall = 0;  ///< least thickness of walls; 0: not checked
-  double min_gap = 0;   ///< least width of gaps; 0: not checked
-  double min_area = 0;  ///< smaller regions are only counted
+  double min_wall = 0;        ///< least thickness of walls; 0: not checked
+  double min_gap = 0;         ///< least width of gaps; 0: not checked
+  double min_area = 0;        ///< smaller regions are only counted
+  bool keep_surface = false;  ///< fill PartReport::surface
   InscribedBallOptions ball = {};
 };
 
 /// Connected region of the surface whose thickness, or distance across a gap, is below the limit.
 struct ThinRegion {
   double area = 0;
-  double least = 0;          ///< diameter of the smallest ball
-  double median = 0;         ///< of the diameters, by area
-  Eigen::Vector3d position;  ///< of the smallest ball: where it touches the region
-  Eigen::Vector3d opposite;  ///< and the opposite surface
+  double least = 0;                                    ///< diameter of the smallest ball
+  double median = 0;                                   ///< of the diameters, by area
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the smallest ball: where it touches the region
+  Eigen::Vector3d opposite = Eigen::Vector3d::Zero();  ///< and the opposite surface
   /// Fraction of the area whose opposite surface is inclined by more than 30 degrees.
   double edge_share = 0;
   std::vector<std::int32_t> faces;  ///< faces that the region covers at least partly, ascending
@@ -46,12 +47,20 @@ struct ThinRegions {
   [[nodiscard]] bool pass() const;
 };
 
+/// Surface of a part, divided where it is below a limit: the triangles of a mesh with the smallest diameter in each, as
+/// a fraction of the limit for walls or gaps. NaN where the part passes.
+struct CheckedSurface {
+  Shape mesh;
+  Eigen::VectorXd fractions;
+};
+
 /// Result of check_part().
 struct PartReport {
   ThinRegions walls;
   ThinRegions gaps;
-  std::size_t voids = 0;  ///< closed cavities (closed_components())
-  bool closed = false;    ///< closed and consistently oriented; otherwise the orientation of each face decides
+  std::size_t voids = 0;        ///< closed cavities (closed_components())
+  bool closed = false;          ///< closed and consistently oriented; otherwise the orientation of each face decides
+  CheckedSurface surface = {};  ///< empty unless CheckOptions::keep_surface
 
   [[nodiscard]] bool passes() const { return walls.pass() && gaps.pass(); }
 };

@@ -50,6 +50,27 @@ Eigen::Vector3d sample_near(const Cell& cell, std::size_t corner) {
 
 }  // namespace
 
+std::vector<Cell> cells_of(const Shape& mesh) {
+  const Welding welding = welding_of(mesh);
+  std::vector<Cell> cells;
+  for (std::int32_t f = 0; f < mesh.triangles.rows(); ++f) {
+    if (!welding.is_distinct(f) || is_degenerate(mesh, f)) continue;
+    Cell cell{.corners = {}, .face = f};
+    for (int k = 0; k < 3; ++k) {
+      cell.corners[static_cast<std::size_t>(k)] = mesh.vertices.row(mesh.triangles(f, k)).transpose();
+    }
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+std::vector<Cell> DividedCells::all() const {
+  std::vector<Cell> cells;
+  for (const ThinCell& cell : thin) cells.push_back(cell.cell);
+  cells.insert(cells.end(), others.begin(), others.end());
+  return cells;
+}
+
 CellSampler::CellSampler(const Shape& mesh, const TouchingBalls& balls, BallSide side, double limit, bool parallel)
     : mesh_(mesh),
       balls_(balls),
@@ -58,24 +79,10 @@ CellSampler::CellSampler(const Shape& mesh, const TouchingBalls& balls, BallSide
       parallel_(parallel),
       spacing_(std::max(limit / 2, std::sqrt(surface_area(mesh) / most_cells))) {}
 
-std::vector<Cell> CellSampler::faces() const {
-  const Welding welding = welding_of(mesh_);
-  std::vector<Cell> cells;
-  for (std::int32_t f = 0; f < mesh_.triangles.rows(); ++f) {
-    if (!welding.is_distinct(f) || is_degenerate(mesh_, f)) continue;
-    Cell cell{.corners = {}, .face = f};
-    for (int k = 0; k < 3; ++k) {
-      cell.corners[static_cast<std::size_t>(k)] = mesh_.vertices.row(mesh_.triangles(f, k)).transpose();
-    }
-    cells.push_back(cell);
-  }
-  return cells;
-}
-
-std::vector<ThinCell> CellSampler::thin_cells() const {
+DividedCells CellSampler::divide(std::vector<Cell> pending) const {
   constexpr std::size_t batch_size = 65536;
-  std::vector<Cell> pending = faces();
-  std::vector<ThinCell> cells;
+  for (std::size_t i = 0; i < pending.size(); ++i) pending[i].origin = static_cast<std::int32_t>(i);
+  DividedCells cells;
   while (!pending.empty()) {
     const std::size_t begin = pending.size() - std::min(batch_size, pending.size());
     const std::vector<Cell> batch(pending.begin() + static_cast<std::ptrdiff_t>(begin), pending.end());
@@ -83,9 +90,13 @@ std::vector<ThinCell> CellSampler::thin_cells() const {
     std::vector<Finding> findings(batch.size());
     for_each_index(parallel_, std::size_t{0}, batch.size(), [&](std::size_t i) { findings[i] = examine(batch[i]); });
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      if (findings[i].thin) cells.push_back(*findings[i].thin);
-      if (!findings[i].split) continue;
-      for (const Cell& half : halves_of(batch[i])) pending.push_back(half);
+      if (findings[i].thin) {
+        cells.thin.push_back(*findings[i].thin);
+      } else if (!findings[i].split) {
+        cells.others.push_back(batch[i]);
+      } else {
+        for (const Cell& half : halves_of(batch[i])) pending.push_back(half);
+      }
     }
   }
   return cells;

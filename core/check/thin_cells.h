@@ -17,7 +17,11 @@ namespace shapegauge {
 struct Cell {
   std::array<Eigen::Vector3d, 3> corners;
   std::int32_t face = 0;
+  std::int32_t origin = 0;  ///< index of the cell that was divided
 };
+
+/// Returns the faces of a mesh as cells, without degenerate and duplicate ones.
+std::vector<Cell> cells_of(const Shape& mesh);
 
 /// Cell of which at least a part is below the limit.
 struct ThinCell {
@@ -29,6 +33,15 @@ struct ThinCell {
 
 /// Least contact angle of walls; below are edges (ThinRegion::is_edge()), in degrees.
 inline constexpr double wall_angle = 150;
+
+/// Division of cells into those below a limit, at least in part, and others.
+struct DividedCells {
+  std::vector<ThinCell> thin;
+  std::vector<Cell> others;
+
+  /// Returns all cells, first those below the limit.
+  [[nodiscard]] std::vector<Cell> all() const;
+};
 
 /// Ball below the limit and the point of the surface that it touches.
 struct MeasuredPoint {
@@ -42,8 +55,8 @@ class CellSampler {
   /// Keeps references to mesh and balls.
   CellSampler(const Shape& mesh, const TouchingBalls& balls, BallSide side, double limit, bool parallel);
 
-  /// Returns the thin cells: a cell of each smaller than spacing().
-  [[nodiscard]] std::vector<ThinCell> thin_cells() const;
+  /// Divides cells until those below the limit are smaller than spacing().
+  [[nodiscard]] DividedCells divide(std::vector<Cell> cells) const;
 
   /// Returns the smallest ball near a thin cell: descends into the half with the smaller one.
   [[nodiscard]] MeasuredPoint least_near(const ThinCell& thin) const;
@@ -58,7 +71,6 @@ class CellSampler {
     std::optional<ThinCell> thin = {};
   };
 
-  [[nodiscard]] std::vector<Cell> faces() const;
   [[nodiscard]] Finding examine(const Cell& cell) const;
   [[nodiscard]] std::optional<TouchingBall> ball_at(const Cell& cell, const Eigen::Vector3d& point) const;
   [[nodiscard]] double crossing(const Cell& cell, const Eigen::Vector3d& below, const Eigen::Vector3d& above) const;

@@ -389,7 +389,7 @@ TEST(PartCheck, SharpEdgesAreNoWalls) {
     EXPECT_DOUBLE_EQ(region.edge_share, 1);
     EXPECT_LT(region.least, 0.01);
     // Both sides of the edge, up to the limit.
-    EXPECT_NEAR(region.area, 2 * 10 * wall_limit / (2 * std::tan(std::numbers::pi / 6)), 0.3);
+    EXPECT_NEAR(region.area, 2 * 10 * wall_limit / (2 * std::tan(std::numbers::pi / 6)), 0.2);
   }
   const PartReport right_angled = check_part(test::box({3, 3, 3}, 1), {.min_wall = wall_limit});
   EXPECT_TRUE(right_angled.walls.regions.empty());
@@ -416,6 +416,27 @@ TEST(PartCheck, RegionsNameTheirFaces) {
       EXPECT_NEAR(shape.vertices(shape.triangles(face, 0), 2), region.position.z(), 1e-9);
     }
   }
+}
+
+TEST(PartCheck, SurfaceIsDividedAlongTheRegions) {
+  const Part part = stepped_plate();
+  const Shape shape = part.shape(0);
+  CheckOptions options = part.limits;
+  options.min_gap = gap_limit;
+  options.keep_surface = true;
+  const CheckedSurface surface = check_part(shape, options).surface;
+  ASSERT_EQ(surface.fractions.size(), surface.mesh.triangles.rows());
+  EXPECT_NEAR(surface_area(surface.mesh), surface_area(shape), 1e-9);
+  const Eigen::VectorXd areas = triangle_areas(surface.mesh);
+  double thin = 0;
+  for (Eigen::Index f = 0; f < areas.size(); ++f) {
+    if (std::isnan(surface.fractions[f])) continue;
+    EXPECT_GE(surface.fractions[f], 1 / wall_limit - 1e-9);
+    EXPECT_LT(surface.fractions[f], 1);
+    thin += areas[f];
+  }
+  const double expected = part.regions[0].area + part.regions[1].area;
+  EXPECT_NEAR(thin, expected, 0.02 * expected);
 }
 
 TEST(PartCheck, SmallRegionsAreCountedOnly) {

@@ -39,8 +39,10 @@ struct Summary {
   double area = 0;       ///< sum of the weights
 };
 
-Summary summary_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+/// Missing values count as 0.
+Summary summary_of(const Eigen::VectorXd& computed, const Eigen::VectorXd& weights) {
   Summary summary{.area = weights.sum()};
+  const Eigen::VectorXd values = computed.array().isNaN().select(0, computed);
   summary.mean = values.dot(weights) / summary.area;
   summary.deviation = std::sqrt((values.array() - summary.mean).square().matrix().dot(weights) / summary.area);
   return summary;
