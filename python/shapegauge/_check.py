@@ -65,10 +65,10 @@ def check(vertices: Any, faces: Any = None, min_wall: Optional[float] = None, mi
     faces, min_wall, min_gap = settings_after(vertices, faces, (min_wall, None), (min_gap, None))
     if min_wall is None and min_gap is None:
         raise InputError("min_wall or min_gap is required")
-    limits = [0.0 if limit is None else finite_number(limit, name)
-              for name, limit in (("min_wall", min_wall), ("min_gap", min_gap))]
-    shape = shape_arrays(vertices, faces, None)
-    found = _native.check(*shape[:2], *limits, finite_number(min_area, "min_area"),
+    wall, gap = (0.0 if limit is None else finite_number(limit, name)
+                 for name, limit in (("min_wall", min_wall), ("min_gap", min_gap)))
+    points, triangles, _ = shape_arrays(vertices, faces, None)
+    found = _native.check(points, triangles, wall, gap, finite_number(min_area, "min_area"),
                           finite_number(separation_angle_degrees, "separation_angle_degrees"),
                           number_of_threads(threads))
     if not found["closed"]:
