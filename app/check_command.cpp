@@ -76,7 +76,7 @@ void remark_on(const PartReport& report, Remarks& remarks) {
         "'shapegauge info' describes it");
   }
   for (const ThinRegions* const found : {&report.walls, &report.gaps}) {
-    if (!(found->spacing > 0.51 * found->limit)) continue;
+    if (!(found->spacing > 1.01 * found->limit)) continue;
     remarks.notes.push_back(fmt::format(
         "the surface is large: large faces are sampled every {:.3g}, and narrower thin places of theirs may "
         "be missed",
@@ -135,8 +135,10 @@ void add_check_command(CLI::App& app, int& status) {
       ->type_name("LENGTH");
   command->add_option("--min-gap", arguments->min_gap, "Minimum width of gaps")->type_name("LENGTH");
   command
-      ->add_option("--min-area", arguments->min_area,
-                   "Area, in squared units of the file, below which regions are only counted")
+      ->add_option(
+          "--min-area", arguments->min_area,
+          "Area, in squared units of the file, below which regions are only counted; at least the square of an "
+          "eighth of the limit")
       ->type_name("AREA")
       ->capture_default_str();
   static constexpr auto parameters = parameters_of(inscribed_ball_table);

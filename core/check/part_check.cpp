@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -100,16 +101,34 @@ double least_of(const ThinCell& cell) {
   return least;
 }
 
-/// Returns the median of the diameters of cells by area.
+/// Diameters with the areas that they represent.
+using WeightedDiameters = std::vector<std::pair<double, double>>;
+
+/// Adds the diameters in a triangle, interpolated between those at its corners, in steps of 1 % or of `levels`
+/// divisions into four.
+void add_diameters(const std::array<double, 3>& corners, double area, int levels, WeightedDiameters& diameters) {
+  const auto [a, b, c] = corners;
+  if (levels == 0 || std::max({a, b, c}) < 1.01 * std::min({a, b, c})) {
+    diameters.emplace_back((a + b + c) / 3, area);
+    return;
+  }
+  const std::array<double, 3> middles{(b + c) / 2, (c + a) / 2, (a + b) / 2};
+  add_diameters(middles, area / 4, levels - 1, diameters);
+  add_diameters({a, middles[1], middles[2]}, area / 4, levels - 1, diameters);
+  add_diameters({b, middles[2], middles[0]}, area / 4, levels - 1, diameters);
+  add_diameters({c, middles[0], middles[1]}, area / 4, levels - 1, diameters);
+}
+
+/// Returns the median of the diameters of cells by area. Corners beyond the border of a region have the least of the
+/// cell's diameters.
 double median_of(std::span<const ThinCell> cells, std::span<const std::int32_t> members) {
-  std::vector<std::pair<double, double>> diameters;  // with their areas
+  WeightedDiameters diameters;
   double total = 0;
   for (const std::int32_t i : members) {
     const ThinCell& cell = cells[static_cast<std::size_t>(i)];
-    const auto below = std::ranges::count_if(cell.diameters, &std::optional<double>::has_value);
-    for (const std::optional<double>& diameter : cell.diameters) {
-      if (diameter) diameters.emplace_back(*diameter, cell.area / static_cast<double>(below));
-    }
+    const double least = least_of(cell);
+    const auto& [a, b, c] = cell.diameters;
+    add_diameters({a.value_or(least), b.value_or(least), c.value_or(least)}, cell.area, 3, diameters);
     total += cell.area;
   }
   std::ranges::sort(diameters);
@@ -152,10 +171,11 @@ void measure_least(const CellSampler& sampler, std::span<const ThinCell> cells,
 
 ThinRegions regions_of(const CellSampler& sampler, const std::vector<ThinCell>& cells, const UnitFrame& frame,
                        double min_area) {
-  ThinRegions result{.regions = {}};
+  ThinRegions result{.limit = sampler.limit(), .regions = {}, .spacing = sampler.spacing()};
+  const double resolution = sampler.limit() * CellSampler::border_size;
   for (const std::vector<std::int32_t>& members : connected(cells, frame)) {
     ThinRegion region = region_of(cells, members);
-    if (region.area < min_area) {
+    if (region.area < std::max(min_area, resolution * resolution)) {
       ++result.small_regions;
       result.small_area += region.area;
       continue;
@@ -183,8 +203,6 @@ CheckedSide check_side(const Shape& mesh, const TouchingBalls& balls, BallSide s
   const CellSampler sampler(mesh, balls, side, limit, options.ball.parallel);
   CheckedSide result{.found = {.regions = {}}, .cells = sampler.divide(std::move(cells))};
   result.found = regions_of(sampler, result.cells.thin, unit_frame(mesh), options.min_area);
-  result.found.limit = limit;
-  result.found.spacing = sampler.spacing();
   return result;
 }
 

@@ -14,7 +14,7 @@ namespace shapegauge {
 struct CheckOptions {
   double min_wall = 0;        ///< least thickness of walls; 0: not checked
   double min_gap = 0;         ///< least width of gaps; 0: not checked
-  double min_area = 0;        ///< smaller regions are only counted
+  double min_area = 0;        ///< smaller regions are only counted; at least the square of an eighth of the limit
   bool keep_surface = false;  ///< fill PartReport::surface
   InscribedBallOptions ball = {};
 };
@@ -39,7 +39,7 @@ struct ThinRegion {
 struct ThinRegions {
   double limit = 0;
   std::vector<ThinRegion> regions;  ///< by area, largest first
-  std::size_t small_regions = 0;    ///< below CheckOptions::min_area
+  std::size_t small_regions = 0;    ///< smaller than CheckOptions::min_area
   double small_area = 0;            ///< of all of these
   /// Spacing of samples on faces opposite to a wall or gap. Narrower thin places may be missed.
   double spacing = 0;
@@ -68,7 +68,7 @@ struct PartReport {
 /// Finds the regions of a mesh whose walls are too thin or whose gaps are too narrow (docs/manual/check.md).
 ///
 /// The thickness at a point of the surface is the diameter of its inscribed_ball(), the width of a gap that of the ball
-/// outside. Faces are divided until their parts are smaller than half of the limit, or lie opposite to nothing, and
+/// outside. Faces are divided until their parts are smaller than the limit, or lie opposite to nothing, and
 /// along the border of a region further. Closed meshes may face inwards as a whole. The same result on any number of
 /// threads.
 ///

@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Number of cells of the largest size on the whole surface, beyond which spacing() is larger than half of the limit.
+/// Number of cells of the largest size on the whole surface, beyond which spacing() is larger than the limit.
 constexpr double most_cells = 250'000;
 
 /// Index of the corner at which the longest side begins.
@@ -77,7 +77,7 @@ CellSampler::CellSampler(const Shape& mesh, const TouchingBalls& balls, BallSide
       side_(side),
       limit_(limit),
       parallel_(parallel),
-      spacing_(std::max(limit / 2, std::sqrt(surface_area(mesh) / most_cells))) {}
+      spacing_(std::max(limit, std::sqrt(surface_area(mesh) / most_cells))) {}
 
 DividedCells CellSampler::divide(std::vector<Cell> pending) const {
   constexpr std::size_t batch_size = 65536;
@@ -118,7 +118,7 @@ CellSampler::Finding CellSampler::examine(const Cell& cell) const {
     thin.diameters[k] = ball->diameter;
   }
   if (below == 0) return {};
-  if (below < 3 && size > limit_ / 8) return {.split = true};
+  if (below < 3 && size > border_size * limit_) return {.split = true};
   thin.area = area_of(cell) * share_below(thin);
   thin.edge_share = static_cast<double>(edges) / below;
   return {.thin = thin};

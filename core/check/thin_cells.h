@@ -52,6 +52,9 @@ struct MeasuredPoint {
 /// Finds the parts of a mesh's surface that are below a limit.
 class CellSampler {
  public:
+  /// Size of cells along the border of a region, as a fraction of the limit.
+  static constexpr double border_size = 1.0 / 8;
+
   /// Keeps references to mesh and balls.
   CellSampler(const Shape& mesh, const TouchingBalls& balls, BallSide side, double limit, bool parallel);
 
@@ -61,7 +64,9 @@ class CellSampler {
   /// Returns the smallest ball near a thin cell: descends into the half with the smaller one.
   [[nodiscard]] MeasuredPoint least_near(const ThinCell& thin) const;
 
-  /// Returns the largest size of sampled cells: half of the limit, or more on a mesh of a very large area.
+  [[nodiscard]] double limit() const { return limit_; }
+
+  /// Returns the largest size of sampled cells: the limit, or more on a mesh of a very large area.
   [[nodiscard]] double spacing() const { return spacing_; }
 
  private:

@@ -29,6 +29,7 @@ constexpr double largest_radius = 0.5;
 /// the ball by less than `skipped_difference` are skipped: around a sphere or a cylinder nearly all are equally near to
 /// the centre.
 constexpr int exact_leaves = 128;
+constexpr int few_exact_leaves = 4;  ///< of TouchingBalls::ball_at()
 constexpr double skipped_difference = 1e-3;
 
 /// Returns the distance in a shape's unit frame below which its points coincide: its coordinates, and those of samples
@@ -67,14 +68,21 @@ class TouchingBalls::Search {
     for (std::int32_t i = 0; i < shape.triangles.rows(); ++i) normals_.push_back(oriented_normal(tree_.triangle(i)));
   }
 
-  /// Returns the ball at a sample whose diameter is below `limit`, in the shape's units; nothing without normal or
-  /// ball.
+  /// Returns the diameter of the ball at a sample, in the shape's units; NaN without normal or ball.
+  [[nodiscard]] double diameter_at(const Eigen::Vector3d& sample, const Eigen::Vector3d& normal, BallSide side) const {
+    constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+    if (normal.isZero(0)) return missing;
+    const double radius = stop_at(frame_.to_unit(sample), normal, side, largest_radius, exact_leaves).radius;
+    return radius < largest_radius ? 2 * radius * frame_.diagonal : missing;
+  }
+
+  /// See TouchingBalls::ball_at().
   [[nodiscard]] std::optional<TouchingBall> ball_at(const Eigen::Vector3d& sample, const Eigen::Vector3d& normal,
                                                     BallSide side, double limit) const {
     if (normal.isZero(0)) return std::nullopt;
     const Eigen::Vector3d point = frame_.to_unit(sample);
     const double start = std::min(largest_radius, limit / (2 * frame_.diagonal));
-    const Stop stop = stop_at(point, normal, side, start);
+    const Stop stop = stop_at(point, normal, side, start, few_exact_leaves);
     if (!(stop.radius < start)) return std::nullopt;
     const Eigen::Vector3d centre = point + stop.radius * direction_of(normal, side);
     const Eigen::Vector3d contact = closest_point(tree_.triangle(stop.triangle), centre);
@@ -121,9 +129,10 @@ class TouchingBalls::Search {
     return side == BallSide::inside ? Eigen::Vector3d(-normal) : normal;
   }
 
-  /// Shrinks a ball from the radius `start`; its result is `start` if nothing stops the ball before.
-  [[nodiscard]] Stop stop_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, BallSide side,
-                             double start) const {
+  /// Shrinks a ball from the radius `start`, which is the result if nothing stops the ball before. `exact` leaves are
+  /// searched exactly.
+  [[nodiscard]] Stop stop_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, BallSide side, double start,
+                             int exact) const {
     const Eigen::Vector3d direction = direction_of(normal, side);
     const auto ball_of = [&](double radius) { return Ball{.centre = point + radius * direction, .radius = radius}; };
     const OppositePoints opposite{direction, cone_cosine_, min_cosine_, rounding_};
@@ -137,7 +146,7 @@ class TouchingBalls::Search {
         if (found < limit) stop = {.radius = limit = found, .triangle = index};
       }
       if (stop.radius < start) ++leaves;
-      limit = leaves > exact_leaves ? (1 - skipped_difference) * stop.radius : stop.radius;
+      limit = leaves > exact ? (1 - skipped_difference) * stop.radius : stop.radius;
       searched = ball_of(limit);
     });
     return stop;
@@ -201,9 +210,7 @@ Eigen::VectorXd TouchingBalls::diameters(const Samples& samples, BallSide side) 
   const std::vector<std::int32_t> order = morton_order(samples.points);  // for the sake of the processor's caches
   for_each_index(search_->parallel, std::size_t{0}, order.size(), [&](std::size_t k) {
     const Eigen::Index i = order[k];
-    const auto ball = ball_at(samples.points.row(i).transpose(), samples.normals.row(i).transpose(), side,
-                              std::numeric_limits<double>::infinity());
-    diameters[i] = ball ? ball->diameter : std::numeric_limits<double>::quiet_NaN();
+    diameters[i] = search_->diameter_at(samples.points.row(i).transpose(), samples.normals.row(i).transpose(), side);
   });
   return diameters;
 }
