@@ -75,12 +75,11 @@ void remark_on(const PartReport& report, Remarks& remarks) {
         "the mesh is not closed and consistently oriented: walls and gaps are those of its faces as they are oriented; "
         "'shapegauge info' describes it");
   }
-  for (const ThinRegions* const found : {&report.walls, &report.gaps}) {
-    if (!(found->spacing > 1.01 * found->limit)) continue;
+  const auto is_coarse = [](const ThinRegions& found) { return found.spacing > 1.01 * found.limit; };
+  if (is_coarse(report.walls) || is_coarse(report.gaps)) {
     remarks.notes.push_back(fmt::format(
-        "the surface is large: large faces are sampled every {:.3g}, and narrower thin places of theirs may "
-        "be missed",
-        found->spacing));
+        "the surface is large: faces are sampled every {:.3g}, and narrower thin places within a face may be missed",
+        std::max(report.walls.spacing, report.gaps.spacing)));
   }
 }
 
