@@ -13,6 +13,7 @@ namespace shapegauge {
 inline constexpr int exit_success = 0;
 inline constexpr int exit_with_failures = 1;   ///< completed, but with failures that the messages name
 inline constexpr int exit_unusable_input = 2;  ///< unusable input or arguments; nothing was done
+inline constexpr int exit_not_passed = 3;      ///< of `check`: a part does not pass
 /// @}
 // An interrupted program exits with 128 and the number of the signal: 130 (SIGINT), 143 (SIGTERM), 129 (SIGHUP).
 
@@ -38,6 +39,7 @@ void add_commands(CLI::App& app, int& status);
 /// @{
 void add_run_command(CLI::App& app, int& status);          ///< runs an experiment from its configuration
 void add_sdf_command(CLI::App& app, int& status);          ///< computes the shape diameter function of a shape
+void add_check_command(CLI::App& app, int& status);        ///< checks parts for thin walls and narrow gaps
 void add_normals_command(CLI::App& app, int& status);      ///< estimates the normals of a shape
 void add_info_command(CLI::App& app, int& status);         ///< prints diagnostics of a shape
 void add_perturb_command(CLI::App& app, int& status);      ///< perturbs a shape at random

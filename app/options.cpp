@@ -72,10 +72,14 @@ void add_cleaning_options(CLI::App& command, CleaningArguments& arguments) {
       ->group(computation_options);
 }
 
-CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
-  command.add_option("--unit", arguments.unit, "Unit of the files' coordinates, for formats without units (STL, OBJ)")
+void add_unit_option(CLI::App& command, std::string& unit) {
+  command.add_option("--unit", unit, "Unit of the files' coordinates, for formats without units (STL, OBJ)")
       ->check(CLI::IsMember(length_unit_names()))
       ->group(input_options);
+}
+
+CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
+  add_unit_option(command, arguments.unit);
   return command
       .add_option("--offset", arguments.offset,
                   "Offset distance: a fraction of the bounding-box diagonal such as 0.03 or 3%, a length such as 0.5mm "

@@ -49,6 +49,9 @@ struct CleaningArguments {
 /// Adds --denoise and --remove-outliers.
 void add_cleaning_options(CLI::App& command, CleaningArguments& arguments);
 
+/// Adds --unit.
+void add_unit_option(CLI::App& command, std::string& unit);
+
 /// Values of --offset and --unit. `offset` holds the default.
 struct OffsetArguments {
   std::string offset = "auto";

@@ -40,7 +40,7 @@ void add_program_options(CLI::App& app) {
       "Help on a command: shapegauge help COMMAND\n"
       "Exit status: 0 success; 1 completed with reported failures; 2 unusable input or arguments, or results that "
       "could\n"
-      "not be written; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).");
+      "not be written; 3 a part does not pass 'check'; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).");
 }
 
 }  // namespace
@@ -48,26 +48,13 @@ void add_program_options(CLI::App& app) {
 void add_commands(CLI::App& app, int& status) {
   app.formatter(std::make_shared<HelpFormat>());
   add_program_options(app);
-  for (const auto add : {add_run_command,
-                         add_sdf_command,
-                         add_normals_command,
-                         add_info_command,
-                         add_perturb_command,
-                         add_convert_command,
-                         add_segment_command,
-                         add_view_command,
-                         add_search_command,
-                         add_describe_command,
-                         add_distances_command,
-                         add_rerank_command,
-                         add_evaluate_command,
-                         add_compare_command,
-                         add_audit_command,
-                         add_leaderboard_command,
-                         add_segmentation_evaluation_command,
-                         add_measures_command,
-                         add_dataset_command,
-                         add_cache_command,
+  for (const auto add : {add_run_command,       add_sdf_command,         add_check_command,
+                         add_normals_command,   add_info_command,        add_perturb_command,
+                         add_convert_command,   add_segment_command,     add_view_command,
+                         add_search_command,    add_describe_command,    add_distances_command,
+                         add_rerank_command,    add_evaluate_command,    add_compare_command,
+                         add_audit_command,     add_leaderboard_command, add_segmentation_evaluation_command,
+                         add_measures_command,  add_dataset_command,     add_cache_command,
                          add_completion_command}) {
     add(app, status);
   }

@@ -125,6 +125,24 @@ Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& places) 
           {"directions", packed_directions(normals, places)}};
 }
 
+Json rounded_vector(const Eigen::Vector3d& vector) {
+  return {rounded_to_digits(vector[0], digits), rounded_to_digits(vector[1], digits),
+          rounded_to_digits(vector[2], digits)};
+}
+
+/// Encodes the regions, with positions relative to the middle of the box.
+Json packed_regions(const ShapeView& view) {
+  const Eigen::Vector3d middle = bounding_box(view.shape).center();
+  Json regions = Json::array();
+  for (const ViewRegion& region : view.regions) {
+    regions.push_back({{"text", region.text},
+                       {"position", rounded_vector(region.position - middle)},
+                       {"towards", rounded_vector(region.towards_viewer)},
+                       {"size", rounded_to_digits(region.size, digits)}});
+  }
+  return regions;
+}
+
 /// Returns the camera of the initial position.
 RenderOptions first_look(const ShapeView& view, RenderOptions look = {}) {
   if (!view.up) return principal_view(view.shape, look);
@@ -144,10 +162,7 @@ Json first_axes(const ShapeView& view) {
   const Eigen::Vector3d right = look.up.cross(towards).normalized();
   const Eigen::Vector3d up = towards.cross(right);
   Json axes = Json::array();
-  for (const Eigen::Vector3d& axis : {right, up, towards}) {
-    axes.push_back(
-        {rounded_to_digits(axis[0], digits), rounded_to_digits(axis[1], digits), rounded_to_digits(axis[2], digits)});
-  }
+  for (const Eigen::Vector3d& axis : {right, up, towards}) axes.push_back(rounded_vector(axis));
   return axes;
 }
 
@@ -204,6 +219,7 @@ Json shape_view_json(const ShapeView& view) {
     if (field.values(places).array().isFinite().any()) json["fields"].push_back(packed_field(field, places));
   }
   if (!view.parts.empty()) json["parts"] = packed_parts(view, places);
+  if (!view.regions.empty()) json["regions"] = packed_regions(view);
   if (view.normals.rows() > 0) json["directions"] = packed_directions(view.normals, places);
   return json;
 }

@@ -31,6 +31,14 @@ struct ViewField {
   std::optional<double> threshold = {};  ///< smaller values are red (below_threshold)
 };
 
+/// Listed region of a shape. A click turns the view there.
+struct ViewRegion {
+  std::string text;
+  Eigen::Vector3d position;
+  Eigen::Vector3d towards_viewer;  ///< direction from which it is shown
+  double size = 0;                 ///< of what is shown around the position
+};
+
 /// Interactive 3D view of a shape with its colourings. Its elements are faces or vertices, or the points of a cloud.
 struct ShapeView {
   std::string name;
@@ -43,6 +51,7 @@ struct ShapeView {
   Points normals = {};                    ///< unit or zero, one an element, or empty
   std::optional<Eigen::Vector3d> up =
       {};  ///< vertical direction of the initial position; if absent, that of principal_view()
+  std::vector<ViewRegion> regions = {};
 };
 
 /// Encodes the view for the page's scripts (pages/view/shape_data.mjs): coordinates in 65,536 steps of the longest side

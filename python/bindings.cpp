@@ -132,6 +132,7 @@ PYBIND11_MODULE(_native, module) {
   });
   module.def("with_arguments", &with_arguments);
   bind_shapes(module);
+  bind_check(module);
   bind_evaluation(module);
   bind_comparison(module);
   bind_search(module);

@@ -65,6 +65,7 @@ Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
 /// Adds functions to the module, by file.
 /// @{
 void bind_shapes(pybind11::module_& module);
+void bind_check(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
 void bind_comparison(pybind11::module_& module);
 void bind_search(pybind11::module_& module);

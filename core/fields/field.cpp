@@ -36,8 +36,8 @@ FieldComputation smoothed(FieldComputation field, const BilateralOptions& option
 }
 
 std::vector<FieldType> own_fields() {
-  return {offset_sdf_type(),  cone_sdf_type(),        inscribed_ball_type(), centricity_type(),
-          heat_kernel_type(), scale_invariant_type(), wave_kernel_type()};
+  return {offset_sdf_type(), cone_sdf_type(),    inscribed_ball_type(),  gap_type(),
+          centricity_type(), heat_kernel_type(), scale_invariant_type(), wave_kernel_type()};
 }
 
 void check_field_type(const FieldType& type) {

@@ -8,6 +8,7 @@ namespace shapegauge {
 FieldType offset_sdf_type();
 FieldType cone_sdf_type();
 FieldType inscribed_ball_type();
+FieldType gap_type();
 FieldType centricity_type();
 FieldType heat_kernel_type();
 FieldType scale_invariant_type();

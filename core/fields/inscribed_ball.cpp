@@ -2,11 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +29,7 @@ constexpr double largest_radius = 0.5;
 /// the ball by less than `skipped_difference` are skipped: around a sphere or a cylinder nearly all are equally near to
 /// the centre.
 constexpr int exact_leaves = 128;
+constexpr int few_exact_leaves = 4;  ///< of TouchingBalls::ball_at()
 constexpr double skipped_difference = 1e-3;
 
 /// Returns the distance in a shape's unit frame below which its points coincide: its coordinates, and those of samples
@@ -69,29 +72,105 @@ class TouchingBalls::Search {
   [[nodiscard]] double diameter_at(const Eigen::Vector3d& sample, const Eigen::Vector3d& normal, BallSide side) const {
     constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     if (normal.isZero(0)) return missing;
-    const Eigen::Vector3d point = frame_.to_unit(sample);
-    const Eigen::Vector3d direction = side == BallSide::inside ? -normal : normal;
-    const auto ball_of = [&](double radius) { return Ball{.centre = point + radius * direction, .radius = radius}; };
-    const OppositePoints opposite{direction, cone_cosine_, min_cosine_, rounding_};
-    double radius = largest_radius;
-    double limit = radius;
-    int leaves = 0;
-    Ball ball = ball_of(limit);
-    tree_.search({point, direction, cone_cosine_}, ball, [&](std::span<const std::int32_t> triangles, Ball& searched) {
-      for (const std::int32_t index : triangles) {
-        const double found = radius_at(point, normal, opposite, index, limit);
-        if (found < limit) radius = limit = found;
-      }
-      if (radius < largest_radius) ++leaves;
-      limit = leaves > exact_leaves ? (1 - skipped_difference) * radius : radius;
-      searched = ball_of(limit);
-    });
+    const double radius = stop_at(frame_.to_unit(sample), normal, side, largest_radius, exact_leaves).radius;
     return radius < largest_radius ? 2 * radius * frame_.diagonal : missing;
+  }
+
+  /// See TouchingBalls::ball_at().
+  [[nodiscard]] std::optional<TouchingBall> ball_at(const Eigen::Vector3d& sample, const Eigen::Vector3d& normal,
+                                                    BallSide side, double limit) const {
+    if (normal.isZero(0)) return std::nullopt;
+    const Eigen::Vector3d point = frame_.to_unit(sample);
+    const double start = std::min(largest_radius, limit / (2 * frame_.diagonal));
+    const Stop stop = stop_at(point, normal, side, start, few_exact_leaves);
+    if (!(stop.radius < start)) return std::nullopt;
+    const Eigen::Vector3d centre = point + stop.radius * direction_of(normal, side);
+    const Eigen::Vector3d contact = closest_point(tree_.triangle(stop.triangle), centre);
+    const double half_sine = std::min(1.0, (contact - point).norm() / (2 * stop.radius));
+    return TouchingBall{.diameter = 2 * stop.radius * frame_.diagonal,
+                        .contact = frame_.centre + frame_.diagonal * contact,
+                        .angle_degrees = 2 * std::asin(half_sine) / std::numbers::pi * 180};
+  }
+
+  /// See TouchingBalls::may_touch().
+  [[nodiscard]] bool may_touch(const Triangle& given, const Eigen::Vector3d& normal, BallSide side,
+                               double limit) const {
+    const Corners part{frame_.to_unit(given.a), frame_.to_unit(given.b), frame_.to_unit(given.c)};
+    const Eigen::Vector3d direction = direction_of(normal, side);
+    const Eigen::Vector3d middle = (part[0] + part[1] + part[2]) / 3;
+    double extent = 0;
+    for (const Eigen::Vector3d& corner : part) extent = std::max(extent, (corner - middle).norm());
+    // This cone contains those of all points of the part.
+    const double back = extent * cone_cosine_ / std::sqrt(1 - cone_cosine_ * cone_cosine_);
+    Ball ball{.centre = middle, .radius = extent + limit / frame_.diagonal};
+    bool found = false;
+    tree_.search({middle - back * direction, direction, cone_cosine_}, ball,
+                 [&](std::span<const std::int32_t> triangles, Ball& searched) {
+                   found = found || std::ranges::any_of(triangles, [&](std::int32_t index) {
+                             return is_opposite(index, part, middle, direction, ball.radius);
+                           });
+                   if (found) searched.radius = 0;
+                 });
+    return found;
   }
 
   bool parallel;
 
  private:
+  using Corners = std::array<Eigen::Vector3d, 3>;
+
+  /// Radius and triangle, or point, at which a ball stops.
+  struct Stop {
+    double radius;
+    std::int32_t triangle;
+  };
+
+  static Eigen::Vector3d direction_of(const Eigen::Vector3d& normal, BallSide side) {
+    return side == BallSide::inside ? Eigen::Vector3d(-normal) : normal;
+  }
+
+  /// Shrinks a ball from the radius `start`, which is the result if nothing stops the ball before. `exact` leaves are
+  /// searched exactly.
+  [[nodiscard]] Stop stop_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, BallSide side, double start,
+                             int exact) const {
+    const Eigen::Vector3d direction = direction_of(normal, side);
+    const auto ball_of = [&](double radius) { return Ball{.centre = point + radius * direction, .radius = radius}; };
+    const OppositePoints opposite{direction, cone_cosine_, min_cosine_, rounding_};
+    Stop stop{.radius = start, .triangle = -1};
+    double limit = start;
+    int leaves = 0;
+    Ball ball = ball_of(limit);
+    tree_.search({point, direction, cone_cosine_}, ball, [&](std::span<const std::int32_t> triangles, Ball& searched) {
+      for (const std::int32_t index : triangles) {
+        const double found = radius_at(point, normal, opposite, index, limit);
+        if (found < limit) stop = {.radius = limit = found, .triangle = index};
+      }
+      if (stop.radius < start) ++leaves;
+      limit = leaves > exact ? (1 - skipped_difference) * stop.radius : stop.radius;
+      searched = ball_of(limit);
+    });
+    return stop;
+  }
+
+  /// Returns true if a triangle may be opposite to a point of a part of the surface, within a distance from its middle.
+  [[nodiscard]] bool is_opposite(std::int32_t index, const Corners& part, const Eigen::Vector3d& middle,
+                                 const Eigen::Vector3d& direction, double distance) const {
+    const Triangle& triangle = tree_.triangle(index);
+    const Eigen::Vector3d& normal = normals_[static_cast<std::size_t>(index)];
+    const double depth = direction.dot(middle) + rounding_;
+    if (direction.dot(triangle.a) < depth && direction.dot(triangle.b) < depth && direction.dot(triangle.c) < depth) {
+      return false;
+    }
+    const double cosine = normal.dot(direction);
+    if (normal.isZero(0) || std::abs(cosine) < min_cosine_ - rounding_) return false;
+    // The side of the triangle that faces away from the part.
+    const auto faces_away = [&](const Eigen::Vector3d& corner) {
+      return std::copysign(1.0, cosine) * normal.dot(triangle.a - corner) > -rounding_;
+    };
+    if (min_cosine_ > 0 && std::ranges::none_of(part, faces_away)) return false;
+    return (closest_point(triangle, middle) - middle).norm() <= distance;
+  }
+
   /// Returns the radius at which a triangle, or a point of a cloud, stops the ball; infinity if it does not; any value
   /// above the limit if the radius is not below it.
   [[nodiscard]] double radius_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
@@ -134,6 +213,15 @@ Eigen::VectorXd TouchingBalls::diameters(const Samples& samples, BallSide side) 
     diameters[i] = search_->diameter_at(samples.points.row(i).transpose(), samples.normals.row(i).transpose(), side);
   });
   return diameters;
+}
+
+std::optional<TouchingBall> TouchingBalls::ball_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                                                   BallSide side, double limit) const {
+  return search_->ball_at(point, normal, side, limit);
+}
+
+bool TouchingBalls::may_touch(const Triangle& part, const Eigen::Vector3d& normal, BallSide side, double limit) const {
+  return search_->may_touch(part, normal, side, limit);
 }
 
 Eigen::VectorXd inscribed_ball(const Shape& shape, const Samples& samples, const InscribedBallOptions& options) {

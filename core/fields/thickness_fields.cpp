@@ -77,14 +77,23 @@ FieldComputation cone_sdf_field(const ParameterValues& values, const SamplePlan&
           }};
 }
 
-FieldComputation inscribed_ball_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+/// Returns the field of the balls on a side of the surface.
+FieldComputation touching_ball_field(const ParameterValues& values, BallSide side) {
   return {.versions = {{"inscribed_ball", inscribed_ball_version}},
-          .compute = [options = options_from(inscribed_ball_table, values)](const FieldSource& source,
-                                                                            const Samples& samples, bool parallel) {
+          .compute = [options = options_from(inscribed_ball_table, values), side](
+                         const FieldSource& source, const Samples& samples, bool parallel) {
             InscribedBallOptions now = options;
             now.parallel = parallel;
-            return FieldValues{.values = inscribed_ball(source.shape(), samples, now)};
+            return FieldValues{.values = TouchingBalls(source.shape(), now).diameters(samples, side)};
           }};
+}
+
+FieldComputation inscribed_ball_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+  return touching_ball_field(values, BallSide::inside);
+}
+
+FieldComputation gap_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+  return touching_ball_field(values, BallSide::outside);
 }
 
 }  // namespace
@@ -110,6 +119,14 @@ FieldType inscribed_ball_type() {
           {parameters.begin(), parameters.end()},
           inscribed_ball_field,
           true};
+}
+
+FieldType gap_type() {
+  constexpr auto parameters = parameters_of(inscribed_ball_table);
+  return {"gap",
+          "Width of a gap: diameter of the largest empty ball that touches the surface at the sample from outside.",
+          {parameters.begin(), parameters.end()},
+          gap_field};
 }
 
 }  // namespace shapegauge

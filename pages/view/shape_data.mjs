@@ -81,6 +81,7 @@ export function unpackShape(packed) {
   const surface = packed.radii ? unpackCloud(packed, points, radius) : unpackMesh(packed, points);
   return {
     name, note, picture, axes, radius,
+    regions: packed.regions || [],
     ...surface,
     ...measureTriangles(surface),
     directions: packed.directions ? directionsOf(packed.directions) : null,

@@ -6,6 +6,7 @@ import { belowColour } from '../common/constants.mjs';
 import { tipHead, tipLine, tooltip } from '../common/tooltip.mjs';
 import { number } from '../common/words.mjs';
 import { binsOf, channelsOf, scaleOf, shownBy } from './channels.mjs';
+import { cameraAt, regionList } from './regions.mjs';
 import { unpackShape } from './shape_data.mjs';
 import { DrawnShape, glRenderer } from './shape_drawing.mjs';
 import { listenToTurning } from './turning.mjs';
@@ -89,7 +90,8 @@ export class ShapeView {
     const note = make('span', { class: 'count' }, shape.note ? ` ${shape.note}` : '');
     cell.figure = make('figure', { class: 'view-cell' },
       make('figcaption', {}, make('b', {}, shape.name), note),
-      make('div', { class: 'view-stage' }, picture, cell.canvas), cell.bars);
+      make('div', { class: 'view-stage' }, picture, cell.canvas), cell.bars,
+      shape.regions.length ? regionList(shape.regions, (region) => this.goTo(cell, region)) : null);
     if (this.live) {
       listenToTurning(cell.canvas, {
         turn: (x, y) => this.turn(x, y),
@@ -124,6 +126,12 @@ export class ShapeView {
     this.camera.turn.set(0, 0, 0, 1);
     this.camera.zoom = 1;
     this.camera.shift.set(0, 0);
+    this.schedule();
+  }
+
+  goTo({ drawn, shape }, region) {
+    if (!this.live) return;
+    Object.assign(this.camera, cameraAt(region, shape.radius, drawn.upright));
     this.schedule();
   }
 

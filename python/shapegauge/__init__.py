@@ -10,13 +10,15 @@ threads; its warnings are Python warnings. Ctrl-C stops computations.
 """
 
 from ._native import InputError, version as _version
+from ._check import CheckReport, ThinRegion, check
 from ._evaluation import Comparison, Scores, compare, distances, evaluate, fuse, rerank
 from ._run import Run, run
 from ._search import Answer, Found, Index
 from ._shapes import ScalarField, Shape, describe, field, normals, read, sdf, segment, write
 
 __all__ = [
-    "Answer", "Comparison", "Found", "Index", "InputError", "Run", "ScalarField", "Scores", "Shape", "compare", "describe",
-    "distances", "evaluate", "field", "fuse", "normals", "read", "rerank", "run", "sdf", "segment", "write",
+    "Answer", "CheckReport", "Comparison", "Found", "Index", "InputError", "Run", "ScalarField", "Scores", "Shape",
+    "ThinRegion", "check", "compare", "describe", "distances", "evaluate", "field", "fuse", "normals", "read", "rerank",
+    "run", "sdf", "segment", "write",
 ]
 __version__ = _version()

@@ -45,6 +45,10 @@ def write(path: str, vertices: ndarray, faces: ndarray, normals: ndarray) -> Opt
 def field(
     vertices: ndarray, faces: ndarray, normals: ndarray, settings: str, threads: int
 ) -> dict[str, Any]: ...
+def check(
+    vertices: ndarray, faces: ndarray, min_wall: float, min_gap: float, min_area: float, separation_angle_degrees: float,
+    threads: int
+) -> dict[str, Any]: ...
 def segment(
     vertices: ndarray, faces: ndarray, normals: ndarray, settings: str, threads: int
 ) -> tuple[ndarray, list[str]]: ...

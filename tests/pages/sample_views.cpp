@@ -19,6 +19,7 @@ ShapeView balls() {
   std::fill(view.parts.begin() + faces, view.parts.end(), 1);
   view.part_colours = {Colour{200, 40, 40}, Colour{40, 40, 200}};
   view.normals = samples.normals;
+  view.regions = {{.text = "small <ball>", .position = {2.25, 0, 0}, .towards_viewer = {1, 0, 0}, .size = 0.5}};
   return view;
 }
 

@@ -139,6 +139,11 @@ TEST(ShapeViewJson, PartsAndNormalsAreThereOrNot) {
   const std::vector<int> parts = shorts_of(json["parts"]["values"]);
   EXPECT_TRUE(std::equal(parts.begin(), parts.end(), view.parts.begin(), view.parts.end()));
   EXPECT_EQ(json["parts"]["colours"], (Json{"#c82828", "#2828c8"}));
+  // From the middle of the box, whose x is from -1 to 2.25.
+  EXPECT_EQ(
+      json["regions"],
+      Json::array(
+          {{{"text", "small <ball>"}, {"position", {1.625, 0.0, 0.0}}, {"towards", {1.0, 0.0, 0.0}}, {"size", 0.5}}}));
   const Bytes directions = bytes_of(json["directions"]);
   ASSERT_EQ(std::ssize(directions), 3 * view.shape.triangles.rows());
   for (std::size_t i = 0; i < directions.size(); ++i) {

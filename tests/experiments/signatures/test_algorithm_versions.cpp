@@ -39,8 +39,10 @@ struct Summary {
   double area = 0;       ///< sum of the weights
 };
 
-Summary summary_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+/// Missing values count as 0.
+Summary summary_of(const Eigen::VectorXd& computed, const Eigen::VectorXd& weights) {
   Summary summary{.area = weights.sum()};
+  const Eigen::VectorXd values = computed.array().isNaN().select(0, computed);
   summary.mean = values.dot(weights) / summary.area;
   summary.deviation = std::sqrt((values.array() - summary.mean).square().matrix().dot(weights) / summary.area);
   return summary;
@@ -122,6 +124,7 @@ const std::vector<Recorded> field_records{
              {{0.22272871256, 0.0787247009245, 1},
               {0.158263004725, 0.00621857897796, 1},
               {0.28339756369, 0.239867872997, 1}}},
+    Recorded{{{"type", "gap"}}, {{"inscribed_ball", 2}}, {{0, 0, 1}, {0.0484164269326, 0.128635874813, 1}, {0, 0, 1}}},
     Recorded{{{"type", "centricity"}, {"sources", 10}},
              {{"centricity", 2}},
              {{0.733580482658, 0.00835312157243, 1},

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/fields/inscribed_ball.h"
+#include "shapegauge/core/shape/shape.h"
+
+/// Parts of faces that are below a limit of thickness; not part of the public interface.
+namespace shapegauge {
+
+/// Triangular part of a face.
+struct Cell {
+  std::array<Eigen::Vector3d, 3> corners;
+  std::int32_t face = 0;
+  std::int32_t origin = 0;  ///< index of the cell that was divided
+};
+
+/// Returns the faces of a mesh as cells, without degenerate and duplicate ones.
+std::vector<Cell> cells_of(const Shape& mesh);
+
+/// Cell of which at least a part is below the limit.
+struct ThinCell {
+  Cell cell;
+  double area = 0;                                 ///< of the part below the limit
+  std::array<std::optional<double>, 3> diameters;  ///< near the corners; nothing if not below the limit
+  double edge_share = 0;                           ///< fraction of these whose angle is below `wall_angle`
+};
+
+/// Least contact angle of walls; below are edges (ThinRegion::is_edge()), in degrees.
+inline constexpr double wall_angle = 150;
+
+/// Division of cells into those below a limit, at least in part, and others.
+struct DividedCells {
+  std::vector<ThinCell> thin;
+  std::vector<Cell> others;
+
+  /// Returns all cells, first those below the limit.
+  [[nodiscard]] std::vector<Cell> all() const;
+};
+
+/// Ball below the limit and the point of the surface that it touches.
+struct MeasuredPoint {
+  Eigen::Vector3d position;
+  TouchingBall ball;
+};
+
+/// Finds the parts of a mesh's surface that are below a limit.
+class CellSampler {
+ public:
+  /// Size of cells along the border of a region, as a fraction of the limit.
+  static constexpr double border_size = 1.0 / 8;
+
+  /// Keeps references to mesh and balls.
+  CellSampler(const Shape& mesh, const TouchingBalls& balls, BallSide side, double limit, bool parallel);
+
+  /// Divides cells until those below the limit are smaller than spacing().
+  [[nodiscard]] DividedCells divide(std::vector<Cell> cells) const;
+
+  /// Returns the smallest ball near a thin cell: descends into the half with the smaller one.
+  [[nodiscard]] MeasuredPoint least_near(const ThinCell& thin) const;
+
+  [[nodiscard]] double limit() const { return limit_; }
+
+  /// Returns the largest size of sampled cells: the limit, or more on a mesh of a very large area.
+  [[nodiscard]] double spacing() const { return spacing_; }
+
+ private:
+  /// What examine() makes of a cell.
+  struct Finding {
+    bool split = false;
+    std::optional<ThinCell> thin = {};
+  };
+
+  [[nodiscard]] Finding examine(const Cell& cell) const;
+  [[nodiscard]] std::optional<TouchingBall> ball_at(const Cell& cell, const Eigen::Vector3d& point) const;
+  [[nodiscard]] double crossing(const Cell& cell, const Eigen::Vector3d& below, const Eigen::Vector3d& above) const;
+  [[nodiscard]] double share_below(const ThinCell& thin) const;
+
+  const Shape& mesh_;
+  const TouchingBalls& balls_;
+  BallSide side_;
+  double limit_;
+  bool parallel_;
+  double spacing_;
+};
+
+}  // namespace shapegauge

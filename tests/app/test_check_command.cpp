@@ -1,0 +1,75 @@
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/core/io/off.h"
+#include "tests/app/program.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using testing::HasSubstr;
+
+/// Checks a plate of thickness 1.
+class CheckCommand : public testing::Test {
+ protected:
+  CheckCommand() { write_off(file_, test::box({20, 12, 1}, 1)); }
+
+  [[nodiscard]] Outcome check(const std::string& options) const {
+    return run_executable("check '" + file_ + "' " + options);
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+  std::string file_ = (folder_.path() / "plate.off").string();
+};
+
+TEST_F(CheckCommand, StatusSaysWhetherThePartPasses) {
+  const Outcome thin = check("--unit mm --min-wall 1.2 --min-gap 0.5");
+  EXPECT_EQ(thin.status, 3) << thin.errors;
+  EXPECT_THAT(thin.output, HasSubstr("thin walls below 1.2 mm: 2\n"));
+  EXPECT_THAT(thin.output, HasSubstr("narrow gaps below 0.5 mm: none\n"));
+  EXPECT_THAT(thin.output, HasSubstr("does not pass: 2 thin walls\n"));
+  const Outcome thick = check("--unit mm --min-wall 900um");
+  EXPECT_EQ(thick.status, 0) << thick.errors;
+  EXPECT_THAT(thick.output, HasSubstr("\npasses\n"));
+}
+
+TEST_F(CheckCommand, JsonAndCsvListTheRegions) {
+  const auto json = nlohmann::json::parse(check("--min-wall 1.2 --format json").output);
+  EXPECT_EQ(json["passes"], false);
+  EXPECT_EQ(json["voids"], 0);
+  EXPECT_TRUE(json["gaps"].is_null());
+  ASSERT_EQ(json["walls"]["regions"].size(), 2);
+  const auto& region = json["walls"]["regions"][0];
+  EXPECT_EQ(region["kind"], "wall");
+  EXPECT_NEAR(region["area"].get<double>(), 240, 1e-6);
+  EXPECT_NEAR(region["least"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(region["short_by"].get<double>(), 0.2, 1e-9);
+  EXPECT_EQ(region["faces"].size(), 2);
+  const Outcome csv = check("--min-wall 1.2 --format csv");
+  EXPECT_EQ(csv.status, 3);
+  EXPECT_THAT(csv.output, testing::StartsWith("file,kind,region,area,least,median,short_by,edge_share,x,y,z,"));
+  EXPECT_EQ(std::ranges::count(csv.output, '\n'), 3);
+}
+
+TEST_F(CheckCommand, WrongLimitsAreRefused) {
+  const std::vector<std::pair<std::string, std::string>> refused{{"", "--min-wall"},
+                                                                 {"--min-wall 0", "--min-wall"},
+                                                                 {"--min-wall thin", "--min-wall"},
+                                                                 {"--min-gap 1mm", "--unit"},
+                                                                 {"--min-gap 1 --min-area -1", "area"}};
+  for (const auto& [options, word] : refused) {
+    const Outcome outcome = check(options);
+    EXPECT_EQ(outcome.status, 2) << options;
+    EXPECT_THAT(outcome.errors, HasSubstr(word)) << options;
+  }
+}
+
+}  // namespace
+
+}  // namespace shapegauge
