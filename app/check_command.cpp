@@ -92,7 +92,8 @@ CheckedPart checked_part(const Shape& shape, const std::string& input, const Che
   }
 }
 
-int run(const CheckArguments& arguments) {
+int run(CheckArguments& arguments) {
+  take_unit_of_files(arguments.unit, arguments.files.inputs);
   const CheckOptions options = options_of(arguments);
   if (is_standard_stream(arguments.files.output)) {
     throw InputError("the report is written to standard output; --output must be a file");
