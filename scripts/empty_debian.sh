@@ -14,7 +14,7 @@ debian_mirror() {
     awk -v release="$(. /etc/os-release && echo "$VERSION_CODENAME")" '$2 == "Debian" && $3 == release { print $1; exit }'
 }
 
-# make_empty_debian RELEASE ROOT: makes it, with git and certificates only, in a folder that does not exist. A packed copy
+# make_empty_debian RELEASE ROOT: makes it, with the lists of packages, with git and certificates only, in a folder that does not exist. A packed copy
 # beside the build is used for a day. Packages that this machine has downloaded are shared.
 make_empty_debian() {
   local release=$1 root=$2 packed=build/empty-$1.tar
@@ -33,7 +33,8 @@ make_empty_debian() {
   mount -t proc proc "$root/proc" || return 1
   mount --bind /dev "$root/dev" || return 1
   mount -t devpts devpts "$root/dev/pts" || return 1
-  mount --bind /var/cache/apt/archives "$root/var/cache/apt/archives"
+  mount --bind /var/cache/apt/archives "$root/var/cache/apt/archives" || return 1
+  inside "$root" apt-get --quiet update >&2
 }
 
 # remove_empty_debian ROOT: unmounts what was mounted, and removes the folder.
