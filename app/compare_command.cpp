@@ -14,6 +14,7 @@
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
 #include "shapegauge/datasets/files/json_text.h"
@@ -34,7 +35,7 @@ struct CompareArguments {
   std::vector<fs::path> inputs;
   EvaluationArguments evaluation;
   std::vector<std::string> of_distances;  // given options that act on distances only
-  ResamplingArguments resampling{.blocks = "classes", .confidence = 0.95, .resampling = {}};
+  ResamplingArguments resampling{.blocks = "queries", .confidence = 0.95, .resampling = {}};
   std::string test = "randomization";
   std::string average = "micro";
   std::string reference;
@@ -233,9 +234,11 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
                         const ComparisonOptions& options) {
   return fmt::format(
       "{} queries of {}, protocol {}, {} averages, {:g} % intervals and tests over {}.\n"
-      "A letter after a score: significantly better than that method ({} test, Holm's correction, p <= {:g}).\n",
-      methods.classes.size(), fmt::format("{} {}", comparisons[0].units, name_of(options.blocks)), methods.protocol,
-      name_of(options.average), 100 * options.confidence, name_of(options.blocks), name_of(options.test),
+      "A letter after a score: significantly better than that method on {} ({} test, Holm's correction, p <= {:g}).\n"
+      "A letter with *: on classes like these (p_classes: t-test of the means of classes, Holm's correction).\n",
+      methods.classes.size(), count_text(comparisons[0].classes, "class", "classes"), methods.protocol,
+      name_of(options.average), 100 * options.confidence, name_of(options.blocks),
+      options.blocks == ResamplingUnit::queries ? "these classes" : "classes like these", name_of(options.test),
       1 - options.confidence);
 }
 
@@ -284,8 +287,8 @@ int run(const CompareArguments& arguments) {
     warnings.push_back(*few);
   }
   write_compared(arguments, compared, aligned, comparisons);
-  print_output("{}", formatted_comparison(aligned, comparisons, options, arguments));
   print_warnings(warnings);
+  print_output("{}", formatted_comparison(aligned, comparisons, options, arguments));
   return exit_success;
 }
 

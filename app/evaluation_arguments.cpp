@@ -112,7 +112,9 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   begin_option_group(command, "Statistics");
   command.add_option("--confidence", arguments.confidence, "Confidence level of intervals, such as 0.95")
       ->check(within<double>(confidence_bounds));
-  command.add_option("--blocks", arguments.blocks, "Unit of resampling: classes, or queries as if independent")
+  command
+      .add_option("--blocks", arguments.blocks,
+                  "Unit of resampling: queries (claims about these classes), or classes (about classes like these)")
       ->check(CLI::IsMember(resampling_unit_names()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")

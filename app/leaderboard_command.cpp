@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 struct LeaderboardArguments {
   std::vector<fs::path> submissions;
   EvaluationArguments evaluation;
-  ResamplingArguments resampling{.blocks = "classes", .confidence = 0.95, .resampling = {}};
+  ResamplingArguments resampling{.blocks = "queries", .confidence = 0.95, .resampling = {}};
   CacheOption cache;
   fs::path output;
   std::string title = "Leaderboard";
@@ -139,6 +139,7 @@ int run_leaderboard(const LeaderboardArguments& arguments) {
     });
   }
   write_outputs(board, options, arguments);
+  if (const auto few = few_classes_warning(board, options.standings)) warn(*few);
   print_output("{}", formatted_leaderboard(board, options, arguments));
   for (const std::string& warning : cache.warnings()) warn(warning);
   return report_submissions(board, found);

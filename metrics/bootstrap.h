@@ -16,10 +16,9 @@ namespace shapegauge {
 
 /// Unit of resampling and randomisation.
 ///
-/// classes: all queries of a class together. The queries of one matrix are not independent: one outlier of a class
-/// affects the answers to all of the class's queries. Classes can be assumed to be independent samples of a population.
-/// queries: each query separately, as if they were independent. Intervals are then too narrow and tests too liberal;
-/// for comparison with published scores only.
+/// classes: all queries of a class together, for claims about classes like these, which are a random sample. queries:
+/// each query separately, for claims about further queries of these classes. These are weaker: scores of one class are
+/// correlated, so that many queries of a class say little about other classes.
 enum class ResamplingUnit { classes, queries };
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<ResamplingUnit>{"classes", "queries"};

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -71,7 +74,22 @@ double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
     case PairTest::randomisation:
       break;
   }
-  return std::max(of_resamples, std::pow(2.0, 1.0 - static_cast<double>(units)));
+  return smallest_tukey_p_value(2, units, options.resampling);
+}
+
+double class_p_value(const Eigen::VectorXd& differences, std::span<const int> classes) {
+  const Eigen::VectorXd means = units_of(differences, classes, ResamplingUnit::classes, Average::macro).values;
+  if (means.size() < 2 || means.mean() * differences.mean() <= 0) return 1;
+  const bool equal = (means.array() - means[0]).abs().maxCoeff() <= score_rounding * std::abs(means[0]);
+  return equal ? std::pow(2.0, 1.0 - static_cast<double>(means.size())) : paired_t_test(means).p;
+}
+
+double min_class_effect(std::size_t classes, std::size_t pairs, double alpha) {
+  if (classes < 2) return std::numeric_limits<double>::infinity();
+  const auto count = static_cast<double>(classes);
+  const boost::math::students_t student(count - 1);
+  const double tail = alpha / static_cast<double>(2 * pairs);
+  return boost::math::quantile(boost::math::complement(student, tail)) / std::sqrt(count);
 }
 
 MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<const int> classes,
@@ -83,9 +101,11 @@ MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<con
   const Eigen::MatrixXd tukey = tukey_hsd_p_values(units, options.resampling);
   MethodComparison comparison;
   comparison.units = units.values.rows();
+  comparison.classes = std::ssize(std::set(classes.begin(), classes.end()));
   comparison.averages = averages_of(units);
   comparison.intervals = percentile_intervals(resampled, comparison.units, options.confidence);
   std::vector<double> p_values;
+  std::vector<double> class_p_values;
   for (const auto& [first, second] : pairs_of(static_cast<std::size_t>(per_query.cols()), options.reference)) {
     const auto a = static_cast<Eigen::Index>(first);
     const auto b = static_cast<Eigen::Index>(second);
@@ -102,10 +122,15 @@ MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<con
     pair.effect_size = effect_size(contributions(differences, units.weights));
     pair.queries = win_tie_loss(score_differences(per_query.col(a), per_query.col(b)));
     p_values.push_back(pair.p);
+    class_p_values.push_back(class_p_value(per_query.col(a) - per_query.col(b), classes));
     comparison.pairs.push_back(pair);
   }
   const std::vector<double> adjusted = holm_adjusted(p_values);
-  for (std::size_t i = 0; i < adjusted.size(); ++i) comparison.pairs[i].p_holm = adjusted[i];
+  const std::vector<double> adjusted_by_class = holm_adjusted(class_p_values);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) {
+    comparison.pairs[i].p_holm = adjusted[i];
+    comparison.pairs[i].p_classes = adjusted_by_class[i];
+  }
   return comparison;
 }
 

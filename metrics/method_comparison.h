@@ -31,7 +31,7 @@ std::vector<std::string> pair_test_names();
 /// Options of a comparison.
 struct ComparisonOptions {
   PairTest test = PairTest::randomisation;
-  ResamplingUnit blocks = ResamplingUnit::classes;
+  ResamplingUnit blocks = ResamplingUnit::queries;
   Average average = Average::micro;
   double confidence = 0.95;
   std::optional<std::size_t> reference{};  ///< method that is compared with each other one; all pairs if not set
@@ -41,7 +41,8 @@ struct ComparisonOptions {
 /// Parameters of ComparisonOptions.
 inline constexpr std::array comparison_table = {
     option_of<&ComparisonOptions::test>("test", "Significance test of each pair."),
-    option_of<&ComparisonOptions::blocks>("blocks", "Unit of resampling: classes, or queries as if independent."),
+    option_of<&ComparisonOptions::blocks>(
+        "blocks", "Unit of resampling: queries (claims about these classes), or classes (about classes like these)."),
     option_of<&ComparisonOptions::average>("average", "Average over queries (micro) or over classes (macro)."),
     option_of<&ComparisonOptions::confidence>("confidence", confidence_bounds, "Confidence level of intervals."),
     option_within<&ComparisonOptions::resampling, resampling_table, 0>(),
@@ -57,6 +58,7 @@ struct PairDifference {
   double p = 1;
   double p_holm = 1;       ///< Holm's correction for all pairs of this comparison
   double p_tukey = 1;      ///< randomised Tukey HSD of all methods
+  double p_classes = 1;    ///< class_p_value(), with Holm's correction for all pairs
   double effect_size = 0;  ///< of the units' differences
   WinTieLoss queries{};
 };
@@ -67,12 +69,23 @@ struct MethodComparison {
   std::vector<ConfidenceInterval> intervals;  ///< of the averages
   std::vector<PairDifference> pairs;
   Eigen::Index units = 0;  ///< number of classes or queries
+  Eigen::Index classes = 0;
 };
 
 /// Returns the smallest possible p-value of a pair's test for a number of units. Randomisation exchanges two methods in
 /// n units in 2^n ways, half of which differ by their sign only. With B resamples no p-value is below 1 / (B + 1). 0 if
 /// there is no bound (t).
 double smallest_p_value(const ComparisonOptions& options, Eigen::Index units);
+
+/// Returns the p-value of the claim that a difference holds for classes like these: Student's t-test of the mean
+/// differences of the classes, all of equal weight, in the direction of the average over the queries. The classes are
+/// taken as a random sample (docs/notes/significance.md). 1 for one class, or if the average over queries and the mean
+/// over classes have different signs; 2^(1 - n) for n classes with equal differences. `differences` are by query.
+double class_p_value(const Eigen::VectorXd& differences, std::span<const int> classes);
+
+/// Returns the smallest effect size of class means whose class_p_value() can be significant at `alpha` after Holm's
+/// correction for a number of pairs. Infinite for one class.
+double min_class_effect(std::size_t classes, std::size_t pairs, double alpha);
 
 /// Compares methods by their values on the same queries: per_query is queries x methods, classes[i] the class of query
 /// i. Throws ArgumentError for fewer than two methods or two units, a value that is not finite, and a reference or an

@@ -13,7 +13,7 @@ namespace shapegauge {
 
 /// Options of standings.
 struct StandingOptions {
-  ResamplingUnit blocks = ResamplingUnit::classes;
+  ResamplingUnit blocks = ResamplingUnit::queries;
   Average average = Average::micro;
   double confidence = 0.95;
   ResamplingOptions resampling{};

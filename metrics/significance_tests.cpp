@@ -115,6 +115,12 @@ Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOpti
   return p_values;
 }
 
+double smallest_tukey_p_value(Eigen::Index methods, Eigen::Index units, const ResamplingOptions& options) {
+  if (methods < 2 || units < 2) return 1;
+  const auto k = static_cast<double>(methods);
+  return std::max(1.0 / (1.0 + options.resamples), std::pow(k * (k - 1), 1.0 - static_cast<double>(units)));
+}
+
 std::vector<double> holm_adjusted(std::span<const double> p_values) {
   const std::vector<std::size_t> ascending = ascending_order(p_values);
   std::vector<double> adjusted(p_values.size());

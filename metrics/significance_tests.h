@@ -36,6 +36,11 @@ PairedT paired_t_test(const Eigen::VectorXd& differences);
 /// without resamples or units.
 Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOptions& options = {});
 
+/// Returns the smallest p-value that tukey_hsd_p_values() can have. k methods can be shuffled within n units such that
+/// one has the largest and one the smallest value of each, for any two methods, with probability (k (k - 1))^(1 - n).
+/// With B resamples no p-value is below 1 / (B + 1). 1 for fewer than two methods or units.
+double smallest_tukey_p_value(Eigen::Index methods, Eigen::Index units, const ResamplingOptions& options);
+
 /// Adjusts p-values for multiple testing by Holm's method, which controls the family-wise error rate under any
 /// dependence. With p-values in ascending order, the i-th of m becomes the maximum of (m - j + 1) p_j for j <= i, at
 /// most 1. Holm, "A simple sequentially rejective multiple test procedure", Scandinavian Journal of Statistics 6, 1979.

@@ -165,7 +165,7 @@ TextTable mesh_table(const SegmentationScores& scores) {
 std::optional<MethodComparison> rand_comparison(const SegmentationScores& scores) {
   const Eigen::MatrixXd table = rand_errors(scores);
   if (scores.classes.size() < 2 || scores.methods.size() < 2 || !table.allFinite()) return std::nullopt;
-  return compare_methods(table, scores.labels, {.average = Average::macro});
+  return compare_methods(table, scores.labels, {.blocks = ResamplingUnit::classes, .average = Average::macro});
 }
 
 TextTable interval_table(const SegmentationScores& scores, const MethodComparison& comparison) {

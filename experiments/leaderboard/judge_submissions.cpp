@@ -239,14 +239,25 @@ AlignedMethods aligned(const std::vector<MethodScores>& scores) {
   return one;
 }
 
-void add_standings(const AlignedMethods& methods, StandingOptions options, Leaderboard& board) {
+// Returns standings by the means of classes, which are also the units of the tests. Letters are capitals.
+std::vector<MethodStanding> class_standings(const Eigen::MatrixXd& values, std::span<const int> classes,
+                                            StandingOptions options) {
+  options.average = Average::macro;
+  options.blocks = ResamplingUnit::classes;
+  std::vector<MethodStanding> standings = standings_of(values, classes, options);
+  for (MethodStanding& standing : standings) {
+    std::ranges::transform(standing.letters, standing.letters.begin(),
+                           [](char c) { return c == '-' ? c : static_cast<char>(c - 'a' + 'A'); });
+  }
+  return standings;
+}
+
+void add_standings(const AlignedMethods& methods, const StandingOptions& options, Leaderboard& board) {
   const std::vector<int>& classes =
       methods.classes.empty() ? board.submissions.front().evaluation.query_classes : methods.classes;
   for (const Eigen::MatrixXd& values : methods.values) {
-    options.average = Average::micro;
     board.micro.push_back(standings_of(values, classes, options));
-    options.average = Average::macro;
-    board.macro.push_back(standings_of(values, classes, options));
+    board.macro.push_back(class_standings(values, classes, options));
   }
 }
 

@@ -38,7 +38,7 @@ struct JudgingOptions {
   EvaluationFiles files;  ///< labels or judgements; `matrix` is unused, and the other settings are defaults for
                           ///< submissions that do not set them
   EvaluationOptions evaluation;
-  StandingOptions standings;  ///< without the average, as both are computed
+  StandingOptions standings;  ///< of averages over queries; those over classes are tested over classes
   std::string rank_by{};      ///< measure; if empty, mAP or, without it, the first one
   bool hide_classes = false;  ///< omit from pages what tells the class of a model
 };
@@ -64,7 +64,7 @@ struct Leaderboard {
   std::vector<std::string> class_names;            ///< by class
   std::vector<int> labels;                         ///< class of each target
   std::vector<std::vector<MethodStanding>> micro;  ///< by measure, by submission: averages over queries
-  std::vector<std::vector<MethodStanding>> macro;  ///< averages over classes: by measure, by submission
+  std::vector<std::vector<MethodStanding>> macro;  ///< averages over classes, with capital letters
 };
 
 /// Receives the current submission and the progress.

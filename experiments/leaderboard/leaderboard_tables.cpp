@@ -4,7 +4,9 @@
 #include <functional>
 #include <set>
 
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/version.h"
+#include "shapegauge/metrics/significance_tests.h"
 
 namespace shapegauge {
 
@@ -64,7 +66,8 @@ TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, b
     for (std::size_t k = 0; k < board.measures.size(); ++k) {
       const MethodStanding& standing = board.micro[k][i];
       row.push_back(score_text(standing.average, style) + (intervals ? interval_beside(standing, style) : ""));
-      table.emphases.push_back({.row = i, .column = 2 + k, .bold = false, .mark = standing.letters});
+      const std::string mark = standing.letters + " " + board.macro[k][i].letters;
+      table.emphases.push_back({.row = i, .column = 2 + k, .bold = false, .mark = mark});
     }
     table.rows.push_back(std::move(row));
   }
@@ -97,6 +100,30 @@ TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& styl
   return table;
 }
 
+std::string significance_words(const Leaderboard& board, const StandingOptions& options) {
+  std::string words = fmt::format(
+      "{:g} % bootstrap intervals. Methods that share a small letter do not differ significantly {} (test over {}); "
+      "those that share a capital do not on classes like these (test over classes, which have equal weights). "
+      "Randomised Tukey HSD, p > {:.3g}: it compares all methods at once, and one that is far worse than the others "
+      "can "
+      "hide differences between these.",
+      100 * options.confidence,
+      options.blocks == ResamplingUnit::queries ? "on these classes" : "on classes like these", name_of(options.blocks),
+      1 - options.confidence);
+  if (const auto few = few_classes_warning(board, options)) words += fmt::format(" {}.", *few);
+  return words;
+}
+
+std::optional<std::string> few_classes_warning(const Leaderboard& board, const StandingOptions& options) {
+  const Eigen::Index classes = std::ssize(board.submissions.front().evaluation.classes);
+  const Eigen::Index methods = std::ssize(board.submissions);
+  const double smallest = smallest_tukey_p_value(methods, classes, options.resampling);
+  if (methods < 2 || smallest <= 1 - options.confidence) return std::nullopt;
+  return fmt::format(
+      "{} of {} cannot differ significantly on classes like these: no p-value of the test over classes is below {:.3g}",
+      count_text(methods, "method", "methods"), count_text(classes, "class", "classes"), smallest);
+}
+
 std::string without_folders(std::string text, const std::filesystem::path& submission, const EvaluationFiles& files) {
   std::set<std::string, std::greater<>> folders;  // the longer one of two that begin alike comes first
   for (const std::filesystem::path& file : {submission, files.labels, files.targets, files.qrels, files.ids}) {
@@ -118,6 +145,7 @@ BoardJson leaderboard_json(const Leaderboard& board, const JudgingOptions& optio
                  {"rank_by", board.measures[board.rank_by]},
                  {"confidence", options.standings.confidence},
                  {"blocks", name_of(options.standings.blocks)},
+                 {"macro_blocks", name_of(ResamplingUnit::classes)},
                  {"resamples", options.standings.resampling.resamples},
                  {"seed", options.standings.resampling.seed},
                  {"submissions", BoardJson::array()},

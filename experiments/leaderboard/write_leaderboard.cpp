@@ -26,14 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view format_of_site = "shapegauge leaderboard 1";
 
-std::string significance_words(const StandingOptions& options) {
-  return fmt::format(
-      "{:g} % bootstrap intervals over {}. Methods that share a letter do not differ significantly (randomised Tukey "
-      "HSD over {}, p > {:.3g}). The test compares all methods at once: one that is far worse than the others can hide "
-      "differences between these.",
-      100 * options.confidence, name_of(options.blocks), name_of(options.blocks), 1 - options.confidence);
-}
-
 // Returns the pages written by an earlier call, with the keys of their contents.
 std::map<std::string, std::string> earlier_pages(const fs::path& folder) {
   std::map<std::string, std::string> keys;
@@ -96,7 +88,7 @@ std::string leaderboard_html(const std::string& title, const Leaderboard& board,
                        .micro = board.micro,
                        .macro = board.macro,
                        .rank_by = board.rank_by,
-                       .significance = significance_words(options.standings),
+                       .significance = significance_words(board, options.standings),
                        .refused = {},
                        .csv = to_csv(leaderboard_csv_table(board)),
                        .latex = latex_of(board)};

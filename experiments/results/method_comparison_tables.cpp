@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/base/text.h"
@@ -30,20 +31,21 @@ std::string p_value(double p, bool exact) {
   return p < smallest ? "<0.0001" : fmt::format("{:.4f}", p);
 }
 
-// Returns the marks of the methods that the method is significantly better than.
+// Returns the marks of the methods that the method is significantly better than, with a star if that is significant for
+// classes like these.
 std::string marks_behind(std::size_t method, const MethodComparison& comparison, double alpha) {
   const auto methods = static_cast<std::size_t>(comparison.averages.size());
-  std::vector<std::size_t> worse;
+  std::map<std::size_t, bool> worse;
   for (const PairDifference& pair : comparison.pairs) {
-    if (pair.p_holm > alpha) continue;
-    if (pair.first == method && pair.difference > 0) worse.push_back(pair.second);
-    if (pair.second == method && pair.difference < 0) worse.push_back(pair.first);
+    if (std::min(pair.p_holm, pair.p_classes) > alpha) continue;
+    const bool of_classes = pair.p_classes <= alpha;
+    if (pair.first == method && pair.difference > 0) worse.emplace(pair.second, of_classes);
+    if (pair.second == method && pair.difference < 0) worse.emplace(pair.first, of_classes);
   }
-  std::ranges::sort(worse);
   std::string marks;
-  for (const std::size_t other : worse) {
+  for (const auto& [other, of_classes] : worse) {
     if (methods > letters && !marks.empty()) marks += ',';
-    marks += mark_of(other, methods);
+    marks += mark_of(other, methods) + (of_classes ? "*" : "");
   }
   return marks;
 }
@@ -58,10 +60,25 @@ OrderedJson pair_json(const PairDifference& pair, const AlignedMethods& methods)
           {"p", pair.p},
           {"p_holm", pair.p_holm},
           {"p_tukey", pair.p_tukey},
+          {"p_classes", pair.p_classes},
           {"effect_size", json_number(pair.effect_size)},
           {"wins", pair.queries.wins},
           {"ties", pair.queries.ties},
           {"losses", pair.queries.losses}};
+}
+
+// Warns if the number of classes makes a significant `p_classes` impossible, or possible for huge effects only.
+std::optional<std::string> few_classes_warning(const MethodComparison& comparison, double alpha) {
+  constexpr double huge_effect = 2;
+  const double effect = min_class_effect(static_cast<std::size_t>(comparison.classes), comparison.pairs.size(), alpha);
+  if (effect <= huge_effect) return std::nullopt;
+  if (comparison.classes < 2)
+    return "with one class no difference can be significant for classes like these (p_classes)";
+  return fmt::format(
+      "with {} and {} a difference is significant for classes like these (p_classes <= {:.4g}) only if its mean over "
+      "classes is {:.3g} times its standard deviation; use more classes, or fewer pairs (`reference`)",
+      count_text(comparison.classes, "class", "classes"), count_text(std::ssize(comparison.pairs), "pair", "pairs"),
+      alpha, effect);
 }
 
 }  // namespace
@@ -89,7 +106,7 @@ TextTable comparison_summary(const AlignedMethods& methods, std::span<const Meth
 TextTable pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
                       const ScoreStyle& style, bool exact) {
   TextTable table{.header = {"measure", "first", "second", "difference", "low", "high", "p", "p_holm", "p_tukey",
-                             "effect_size", "wins", "ties", "losses"},
+                             "p_classes", "effect_size", "wins", "ties", "losses"},
                   .rows = {},
                   .text_columns = 3};
   for (std::size_t k = 0; k < comparisons.size(); ++k) {
@@ -97,7 +114,7 @@ TextTable pairs_table(const AlignedMethods& methods, std::span<const MethodCompa
       table.rows.push_back({methods.measures[k], methods.methods[pair.first], methods.methods[pair.second],
                             signed_score(pair.difference, style), signed_score(pair.interval.low, style),
                             signed_score(pair.interval.high, style), p_value(pair.p, exact),
-                            p_value(pair.p_holm, exact), p_value(pair.p_tukey, exact),
+                            p_value(pair.p_holm, exact), p_value(pair.p_tukey, exact), p_value(pair.p_classes, exact),
                             decimal_text(pair.effect_size, 2), fmt::format("{}", pair.queries.wins),
                             fmt::format("{}", pair.queries.ties), fmt::format("{}", pair.queries.losses)});
     }
@@ -137,10 +154,10 @@ std::optional<std::string> few_units_warning(const MethodComparison& comparison,
   const double smallest = smallest_p_value(options, comparison.units);
   const auto pairs = static_cast<double>(comparison.pairs.size());
   const double alpha = 1 - options.confidence;
-  if (pairs * smallest <= alpha) return std::nullopt;
+  if (pairs * smallest <= alpha) return few_classes_warning(comparison, alpha);
   const bool few_resamples = smallest * (1.0 + options.resampling.resamples) <= 1;
   const std::string more_blocks =
-      options.blocks == ResamplingUnit::classes ? " or `blocks=queries` (which is too liberal)" : "";
+      options.blocks == ResamplingUnit::classes ? " or `blocks=queries` (a claim about these classes only)" : "";
   const std::string advice =
       few_resamples ? fmt::format("use more `resamples` than {}", options.resampling.resamples)
                     : fmt::format("use more {}, `test=t` (which assumes normally distributed differences){}",

@@ -39,7 +39,8 @@ function drawIntervals(state) {
   area.append('text').attr('x', width / 2).attr('y', height + 36).attr('text-anchor', 'middle')
     .text(`${measure} (percent)`);
   ranking.forEach((index, position) => drawRow(area, state, { index, position, x, width }));
-  groups.forEach((group, number) => drawGroup(area, group, number, width));
+  const named = (number) => (state.chosen.average === 'macro' ? letterOf(number).toUpperCase() : letterOf(number));
+  groups.forEach((group, number) => drawGroup(area, group, { place: width + 18 + number * column, name: named(number) }));
   place.append(saveButton(svg.node(), `intervals_${measure}_${state.chosen.average}`));
 }
 
@@ -64,9 +65,8 @@ function drawRow(area, state, { index, position, x, width }) {
   row.on('pointerleave', tooltip.hide);
 }
 
-function drawGroup(area, { first, last }, number, width) {
-  const place = width + 18 + number * column;
+function drawGroup(area, { first, last }, { place, name }) {
   area.append('line').attr('class', 'group').attr('x1', place).attr('x2', place)
     .attr('y1', first * step + 6).attr('y2', (last + 1) * step - 6);
-  area.append('text').attr('x', place).attr('y', -8).attr('text-anchor', 'middle').text(letterOf(number));
+  area.append('text').attr('x', place).attr('y', -8).attr('text-anchor', 'middle').text(name);
 }

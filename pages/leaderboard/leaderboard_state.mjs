@@ -18,6 +18,12 @@ export class LeaderboardState extends ReportState {
   get standings() { return this.standingsOf(this.chosen.measure); }
   standingsOf(measure) { return this.report[this.chosen.average][measure]; }
 
+  // Letters of the groups over queries and, in capitals, over classes.
+  lettersOf(method) {
+    const { report, chosen: { measure } } = this;
+    return `${report.micro[measure][method].letters} ${report.macro[measure][method].letters}`;
+  }
+
   // Methods by rank, the best first.
   get ranking() {
     const { standings } = this;

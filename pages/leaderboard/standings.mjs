@@ -10,7 +10,7 @@ const intervalText = ({ interval }) => (interval ? interval.map(percent).join(' 
 const ranksText = ({ ranks: [best, worst] }) => (best === worst ? String(best) : `${best} \u2013 ${worst}`);
 
 const unbroken = (text) => make('span', { class: 'unbroken' }, text);
-const lettersCell = ({ letters }) => make('span', { class: 'letters' }, letters);
+const lettersCell = (letters) => make('span', { class: 'letters' }, letters);
 
 export function showStandings(state) {
   let sort = { column: 0, ascending: true }; // as the reader chose
@@ -26,7 +26,7 @@ export function showStandings(state) {
       { title: 'Interval', numeric: true, value: (index) => standings[index].average,
         text: (index) => intervalText(standings[index]), cell: (index) => unbroken(intervalText(standings[index])) },
       { title: 'Ranks possible', text: (index) => ranksText(standings[index]), value: rank, numeric: true },
-      { title: 'Group', text: (index) => standings[index].letters, cell: (index) => lettersCell(standings[index]),
+      { title: 'Group', text: (index) => state.lettersOf(index), cell: (index) => lettersCell(state.lettersOf(index)),
         value: rank },
     ];
     sortableTable(byId('standings-table'), {

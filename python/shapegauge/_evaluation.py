@@ -423,14 +423,14 @@ def _named_methods(methods: Any) -> dict[str, Any]:
 
 
 def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union[str, Iterable[str]] = (),
-            test: str = "randomization", blocks: str = "classes", confidence: float = 0.95, resamples: int = 10000,
+            test: str = "randomization", blocks: str = "queries", confidence: float = 0.95, resamples: int = 10000,
             seed: int = 1, ties: str = "index", minimum_class_size: int = 2, similarity: bool = False,
             missing_labels: str = "error", distance: Optional[str] = None, threads: int = 0) -> Comparison:
     """Compares methods on the same queries. methods: name -> distances, or a list of distances.
 
-    blocks: unit of resampling, "classes", or "queries" as if independent. distance: distance between features, if the
-    methods are features. The other arguments are those of evaluate(). Returns a Comparison: intervals of the averages,
-    and for each pair its difference, p-values and effect size.
+    blocks: unit of resampling, "queries", or "classes" as a sample of all classes. distance: distance between features,
+    if the methods are features. The other arguments are those of evaluate(). Returns a Comparison: intervals of the
+    averages, and for each pair its difference, p-values and effect size. p_classes tests for classes like these.
 
     >>> sg.compare({"a": first, "b": second}, labels, measures=["FT", "DCG"])
     """

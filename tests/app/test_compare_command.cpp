@@ -64,15 +64,15 @@ TEST_F(CompareCommand, TellsWhatIsBetter) {
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["protocol"], "psb");
-  EXPECT_EQ(json["blocks"], "classes");
-  EXPECT_EQ(json["units"], 10);
+  EXPECT_EQ(json["blocks"], "queries");
+  EXPECT_EQ(json["units"], 60);
   EXPECT_EQ(json["queries"], 60);
   const auto& pairs = json["measures"]["FT"]["pairs"];
   ASSERT_EQ(pairs.size(), 3U);
   EXPECT_EQ(pairs[0]["first"], "good");
   EXPECT_GT(pairs[0]["difference"], 0.3);
   EXPECT_LT(pairs[0]["p_holm"], 0.05);
-  EXPECT_GT(pairs[0]["p"], 2.0 / 1024 / 2);  // the smallest for ten classes
+  EXPECT_LT(pairs[0]["p_classes"], 0.05);
   EXPECT_GT(pairs[2]["p"], 0.05);
   EXPECT_EQ(pairs[0]["wins"].get<int>() + pairs[0]["ties"].get<int>() + pairs[0]["losses"].get<int>(), 60);
 }
@@ -80,13 +80,14 @@ TEST_F(CompareCommand, TellsWhatIsBetter) {
 TEST_F(CompareCommand, TablesHaveMarksAndTheBestInBold) {
   const std::string more = "--measures FT --digits 1";
   EXPECT_THAT(compare_matrices("bad.npy good.npy", more).output,
-              AllOf(HasSubstr("a  bad"), HasSubstr("] a\n"), HasSubstr("60 queries of 10 classes, protocol psb"),
+              AllOf(HasSubstr("a  bad"), HasSubstr("] a*\n"), HasSubstr("60 queries of 10 classes, protocol psb"),
                     HasSubstr("p_holm")));
   EXPECT_THAT(compare_matrices("bad.npy good.npy", more + " --format latex").output,
-              AllOf(StartsWith("\\begin{tabular}"), HasSubstr("]}\\textsuperscript{a} \\\\"), HasSubstr("\\textbf{")));
+              AllOf(StartsWith("\\begin{tabular}"), HasSubstr("]}\\textsuperscript{a*} \\\\"), HasSubstr("\\textbf{")));
   EXPECT_THAT(
       compare_matrices("bad.npy good.npy", more + " --format csv").output,
-      StartsWith("measure,first,second,difference,low,high,p,p_holm,p_tukey,effect_size,wins,ties,losses\nFT,bad"));
+      StartsWith(
+          "measure,first,second,difference,low,high,p,p_holm,p_tukey,p_classes,effect_size,wins,ties,losses\nFT,bad"));
 }
 
 TEST_F(CompareCommand, TheOutputsOfEvaluateAreComparedAlike) {
@@ -162,9 +163,9 @@ TEST_F(CompareCommand, SeedsAndTestsMatterAndThreadsDoNot) {
         .get<double>();
   };
   EXPECT_EQ(p(""), p(""));
-  EXPECT_NE(p("--seed 7 --blocks queries"), p("--seed 8 --blocks queries"));
+  EXPECT_NE(p("--seed 7"), p("--seed 8"));
   EXPECT_NE(p("--test t"), p(""));
-  EXPECT_NE(p("--blocks queries"), p(""));
+  EXPECT_NE(p("--blocks classes"), p(""));
 }
 
 TEST_F(CompareCommand, WhatCannotBeComparedIsOneClearLine) {
@@ -174,7 +175,7 @@ TEST_F(CompareCommand, WhatCannotBeComparedIsOneClearLine) {
       {compare("one.csv"), "two methods"},
       {compare("good.npy bad.npy"), "good.npy"},
       {compare("nowhere"), "nowhere"},
-      {compare("class.csv"), "needs at least two of them"},
+      {compare("class.csv", "--blocks classes"), "needs at least two of them"},
       {compare_matrices("good.npy bad.npy", "--reference god"), "did you mean \"good\"?"},
       {compare_matrices("good.npy bad.npy", "--measures FT,XX"), "no measure \"XX\""},
       {compare_matrices("good.npy bad.npy", "--test u"), "--test"}};
@@ -204,10 +205,12 @@ TEST_F(CompareCommand, TooFewClassesAreTold) {
   for (int i = 0; i < 60; ++i) table += std::to_string(i) + ",c" + std::to_string(i / 20) + "\n";
   write_text(at("three.csv"), table);
   const std::string more = "--labels '" + at("three.csv") + "' --measures FT --format json ";
-  const Outcome outcome = compare("good.npy bad.npy", more);
+  const Outcome outcome = compare("good.npy bad.npy", more + "--blocks classes ");
   EXPECT_THAT(outcome.errors, AllOf(HasSubstr("3 classes"), HasSubstr("below 0.25"), HasSubstr("--blocks queries")));
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["smallest_p"], 0.25);
-  EXPECT_THAT(compare("good.npy bad.npy", more + "--test t").errors, testing::Not(HasSubstr("p-value")));
+  EXPECT_THAT(compare("good.npy bad.npy", more + "--blocks classes --test t").errors,
+              testing::Not(HasSubstr("p-value")));
+  EXPECT_THAT(compare("good.npy bad.npy", more).errors, AllOf(HasSubstr("3 classes"), HasSubstr("p_classes")));
   EXPECT_THAT(compare_matrices("good.npy bad.npy").errors, testing::Not(HasSubstr("p-value")));
 }
 

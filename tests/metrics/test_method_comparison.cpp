@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <tbb/global_control.h>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct Example {
 TEST(MethodComparison, AllPairs) {
   const Example data;
   const MethodComparison result = compare_methods(data.per_query, data.classes);
-  EXPECT_EQ(result.units, 30);
+  EXPECT_EQ(result.units, 150);
+  EXPECT_EQ(result.classes, 30);
   ASSERT_EQ(result.pairs.size(), 3U);
   const PairDifference& constant = result.pairs[1];
   EXPECT_EQ(constant.first, 0U);
@@ -97,7 +99,8 @@ TEST(MethodComparison, EqualMethodsAreTied) {
 TEST(MethodComparison, RefusesWhatCannotBeCompared) {
   const Example data;
   EXPECT_THROW(compare_methods(data.per_query.leftCols(1), data.classes), ArgumentError);
-  EXPECT_THROW(compare_methods(data.per_query, std::vector<int>(150, 4)), ArgumentError);
+  EXPECT_THROW(compare_methods(data.per_query, std::vector<int>(150, 4), {.blocks = ResamplingUnit::classes}),
+               ArgumentError);
   EXPECT_THROW(compare_methods(data.per_query, data.classes, {.reference = 3}), ArgumentError);
   Eigen::MatrixXd infinite = data.per_query;
   infinite(3, 1) = std::numeric_limits<double>::infinity();
@@ -111,8 +114,46 @@ TEST(MethodComparison, NoPValueIsBelowTheSmallestThatIsPossible) {
   EXPECT_EQ(smallest_p_value({.test = PairTest::bootstrap, .resampling = {.resamples = 99}}, 3), 0.01);
   EXPECT_EQ(smallest_p_value({.test = PairTest::t}, 3), 0);
   const Eigen::MatrixXd plain{{0, 1}, {0.1, 1}, {0.2, 1}};
-  const double p = compare_methods(plain, std::vector<int>{0, 1, 2}).pairs[0].p;
-  EXPECT_NEAR(p, smallest_p_value({}, 3), 0.02);  // of 10,000 resamples
+  const double p = compare_methods(plain, std::vector<int>{0, 1, 2}).pairs[0].p;  // as many classes as queries
+  EXPECT_NEAR(p, smallest_p_value({}, 3), 0.02);                                  // of 10,000 resamples
+}
+
+TEST(ClassPValue, IsThatOfTheTTestOfClassMeans) {
+  // Means 0.5, 0.1 and 0.3: t = 0.3 / (0.2 / sqrt(3)).
+  const Eigen::VectorXd differences = (Eigen::VectorXd(5) << 0.4, 0.6, 0.1, 0.2, 0.4).finished();
+  const std::vector<int> classes = {0, 0, 1, 2, 2};
+  EXPECT_NEAR(class_p_value(differences, classes), 0.12168993434632014, 1e-12);
+  EXPECT_EQ(class_p_value(-differences, classes), class_p_value(differences, classes));
+}
+
+TEST(ClassPValue, ManyQueriesOfOneClassProveNothingForOthers) {
+  // 140 queries of one class are better, the two other classes are a little worse.
+  Eigen::VectorXd differences = Eigen::VectorXd::Ones(160);
+  differences.tail(20).setConstant(-0.2);
+  std::vector<int> classes(140, 0);
+  classes.insert(classes.end(), 10, 1);
+  classes.insert(classes.end(), 10, 2);
+  Eigen::MatrixXd per_query = Eigen::MatrixXd::Zero(160, 2);
+  per_query.col(0) = differences;
+  const PairDifference pair = compare_methods(per_query, classes).pairs[0];
+  EXPECT_EQ(pair.p_holm, 1.0 / 10001);
+  EXPECT_GT(pair.p_classes, 0.5);
+}
+
+TEST(ClassPValue, IsNoneWithoutSeveralClassesThatAgreeWithTheAverage) {
+  EXPECT_EQ(class_p_value(Eigen::VectorXd::Ones(9), std::vector<int>(9, 3)), 1);
+  EXPECT_EQ(class_p_value(Eigen::VectorXd::Zero(4), std::vector<int>{0, 0, 1, 1}), 1);
+  // The average over queries is positive, the mean of classes negative.
+  const Eigen::VectorXd opposite = (Eigen::VectorXd(6) << 1, 1, 1, 1, -1, -0.9).finished();
+  EXPECT_EQ(class_p_value(opposite, std::vector<int>{0, 0, 0, 0, 1, 2}), 1);
+  EXPECT_EQ(class_p_value(Eigen::VectorXd::Constant(6, 0.5), std::vector<int>{0, 0, 1, 1, 2, 2}), 0.25);
+}
+
+TEST(MinClassEffect, GrowsWithPairsAndFallsWithClasses) {
+  EXPECT_NEAR(min_class_effect(6, 1, 0.05), 2.570581835636314 / std::sqrt(6.0), 1e-12);
+  EXPECT_GT(min_class_effect(6, 325, 0.05), 4);
+  EXPECT_LT(min_class_effect(30, 325, 0.05), 1);
+  EXPECT_EQ(min_class_effect(1, 1, 0.05), std::numeric_limits<double>::infinity());
 }
 
 TEST(MethodComparison, TheTTestWeighsUnitsAsTheAverageDoes) {

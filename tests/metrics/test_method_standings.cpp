@@ -89,7 +89,8 @@ TEST(MethodStandings, ShareLettersExactlyWhereTheTestFindsNoDifference) {
 }
 
 TEST(MethodStandings, OneClassOrOneMethodHasNoDifferences) {
-  const auto one_class = standings_of(steady_methods({0.9, 0.1}), std::vector<int>(40, 3));
+  const auto one_class =
+      standings_of(steady_methods({0.9, 0.1}), std::vector<int>(40, 3), {.blocks = ResamplingUnit::classes});
   EXPECT_FALSE(one_class[0].interval);
   EXPECT_EQ(one_class[0].letters, one_class[1].letters);
   EXPECT_EQ(one_class[1].rank, 2U);

@@ -149,6 +149,16 @@ TEST(TukeyHsd, GoesWrongAnywhereAsOftenAsItSays) {
   EXPECT_NEAR(wrong / 400.0, 0.05, 3 * 0.0109);
 }
 
+TEST(TukeyHsd, HasItsSmallestPValueWhereAllUnitsAgree) {
+  EXPECT_DOUBLE_EQ(smallest_tukey_p_value(2, 5, {}), 1.0 / 16);
+  EXPECT_DOUBLE_EQ(smallest_tukey_p_value(3, 3, {}), 1.0 / 36);
+  EXPECT_EQ(smallest_tukey_p_value(26, 6, {.resamples = 999}), 0.001);
+  EXPECT_EQ(smallest_tukey_p_value(1, 9, {}), 1);
+  EXPECT_EQ(smallest_tukey_p_value(9, 1, {}), 1);
+  const UnitValues agreed{Eigen::RowVector3d(0.1, 0.5, 0.9).replicate(3, 1), Eigen::Vector3d::Constant(1.0 / 3)};
+  EXPECT_NEAR(tukey_hsd_p_values(agreed)(0, 2), 1.0 / 36, 4 * std::sqrt(1.0 / 36 / 10000));
+}
+
 TEST(TukeyHsd, RefusesNoResamples) {
   EXPECT_THROW(tukey_hsd_p_values(random_units(3, 2, 1), {.resamples = 0}), ArgumentError);
 }

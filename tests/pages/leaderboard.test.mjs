@@ -4,14 +4,14 @@ import test from 'node:test';
 import { remarksOf } from '../../pages/leaderboard/checks.mjs';
 import { groupsOf, LeaderboardState, letterOf } from '../../pages/leaderboard/leaderboard_state.mjs';
 
-const standing = (average, rank) => ({ average, rank, ranks: [rank, rank], letters: 'a' });
+const standing = (average, rank, letters = 'a') => ({ average, rank, ranks: [rank, rank], letters });
 
 function sampleBoard(count) {
   const evaluation = { protocol: 'psb', measures: ['FT', 'mAP'] };
   return {
     methods: Array.from({ length: count }, (_, i) => ({ name: `m${i}`, evaluations: [evaluation] })), rank_by: 1,
     micro: [[standing(0.2, 2), standing(0.4, 1)], [standing(0.3, 1), standing(0.3, 1)]],
-    macro: [[standing(0.9, 1), standing(0.1, 2)], [standing(0.9, 1), standing(0.1, 2)]],
+    macro: [[standing(0.9, 1), standing(0.1, 2)], [standing(0.9, 1, 'A'), standing(0.1, 2, 'B')]],
   };
 }
 
@@ -33,6 +33,10 @@ test('the ranking is that of the chosen measure and average, ties in the order o
   assert.deepEqual(state.ranking, [1, 0]);
   state.change({ average: 'macro' });
   assert.deepEqual(state.ranking, [0, 1]);
+});
+
+test('groups over queries stand before those over classes', () => {
+  assert.equal(new LeaderboardState(sampleBoard(2)).lettersOf(1), 'a B');
 });
 
 test('as many methods are shown to begin with as there are colours', () => {

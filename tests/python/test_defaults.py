@@ -21,7 +21,7 @@ COMPARISON = {key: setting["default"] for key, setting in REGISTERED["options"][
 
 
 @pytest.mark.parametrize("function, registered", [
-    (sg.evaluate, {**section("evaluation"), **{key: COMPARISON[key] for key in ("blocks", "resamples", "seed")}}),
+    (sg.evaluate, {**section("evaluation"), **{key: COMPARISON[key] for key in ("resamples", "seed")}}),
     (sg.compare, {**section("evaluation"), **COMPARISON}),
     (sg.fuse, {key: value for key, value in section("signature").items() if key != "score"}),
     (sg.segment, {"method": section("segmentation_method")["method"]}),

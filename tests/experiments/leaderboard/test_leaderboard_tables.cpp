@@ -21,7 +21,7 @@ TEST(LeaderboardTables, HaveARowASubmissionTheBestFirst) {
   EXPECT_EQ(table.rows[0][1], "good");
   EXPECT_EQ(table.rows[0][7], "100.00");
   EXPECT_EQ(table.rows[1][0], "2");
-  EXPECT_THAT(to_latex(table), HasSubstr("\\textbf{100.00}\\textsuperscript{a}"));
+  EXPECT_THAT(to_latex(table), HasSubstr("\\textbf{100.00}\\textsuperscript{a A}"));
 }
 
 TEST(LeaderboardTables, OfFilesHaveBothAveragesWithIntervalsAndGroups) {
@@ -51,8 +51,24 @@ TEST(LeaderboardTables, AsJsonHaveFractionsSettingsAndRefusals) {
   EXPECT_EQ(json["submissions"][0]["authors"], "A");
   EXPECT_EQ(json["submissions"][1]["macro"]["NN"]["rank"], 2);
   EXPECT_EQ(json["refused"][0]["file"], "bad.csv");
+  EXPECT_EQ(json["submissions"][1]["micro"]["NN"]["group"], "b");
+  EXPECT_EQ(json["submissions"][1]["macro"]["NN"]["group"], "A");
   EXPECT_EQ(json["resamples"], 200);
   EXPECT_EQ(json["rank_by"], "mAP");
+}
+
+TEST(LeaderboardTables, WarnThatThreeClassesCannotSeparateTwoMethods) {
+  const test_board::SmallBoard small;
+  Leaderboard board = small.judged();
+  const StandingOptions options = small.options().standings;
+  // Twelve queries differ, but no p-value of three classes is below 2^-2.
+  EXPECT_EQ(board.micro[0][1].letters, "b");
+  EXPECT_EQ(board.macro[0][1].letters, "A");
+  EXPECT_THAT(few_classes_warning(board, options), testing::Optional(HasSubstr("3 classes")));
+  EXPECT_THAT(significance_words(board, options), HasSubstr("below 0.25"));
+  // Three methods can: 6^-2 is below 5 %.
+  board.submissions.push_back(board.submissions.front());
+  EXPECT_FALSE(few_classes_warning(board, options));
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ class ComparisonTables : public testing::Test {
             .p = p_holm / 2,
             .p_holm = p_holm,
             .p_tukey = p_holm / 4,
+            .p_classes = 2 * p_holm,
             .effect_size = 10 * difference,
             .queries = {.wins = 5, .ties = 3, .losses = 1}};
   }
@@ -55,8 +56,9 @@ TEST_F(ComparisonTables, TheSummaryHasAveragesIntervalsAndMarks) {
     if (!emphasis.mark.empty()) marks[{emphasis.row, emphasis.column}] = emphasis.mark;
     if (emphasis.bold) bold.emplace_back(emphasis.row, emphasis.column);
   }
-  // NN: y is better than x and z, and z is not better than x (0.06). FT: x is better than y and z (just, at 0.05).
-  EXPECT_EQ(marks, (decltype(marks){{{1, 2}, "ac"}, {{0, 3}, "bc"}}));
+  // NN: y is better than x and z, and z is not better than x (0.06). FT: x is better than y and z (just, at 0.05). In
+  // other classes too: NN y than x (0.02), FT x than y.
+  EXPECT_EQ(marks, (decltype(marks){{{1, 2}, "a*c"}, {{0, 3}, "b*c"}}));
   EXPECT_THAT(bold, testing::UnorderedElementsAre(testing::Pair(1, 2), testing::Pair(0, 3)));
 }
 
@@ -71,12 +73,12 @@ TEST_F(ComparisonTables, AMarkIsEarnedAtTheLevelItself) {
 TEST_F(ComparisonTables, PairsAreByMeasure) {
   const TextTable table = pairs_table(methods, comparisons, {.percent = true, .decimals = 1}, false);
   EXPECT_THAT(table.header, ElementsAre("measure", "first", "second", "difference", "low", "high", "p", "p_holm",
-                                        "p_tukey", "effect_size", "wins", "ties", "losses"));
+                                        "p_tukey", "p_classes", "effect_size", "wins", "ties", "losses"));
   ASSERT_THAT(table.rows, SizeIs(6));
   EXPECT_THAT(table.rows[1], ElementsAre("NN", "x", "z", "-25.0", "-31.2", "-12.5", "0.0300", "0.0600", "0.0150",
-                                         "-2.50", "5", "3", "1"));
+                                         "0.1200", "-2.50", "5", "3", "1"));
   EXPECT_THAT(table.rows[3], ElementsAre("FT", "x", "y", "+80.0", "+73.8", "+92.5", "<0.0001", "<0.0001", "<0.0001",
-                                         "8.00", "5", "3", "1"));
+                                         "<0.0001", "8.00", "5", "3", "1"));
   EXPECT_EQ(pairs_table(methods, comparisons, {}, true).rows[3][7], "1e-05");
 }
 
@@ -86,7 +88,7 @@ TEST_F(ComparisonTables, NoDifferenceIsNegativeZero) {
   pair.effect_size = -1e-9;
   const TextTable table = pairs_table(methods, comparisons, {}, false);
   EXPECT_EQ(table.rows[0][3], "+0.00");
-  EXPECT_EQ(table.rows[0][9], "0.00");
+  EXPECT_EQ(table.rows[0][10], "0.00");
 }
 
 TEST_F(ComparisonTables, AsJsonInFractionsWithTheSettings) {
@@ -110,6 +112,7 @@ TEST_F(ComparisonTables, AsJsonInFractionsWithTheSettings) {
   EXPECT_EQ(pair["p"], 0.02);
   EXPECT_EQ(pair["p_holm"], 0.04);
   EXPECT_EQ(pair["p_tukey"], 0.01);
+  EXPECT_EQ(pair["p_classes"], 0.08);
   EXPECT_EQ(pair["wins"], 5);
   EXPECT_EQ(pair["losses"], 1);
 }
