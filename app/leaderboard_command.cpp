@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "shapegauge/core/io/output_files.h"
 #include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/leaderboard/dataset_leaderboards.h"
 #include "shapegauge/experiments/leaderboard/judge_submissions.h"
 #include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
 #include "shapegauge/experiments/leaderboard/submissions.h"
@@ -43,10 +45,9 @@ struct LeaderboardArguments {
   bool replace = false;
 };
 
-// Throws InputError for unusable output files, before any work.
-void check_leaderboard_output(const LeaderboardArguments& arguments) {
+// Throws InputError for unusable output files, before any work. `inputs` are files of labels.
+void check_leaderboard_output(const LeaderboardArguments& arguments, std::vector<fs::path> inputs) {
   if (arguments.output.empty()) return;
-  std::vector<fs::path> inputs = label_files(arguments.evaluation);
   inputs.insert(inputs.end(), arguments.submissions.begin(), arguments.submissions.end());
   if (is_page(arguments.output)) {
     const std::vector<OutputFile> outputs{{.path = arguments.output, .what = "--output", .extensions = {}}};
@@ -82,7 +83,13 @@ std::string formatted_leaderboard(const Leaderboard& board, const JudgingOptions
   if (arguments.printed.format == "json") return json_text(leaderboard_json(board, options), 2) + "\n";
   const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
   if (format == TableFormat::csv) return to_csv(leaderboard_csv_table(board, style));
-  return table_text(leaderboard_table(board, style), format);
+  const std::string table = table_text(leaderboard_table(board, style), format);
+  return format == TableFormat::latex ? table : table + "\n" + letter_words(options.standings) + "\n";
+}
+
+void note_site(const fs::path& folder, const SiteUpdate& update) {
+  note(fmt::format("site {}: {} pages of methods written, {} unchanged, {} removed", folder.string(), update.written,
+                   update.unchanged, update.removed));
 }
 
 void write_outputs(const Leaderboard& board, const JudgingOptions& options, const LeaderboardArguments& arguments) {
@@ -92,19 +99,19 @@ void write_outputs(const Leaderboard& board, const JudgingOptions& options, cons
     return;
   }
   const BusyLine line("writing the site");
-  const SiteUpdate update = write_site(arguments.output, arguments.title, board, options);
-  note(fmt::format("site {}: {} pages of methods written, {} unchanged, {} removed", arguments.output.string(),
-                   update.written, update.unchanged, update.removed));
+  note_site(arguments.output, write_site(arguments.output, arguments.title, board, options));
 }
 
 // Prints each warning once, with the submissions that it concerns.
-void print_remarks(const Leaderboard& board) {
+void print_remarks(std::span<const Leaderboard> boards) {
   std::vector<std::pair<std::string, std::vector<std::string>>> remarks;
-  for (const JudgedSubmission& judged : board.submissions) {
-    for (const std::string& warning : judged.warnings) {
-      auto known = std::ranges::find(remarks, warning, &std::pair<std::string, std::vector<std::string>>::first);
-      if (known == remarks.end()) known = remarks.insert(remarks.end(), {warning, {}});
-      known->second.push_back(judged.submission.file.string());
+  for (const Leaderboard& board : boards) {
+    for (const JudgedSubmission& judged : board.submissions) {
+      for (const std::string& warning : judged.warnings) {
+        auto known = std::ranges::find(remarks, warning, &std::pair<std::string, std::vector<std::string>>::first);
+        if (known == remarks.end()) known = remarks.insert(remarks.end(), {warning, {}});
+        known->second.push_back(judged.submission.file.string());
+      }
     }
   }
   for (const auto& [warning, files] : remarks) {
@@ -113,21 +120,21 @@ void print_remarks(const Leaderboard& board) {
   }
 }
 
-// Prints the reasons for refused submissions; returns the exit status.
-int report_submissions(const Leaderboard& board, const FoundSubmissions& found) {
-  print_remarks(board);
-  if (!found.skipped.empty()) {
-    note(fmt::format("{} other files in the folders are not submissions (first: {})", found.skipped.size(),
-                     found.skipped.front().string()));
+// Prints warnings, skipped files and the reasons for refused submissions; returns the exit status.
+int report_submissions(std::span<const Leaderboard> boards, std::span<const fs::path> skipped,
+                       std::span<const RefusedSubmission> refused, const Cache& cache) {
+  for (const std::string& warning : cache.warnings()) warn(warning);
+  print_remarks(boards);
+  if (!skipped.empty()) {
+    note(fmt::format("{} other files in the folders are not submissions (first: {})", skipped.size(),
+                     skipped.front().string()));
   }
-  for (const RefusedSubmission& refused : board.refused) {
-    warn(fmt::format("refused {}: {}", refused.file.string(), refused.reason));
-  }
-  return board.refused.empty() ? exit_success : exit_with_failures;
+  for (const auto& [file, reason] : refused) warn(fmt::format("refused {}: {}", file.string(), reason));
+  return refused.empty() ? exit_success : exit_with_failures;
 }
 
-int run_leaderboard(const LeaderboardArguments& arguments) {
-  check_leaderboard_output(arguments);
+int run_on_one(const LeaderboardArguments& arguments) {
+  check_leaderboard_output(arguments, label_files(arguments.evaluation));
   const JudgingOptions options = judging_options(arguments);
   const FoundSubmissions found = find_submissions(arguments.submissions, label_files(arguments.evaluation));
   Cache cache(chosen_cache(arguments.cache));
@@ -141,8 +148,61 @@ int run_leaderboard(const LeaderboardArguments& arguments) {
   write_outputs(board, options, arguments);
   if (const auto few = few_classes_warning(board, options.standings)) warn(*few);
   print_output("{}", formatted_leaderboard(board, options, arguments));
-  for (const std::string& warning : cache.warnings()) warn(warning);
-  return report_submissions(board, found);
+  return report_submissions(std::span(&board, 1), found.skipped, board.refused, cache);
+}
+
+std::string formatted_datasets(const DatasetLeaderboards& all, const JudgingOptions& options,
+                               const LeaderboardArguments& arguments) {
+  const ScoreStyle style = style_of(arguments.printed);
+  if (arguments.printed.format == "json") return json_text(dataset_leaderboards_json(all, options), 2) + "\n";
+  const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
+  if (format == TableFormat::csv) return to_csv(multi_dataset_csv_table(all.results, style));
+  const MultiDatasetTable& main = main_table(all.results);
+  const std::string table = table_text(multi_dataset_summary(all.results, main, style), format);
+  if (format == TableFormat::latex) return table;
+  return fmt::format("{}\n{} ({}, mean over queries). {}\n", table, main.measure, main.protocol,
+                     test_words(all.results, main));
+}
+
+void write_outputs_of_datasets(const DatasetLeaderboards& all, const JudgingOptions& options,
+                               const LeaderboardArguments& arguments) {
+  if (arguments.output.empty()) return;
+  if (is_page(arguments.output)) {
+    write_file_atomically(arguments.output, dataset_leaderboards_html(arguments.title, all));
+    return;
+  }
+  const BusyLine line("writing the site");
+  note_site(arguments.output, write_dataset_site(arguments.output, arguments.title, all, options));
+}
+
+int run_on_datasets(const LeaderboardArguments& arguments, const std::vector<SubmittedDataset>& datasets) {
+  std::vector<fs::path> labels;
+  for (const SubmittedDataset& dataset : datasets) {
+    labels.insert(labels.end(), {dataset.files.labels, dataset.files.targets, dataset.files.qrels, dataset.files.ids});
+  }
+  check_leaderboard_output(arguments, std::move(labels));
+  const JudgingOptions options = judging_options(arguments);
+  Cache cache(chosen_cache(arguments.cache));
+  DatasetLeaderboards all;
+  {
+    ProgressLine line;
+    all = judge_datasets(datasets, options, cache, [&](const std::string& name, std::size_t done, std::size_t count) {
+      line.show(name, done, count);
+    });
+  }
+  write_outputs_of_datasets(all, options, arguments);
+  print_output("{}", formatted_datasets(all, options, arguments));
+  return report_submissions(all.boards, all.skipped, all.refused, cache);
+}
+
+// Without labels, each argument is a data set with its own.
+int run_leaderboard(LeaderboardArguments arguments) {
+  EvaluationFiles& files = arguments.evaluation.files;
+  if (!files.labels.empty() || !files.qrels.empty()) return run_on_one(arguments);
+  const std::vector<SubmittedDataset> datasets =
+      find_submitted_datasets(arguments.submissions, files_as_given(arguments.evaluation));
+  files = datasets.front().files;
+  return datasets.size() == 1 ? run_on_one(arguments) : run_on_datasets(arguments, datasets);
 }
 
 void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments) {
@@ -165,12 +225,16 @@ void add_leaderboard_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "leaderboard", "Check, evaluate and rank submissions: matrices and ranked lists of any methods");
   command->footer(
-      "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n         shapegauge "
-      "leaderboard submissions/ --labels test.cla -o site\nA submission is any file that 'evaluate' reads. foo.json "
-      "beside foo.npy may have name, authors, paper, url,\nsimilarity, distance and ids. Invalid submissions are "
-      "refused with the reason (exit status 1).");
+      "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n"
+      "         shapegauge leaderboard submissions/ --labels test.cla -o site\n"
+      "         shapegauge leaderboard shrec11/ psb/ tosca/ -o all.html\n"
+      "A submission is any file that 'evaluate' reads. foo.json beside foo.npy may have name, authors, paper, url,\n"
+      "similarity, distance and ids. foo.seed1.npy, foo.seed2.npy, ... are repetitions of foo. Invalid submissions\n"
+      "are refused with the reason (exit status 1). Without --labels and --qrels, each argument is the folder of a\n"
+      "data set with its own labels.* or qrels.*, and methods are compared by their ranks on all data sets.");
   const auto arguments = std::make_shared<LeaderboardArguments>();
-  command->add_option("submissions", arguments->submissions, "Files, or folders of files")->required();
+  command->add_option("submissions", arguments->submissions, "Files, or folders of files; without --labels, data sets")
+      ->required();
   add_evaluation_options(*command, arguments->evaluation, {std::string(word_of(Unanswered::count))});
   add_resampling_options(*command, arguments->resampling);
   add_leaderboard_options(*command, *arguments);

@@ -1,11 +1,13 @@
 #include "shapegauge/metrics/friedman_test.h"
 
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/metrics/ascending_order.h"
 #include "shapegauge/metrics/equal_scores.h"
 #include "shapegauge/metrics/studentised_range.h"
@@ -78,6 +80,7 @@ RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
   };
   comparison.groups = homogeneous_groups(
       count, [&](std::size_t i, std::size_t j) { return rank_at(j) - rank_at(i) > comparison.critical_difference; });
+  if (count > max_paired_methods) return comparison;
   for (std::size_t first = 0; first < count; ++first) {
     for (std::size_t second = first + 1; second < count; ++second) {
       const auto a = static_cast<Eigen::Index>(first);
@@ -91,6 +94,26 @@ RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
     }
   }
   return comparison;
+}
+
+std::vector<RankInterval> rank_intervals(const Eigen::MatrixXd& ranks, double confidence,
+                                         const ResamplingOptions& options) {
+  // Weights of 1 keep sums of ranks exact, so that equal ones are equal.
+  const UnitValues units{.values = ranks, .weights = Eigen::VectorXd::Ones(ranks.rows())};
+  Eigen::MatrixXd positions = bootstrap_averages(units, options);
+  parallel_for(0, options.resamples, [&](int resample) {
+    Eigen::RowVectorXd sorted = positions.row(resample);
+    std::ranges::sort(sorted);
+    for (double& mean_rank : positions.row(resample)) {
+      mean_rank = 1 + static_cast<double>(std::ranges::lower_bound(sorted, mean_rank) - sorted.begin());
+    }
+  });
+  std::vector<RankInterval> intervals;
+  for (const auto& [low, high] : percentile_intervals(positions, ranks.rows(), confidence)) {
+    intervals.push_back({.best = static_cast<std::size_t>(std::floor(low + score_rounding)),
+                         .worst = static_cast<std::size_t>(std::ceil(high - score_rounding))});
+  }
+  return intervals;
 }
 
 }  // namespace shapegauge

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/homogeneous_groups.h"
 #include "shapegauge/metrics/significance_tests.h"
 
@@ -36,8 +37,11 @@ struct RankComparison {
   double critical_difference = 0;        ///< of mean ranks (Nemenyi); infinite for one data set, 0 for one method
   std::vector<std::size_t> order;        ///< methods by increasing mean rank; ties in their own order
   std::vector<HomogeneousGroup> groups;  ///< positions in `order` of methods that do not differ significantly
-  std::vector<RankDifference> pairs;
+  std::vector<RankDifference> pairs;     ///< none for more than max_paired_methods
 };
+
+/// Number of methods up to which all pairs are tested and listed.
+inline constexpr std::size_t max_paired_methods = 50;
 
 /// Compares k methods by their values on N data sets, larger being better; `values` is N x k. Friedman's test has the
 /// null hypothesis that all methods are equal; Iman and Davenport's statistic is less conservative. Two methods differ
@@ -47,5 +51,20 @@ struct RankComparison {
 /// above 5. Throws ArgumentError without values, for a value that is not finite, and for an alpha that is not between 0
 /// and 1.
 RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha = 0.05);
+
+/// Confidence interval of a method's position among all, 1 the best.
+struct RankInterval {
+  std::size_t best = 1;
+  std::size_t worst = 1;
+
+  bool operator==(const RankInterval&) const = default;
+};
+
+/// Computes bootstrap intervals of the methods' positions by mean rank: data sets are resampled, as a sample of all
+/// such data sets. `ranks` are data sets x methods. Percentiles are widened for few data sets, see
+/// bootstrap_intervals(), and rounded outwards. Throws ArgumentError for fewer than two data sets, and for a confidence
+/// or options out of range.
+std::vector<RankInterval> rank_intervals(const Eigen::MatrixXd& ranks, double confidence = 0.95,
+                                         const ResamplingOptions& options = {});
 
 }  // namespace shapegauge

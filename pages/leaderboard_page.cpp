@@ -31,6 +31,8 @@ OrderedJson entry_json(const LeaderboardEntry& entry, bool hide_classes) {
           {"file", entry.file},
           {"page", entry.page},
           {"warnings", entry.warnings},
+          {"deviations",
+           {{"micro", rounded_scores(entry.micro_deviation)}, {"macro", rounded_scores(entry.macro_deviation)}}},
           {"evaluations", OrderedJson::array({entry_evaluation_json(*entry.evaluation, hide_classes)})}};
 }
 

@@ -19,6 +19,11 @@ struct LeaderboardEntry {
   std::string page;  ///< relative address of its own page; empty for none
   const Evaluation* evaluation = nullptr;
   std::vector<std::string> warnings;
+  /// Standard deviations of the averages over repetitions of the method, by measure; empty without.
+  /// @{
+  Eigen::VectorXd micro_deviation{};
+  Eigen::VectorXd macro_deviation{};
+  /// @}
 };
 
 /// Contents of a leaderboard. Everything it points to must outlive it. Evaluations are of the same queries, under one

@@ -16,6 +16,8 @@ using PageJson = nlohmann::ordered_json;
 PageJson page_table_json(const MultiDatasetPageTable& table) {
   PageJson groups = PageJson::array();
   for (const HomogeneousGroup& group : table.ranks->groups) groups.push_back({group.first, group.last});
+  PageJson intervals = PageJson::array();
+  for (const auto& [best, worst] : table.rank_intervals) intervals.push_back({best, worst});
   PageJson pairs = PageJson::array();
   for (const RankDifference& pair : table.ranks->pairs) {
     pairs.push_back({{"first", pair.first},
@@ -27,7 +29,9 @@ PageJson page_table_json(const MultiDatasetPageTable& table) {
           {"average", name_of(table.average)},
           {"measure", table.measure},
           {"values", rounded_rows(table.values)},
+          {"deviations", rounded_rows(table.deviations)},  // null: none
           {"mean_ranks", rounded_scores(table.ranks->mean_ranks)},
+          {"rank_intervals", std::move(intervals)},
           {"order", table.ranks->order},
           {"groups", std::move(groups)},
           {"letters", table.letters},

@@ -24,10 +24,12 @@ struct MultiDatasetPageTable {
   std::string protocol;
   Average average = Average::micro;
   std::string measure;
-  Eigen::MatrixXd values;                 ///< data sets x methods, fractions
-  const RankComparison* ranks = nullptr;  ///< must outlive the page
-  std::vector<std::string> letters;       ///< by position in the order of the ranks
-  std::string words;                      ///< about the tests
+  Eigen::MatrixXd values;                      ///< data sets x methods, fractions
+  Eigen::MatrixXd deviations{};                ///< of the values over repetitions, NaN for single ones; may be empty
+  const RankComparison* ranks = nullptr;       ///< must outlive the page
+  std::vector<RankInterval> rank_intervals{};  ///< by method; may be empty
+  std::vector<std::string> letters;            ///< by position in the order of the ranks
+  std::string words;                           ///< about the tests
 };
 
 /// Contents of the page of a multi-dataset experiment.

@@ -179,7 +179,9 @@ std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& 
                   method.source, quoted_word(method.method), quoted_word(*more), name_with_file(first)));
 }
 
-std::vector<int> numbered(const std::vector<std::string>& classes) {
+}  // namespace
+
+std::vector<int> class_numbers(const std::vector<std::string>& classes) {
   std::unordered_map<std::string, int> numbers;
   std::vector<int> labels;
   labels.reserve(classes.size());
@@ -188,8 +190,6 @@ std::vector<int> numbered(const std::vector<std::string>& classes) {
   }
   return labels;
 }
-
-}  // namespace
 
 std::vector<MethodScores> read_method_scores(const std::filesystem::path& path) {
   const std::string source = path.string();
@@ -255,7 +255,7 @@ AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<co
   AlignedMethods aligned{.methods = checked_names(methods, names),
                          .protocol = methods[0].protocol,
                          .measures = measures_to_compare(methods, wanted_measures),
-                         .classes = numbered(methods[0].classes),
+                         .classes = class_numbers(methods[0].classes),
                          .values = {}};
   const auto queries = static_cast<Eigen::Index>(methods[0].queries.size());
   aligned.values.assign(aligned.measures.size(), Eigen::MatrixXd(queries, static_cast<Eigen::Index>(methods.size())));

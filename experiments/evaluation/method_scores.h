@@ -38,6 +38,9 @@ std::string method_name(const std::filesystem::path& path, const EvaluationData&
 MethodScores method_scores(const std::string& method, const std::string& source, const EvaluationTask& task,
                            const Evaluation& evaluation);
 
+/// Numbers the classes of queries in the order of their first appearance.
+std::vector<int> class_numbers(const std::vector<std::string>& classes);
+
 /// Methods aligned to the same queries.
 struct AlignedMethods {
   std::vector<std::string> methods;

@@ -16,6 +16,7 @@
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/experiments/engine/manifest.h"
+#include "shapegauge/experiments/leaderboard/repetitions.h"
 
 namespace shapegauge {
 
@@ -155,7 +156,7 @@ class Judging {
     }
   }
 
-  [[nodiscard]] const std::vector<MethodScores>& scores() const { return scores_; }
+  [[nodiscard]] std::vector<MethodScores>& scores() { return scores_; }
 
  private:
   void add(const Submission& submission) {
@@ -167,37 +168,31 @@ class Judging {
       throw InputError(fmt::format("{}: {}; set \"similarity\": true or false in {}", submission.file.string(),
                                    judged.wrong_kind, description_of(submission.file).filename().string()));
     }
-    warn_of_repetition(bytes, judged.warnings);
-    MethodScores scores = scores_of(submission, judged);
+    warn_of_same_bytes(bytes, judged.warnings);
+    JudgedSubmission one{.submission = submission,
+                         .files = files,
+                         .sha256 = bytes,
+                         .key = key,
+                         .evaluation = std::move(judged.evaluation),
+                         .query_ids = std::move(judged.query_ids),
+                         .fit_for_report = judged.fit_for_report,
+                         .warnings = std::move(judged.warnings)};
+    if (one.submission.name.empty()) one.submission.name = judged.name;
+    MethodScores scores = scores_of(one, judged.class_names);
     if (!scores_.empty()) align_methods(std::vector{scores_.front(), scores}, {});
     scores_.push_back(std::move(scores));
     if (board_->submissions.empty()) {
       board_->class_names = judged.class_names;
       board_->labels = judged.labels;
     }
-    board_->submissions.push_back({.submission = submission,
-                                   .files = files,
-                                   .sha256 = bytes,
-                                   .key = key,
-                                   .evaluation = std::move(judged.evaluation),
-                                   .query_ids = std::move(judged.query_ids),
-                                   .fit_for_report = judged.fit_for_report,
-                                   .warnings = std::move(judged.warnings)});
+    board_->submissions.push_back(std::move(one));
   }
 
   JudgedFile through_cache(const EvaluationFiles& files, const std::string& key) {
     return cache_->get(EntryKind::evaluation, key, [&] { return judge_file(files, options_->evaluation); });
   }
 
-  static MethodScores scores_of(const Submission& submission, const JudgedFile& judged) {
-    EvaluationTask named;
-    named.query_ids = judged.query_ids;
-    named.class_names = judged.class_names;
-    return method_scores(submission.name.empty() ? judged.name : submission.name, submission.file.string(), named,
-                         judged.evaluation);
-  }
-
-  void warn_of_repetition(const std::string& bytes, std::vector<std::string>& warnings) const {
+  void warn_of_same_bytes(const std::string& bytes, std::vector<std::string>& warnings) const {
     const auto same = std::ranges::find(board_->submissions, bytes, &JudgedSubmission::sha256);
     if (same == board_->submissions.end()) return;
     warnings.push_back(fmt::format("the file has the same bytes as {}", same->submission.file.string()));
@@ -284,6 +279,13 @@ std::string all_refused(const std::vector<RefusedSubmission>& refused) {
 
 }  // namespace
 
+MethodScores scores_of(const JudgedSubmission& judged, const std::vector<std::string>& class_names) {
+  EvaluationTask named;
+  named.query_ids = judged.query_ids;
+  named.class_names = class_names;
+  return method_scores(judged.submission.name, judged.submission.file.string(), named, judged.evaluation);
+}
+
 Leaderboard judge_submissions(const FoundSubmissions& found, const JudgingOptions& options, Cache& cache,
                               const JudgingProgress& progress) {
   Leaderboard board;
@@ -297,6 +299,7 @@ Leaderboard judge_submissions(const FoundSubmissions& found, const JudgingOption
     judging.judge(submission);
   }
   if (board.submissions.empty()) throw InputError(all_refused(board.refused));
+  combine_repetitions(board.submissions, judging.scores());
   const AlignedMethods methods = aligned(judging.scores());
   for (std::size_t i = 0; i < methods.methods.size(); ++i) {
     board.submissions[i].submission.name = methods.methods[i];

@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <functional>
 #include <set>
@@ -25,12 +26,23 @@ std::string interval_beside(const MethodStanding& standing, const ScoreStyle& st
                      score_text(standing.interval->high, style));
 }
 
-BoardJson standing_json(const MethodStanding& standing) {
+// Returns " ± " and the standard deviation over repetitions of a measure, if there is one.
+std::string deviation_beside(const Eigen::VectorXd& deviations, std::size_t measure, const ScoreStyle& style) {
+  if (deviations.size() == 0) return "";
+  return fmt::format(" ± {}", score_text(deviations[static_cast<Eigen::Index>(measure)], style));
+}
+
+bool has_repetitions(const Leaderboard& board) {
+  return std::ranges::any_of(board.submissions, [](const JudgedSubmission& one) { return !one.repetitions.empty(); });
+}
+
+BoardJson standing_json(const MethodStanding& standing, const Eigen::VectorXd& deviations, std::size_t measure) {
   BoardJson json{{"average", standing.average},
                  {"rank", standing.rank},
                  {"possible_ranks", {standing.best_rank, standing.worst_rank}},
                  {"group", standing.letters}};
   if (standing.interval) json["interval"] = {standing.interval->low, standing.interval->high};
+  if (deviations.size() > 0) json["deviation"] = deviations[static_cast<Eigen::Index>(measure)];
   return json;
 }
 
@@ -45,8 +57,11 @@ BoardJson submission_json(const Leaderboard& board, std::size_t index, const Eva
   if (judged.files.similarity) json["similarity"] = true;
   if (!judged.files.distance.empty()) json["distance"] = judged.files.distance;
   for (std::size_t k = 0; k < board.measures.size(); ++k) {
-    json["micro"][board.measures[k]] = standing_json(board.micro[k][index]);
-    json["macro"][board.measures[k]] = standing_json(board.macro[k][index]);
+    json["micro"][board.measures[k]] = standing_json(board.micro[k][index], judged.micro_deviation, k);
+    json["macro"][board.measures[k]] = standing_json(board.macro[k][index], judged.macro_deviation, k);
+  }
+  for (const RepetitionFile& one : judged.repetitions) {
+    json["repetitions"].push_back({{"file", one.file.filename().string()}, {"sha256", one.sha256}});
   }
   json["warnings"] = BoardJson::array();
   for (const std::string& warning : judged.warnings) {
@@ -65,7 +80,9 @@ TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, b
                                  board.submissions[i].submission.name};
     for (std::size_t k = 0; k < board.measures.size(); ++k) {
       const MethodStanding& standing = board.micro[k][i];
-      row.push_back(score_text(standing.average, style) + (intervals ? interval_beside(standing, style) : ""));
+      row.push_back(score_text(standing.average, style) +
+                    deviation_beside(board.submissions[i].micro_deviation, k, style) +
+                    (intervals ? interval_beside(standing, style) : ""));
       const std::string mark = standing.letters + " " + board.macro[k][i].letters;
       table.emphases.push_back({.row = i, .column = 2 + k, .bold = false, .mark = mark});
     }
@@ -77,8 +94,10 @@ TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, b
 
 TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style) {
   TextTable table{.header = {"rank", "method", "authors", "paper", "file", "average"}, .rows = {}, .text_columns = 6};
+  const bool repeated = has_repetitions(board);
   for (const std::string& measure : board.measures) {
     for (const char* end : {"", "_low", "_high", "_group"}) table.header.push_back(measure + end);
+    if (repeated) table.header.push_back(measure + "_deviation");
   }
   for (std::size_t i = 0; i < board.submissions.size(); ++i) {
     const Submission& submission = board.submissions[i].submission;
@@ -89,10 +108,14 @@ TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& styl
                                    submission.paper,
                                    submission.file.filename().string(),
                                    average};
-      for (const std::vector<MethodStanding>& by_submission : *standings) {
-        const std::vector<std::string> ends = interval_cells(by_submission[i], style);
-        row.insert(row.end(),
-                   {score_text(by_submission[i].average, style), ends[0], ends[1], by_submission[i].letters});
+      const Eigen::VectorXd& deviations =
+          standings == &board.micro ? board.submissions[i].micro_deviation : board.submissions[i].macro_deviation;
+      for (std::size_t k = 0; k < standings->size(); ++k) {
+        const MethodStanding& standing = (*standings)[k][i];
+        const std::vector<std::string> ends = interval_cells(standing, style);
+        row.insert(row.end(), {score_text(standing.average, style), ends[0], ends[1], standing.letters});
+        if (!repeated) continue;
+        row.push_back(deviations.size() == 0 ? "" : score_text(deviations[static_cast<Eigen::Index>(k)], style));
       }
       table.rows.push_back(std::move(row));
     }
@@ -100,16 +123,20 @@ TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& styl
   return table;
 }
 
+std::string letter_words(const StandingOptions& options) {
+  return fmt::format(
+      "Methods that share a small letter do not differ significantly on {} (test over {}), those that share a capital "
+      "on "
+      "classes like these (test over classes).",
+      options.blocks == ResamplingUnit::queries ? "these classes" : "classes like these", name_of(options.blocks));
+}
+
 std::string significance_words(const Leaderboard& board, const StandingOptions& options) {
   std::string words = fmt::format(
-      "{:g} % bootstrap intervals. Methods that share a small letter do not differ significantly {} (test over {}); "
-      "those that share a capital do not on classes like these (test over classes, which have equal weights). "
-      "Randomised Tukey HSD, p > {:.3g}: it compares all methods at once, and one that is far worse than the others "
-      "can "
-      "hide differences between these.",
-      100 * options.confidence,
-      options.blocks == ResamplingUnit::queries ? "on these classes" : "on classes like these", name_of(options.blocks),
-      1 - options.confidence);
+      "{:g} % bootstrap intervals. {} Randomised Tukey HSD, p > {:.3g}: it compares all methods at once, and one that "
+      "is "
+      "far worse than the others can hide differences between these.",
+      100 * options.confidence, letter_words(options), 1 - options.confidence);
   if (const auto few = few_classes_warning(board, options)) words += fmt::format(" {}.", *few);
   return words;
 }

@@ -11,15 +11,19 @@ namespace shapegauge {
 
 /// Makes a table with a row for each submission, best first: rank, method, measures averaged over queries. The best of
 /// each measure is bold, and scores are followed by their letters over queries, and in capitals over classes
-/// (MethodStanding). With `intervals`, cells include confidence intervals.
+/// (MethodStanding), or by " ± " and their standard deviation over repetitions. With `intervals`, cells include
+/// confidence intervals.
 TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, bool intervals = false);
 
 /// Makes a table for files with a row for each submission and average (micro, macro): rank, method, authors, paper,
 /// file, average, and for each measure its value, the ends of its interval and its letters (NN, NN_low, NN_high,
-/// NN_group, ...); percent.
+/// NN_group, ...); percent. If a method has repetitions, also their standard deviations (NN_deviation, ...).
 TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style = csv_style);
 
-/// Explains intervals and letters in sentences.
+/// Explains the letters in a sentence.
+std::string letter_words(const StandingOptions& options);
+
+/// Explains intervals, letters and the test in sentences.
 std::string significance_words(const Leaderboard& board, const StandingOptions& options);
 
 /// Returns the warning that no two methods can have different capitals, since there are too few classes.

@@ -42,6 +42,14 @@ fs::path uncompressed_name(const fs::path& path) {
   return lower_case(path.extension().string()) == ".gz" ? fs::path(path).replace_extension() : path;
 }
 
+// Returns true for a file name that ends in .seed and a number.
+bool is_repetition(const fs::path& name) {
+  static constexpr std::string_view mark = ".seed";
+  const std::string extension = name.extension().string();
+  return extension.size() > mark.size() && extension.starts_with(mark) &&
+         std::all_of(extension.begin() + mark.size(), extension.end(), is_digit);
+}
+
 // Returns true for a text about the submissions, such as README.txt.
 bool is_about_submissions(const fs::path& file) {
   static constexpr std::array<std::string_view, 5> names{"readme", "license", "licence", "copying", "changelog"};
@@ -133,6 +141,10 @@ void read_description(const fs::path& file, Submission& submission) {
 void add_submission(const fs::path& file, FoundSubmissions& found) {
   Submission submission{.file = file};
   const fs::path description = description_of(file);
+  if (is_repetition(uncompressed_name(file).replace_extension())) {
+    submission.repetition_of = fs::path(description).replace_extension();
+    submission.name = submission.repetition_of.filename().string();
+  }
   std::error_code unknown;
   if (fs::exists(description, unknown)) {
     try {
@@ -204,7 +216,11 @@ void remove_ids(FoundSubmissions& found) {
 
 }  // namespace
 
-fs::path description_of(const fs::path& submission) { return uncompressed_name(submission).replace_extension(".json"); }
+fs::path description_of(const fs::path& submission) {
+  fs::path name = uncompressed_name(submission).replace_extension();
+  if (is_repetition(name)) name.replace_extension();
+  return name += ".json";
+}
 
 bool is_submission_file(const fs::path& path) {
   const std::string extension = lower_case(uncompressed_name(path).extension().string());

@@ -14,10 +14,11 @@ struct Submission {
   std::string name{};     ///< if empty, by its file, see method_name()
   std::string authors{};  ///< empty if not given
   std::string paper{};
-  std::string url{};                 ///< begins with http:// or https://
-  std::optional<bool> similarity{};  ///< larger values are nearer; absent if not given
-  std::string distance{};            ///< distance between features, if the file has features
-  std::filesystem::path ids{};       ///< ids of the rows, one a line
+  std::string url{};                      ///< begins with http:// or https://
+  std::optional<bool> similarity{};       ///< larger values are nearer; absent if not given
+  std::string distance{};                 ///< distance between features, if the file has features
+  std::filesystem::path ids{};            ///< ids of the rows, one a line
+  std::filesystem::path repetition_of{};  ///< method of a repetition: foo of foo.seed1.npy; otherwise empty
 };
 
 /// Refused submission or part of one.
@@ -33,7 +34,7 @@ struct FoundSubmissions {
   std::vector<std::filesystem::path> skipped;  ///< other files of folders, except hidden ones
 };
 
-/// Returns the file that describes a submission: foo.json beside foo.npy or foo.csv.gz.
+/// Returns the file that describes a submission: foo.json beside foo.npy, foo.csv.gz or foo.seed1.npy.
 std::filesystem::path description_of(const std::filesystem::path& submission);
 
 /// Returns true if the name has an extension of a format that evaluate_files() reads.

@@ -106,7 +106,9 @@ std::string leaderboard_html(const std::string& title, const Leaderboard& board,
                             .file = judged.submission.file.filename().string(),
                             .page = i < pages.size() ? pages[i] : "",
                             .evaluation = &judged.evaluation,
-                            .warnings = std::move(warnings)});
+                            .warnings = std::move(warnings),
+                            .micro_deviation = judged.micro_deviation,
+                            .macro_deviation = judged.macro_deviation});
   }
   for (const RefusedSubmission& refused : board.refused) {
     page.refused.emplace_back(refused.file.filename().string(), for_readers(refused.reason, refused.file));
@@ -162,6 +164,42 @@ SiteUpdate write_site(const fs::path& folder, const std::string& title, const Le
     if (!keys.contains(page) && fs::remove(folder / page, absent)) ++update.removed;
   }
   return update;
+}
+
+std::string dataset_leaderboards_html(const std::string& title, const DatasetLeaderboards& all) {
+  MultiDatasetResults results = all.results;
+  results.name = title;
+  for (const RefusedSubmission& refused : all.refused) {
+    results.failures.emplace_back(refused.file.filename().string(), without_folders(refused.reason, refused.file, {}));
+  }
+  return multi_dataset_html(results);
+}
+
+SiteUpdate write_dataset_site(const fs::path& folder, const std::string& title, const DatasetLeaderboards& all,
+                              const JudgingOptions& options) {
+  check_site_folder(folder);
+  const FolderLock lock(folder);
+  nlohmann::ordered_json json{{"format", format_of_site}};
+  json.update(dataset_leaderboards_json(all, options));
+  write_file_atomically(folder / site_data, json_text(json, 2) + "\n");
+  DatasetLeaderboards linked = all;
+  SiteUpdate sum;
+  for (std::size_t i = 0; i < all.datasets.size(); ++i) {
+    EvaluatedDataset& dataset = linked.results.datasets[i];
+    dataset.page = fmt::format("{}/{}", dataset.folder, site_index);
+    JudgingOptions own = options;
+    own.files = all.datasets[i].files;
+    const SiteUpdate update =
+        write_site(folder / dataset.folder, fmt::format("{}: {}", title, dataset.name), all.boards[i], own);
+    sum.written += update.written;
+    sum.unchanged += update.unchanged;
+    sum.removed += update.removed;
+  }
+  const MultiDatasetTable& main = main_table(all.results);
+  write_file_atomically(folder / site_csv, to_csv(multi_dataset_csv_table(all.results)));
+  write_file_atomically(folder / site_latex, to_latex(multi_dataset_summary(all.results, main)));
+  write_file_atomically(folder / site_index, dataset_leaderboards_html(title, linked));
+  return sum;
 }
 
 }  // namespace shapegauge

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/experiments/leaderboard/dataset_leaderboards.h"
 #include "shapegauge/experiments/leaderboard/judge_submissions.h"
 
 namespace shapegauge {
@@ -35,5 +36,13 @@ struct SiteUpdate {
 /// Throws InputError as check_site_folder() does, and if a file cannot be read or written.
 SiteUpdate write_site(const std::filesystem::path& folder, const std::string& title, const Leaderboard& board,
                       const JudgingOptions& options);
+
+/// Renders the comparison over several data sets as one HTML file.
+std::string dataset_leaderboards_html(const std::string& title, const DatasetLeaderboards& all);
+
+/// Writes a static site of several data sets: the comparison as page, CSV, LaTeX and JSON, and the site of each data
+/// set in a folder. Counts pages of methods. Throws InputError as write_site() does.
+SiteUpdate write_dataset_site(const std::filesystem::path& folder, const std::string& title,
+                              const DatasetLeaderboards& all, const JudgingOptions& options);
 
 }  // namespace shapegauge

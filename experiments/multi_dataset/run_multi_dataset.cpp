@@ -17,7 +17,7 @@
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
-#include "shapegauge/experiments/multi_dataset/multi_dataset_results.h"
+#include "shapegauge/experiments/results/multi_dataset_results.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
 
 namespace shapegauge {
@@ -193,9 +193,10 @@ class MultiDatasetRun {
   void add(const DatasetPart& part, const fs::path& folder, const RunOutcome& outcome) {
     const auto manifest = manifest_of(part.experiment.configuration, outcome, folder);
     write_file_atomically(folder / manifest_name, json_text(manifest, 2) + "\n");
+    const bool has_report = std::ranges::find(outcome.files, report_name) != outcome.files.end();
     results_.datasets.push_back({.name = part.name,
                                  .folder = part.folder,
-                                 .has_report = std::ranges::find(outcome.files, report_name) != outcome.files.end(),
+                                 .page = has_report ? fmt::format("{}/{}", part.folder, report_name) : "",
                                  .models = outcome.used,
                                  .scores = read_method_scores(folder / "per_query.csv")});
     for (const std::string& file : outcome.files) outcome_.files.push_back(part.folder + "/" + file);

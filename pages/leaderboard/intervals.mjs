@@ -40,7 +40,8 @@ function drawIntervals(state) {
     .text(`${measure} (percent)`);
   ranking.forEach((index, position) => drawRow(area, state, { index, position, x, width }));
   const named = (number) => (state.chosen.average === 'macro' ? letterOf(number).toUpperCase() : letterOf(number));
-  groups.forEach((group, number) => drawGroup(area, group, { place: width + 18 + number * column, name: named(number) }));
+  groups.forEach((group, number) =>
+    drawGroup(area, group, { place: width + 18 + number * column, name: named(number) }));
   place.append(saveButton(svg.node(), `intervals_${measure}_${state.chosen.average}`));
 }
 

@@ -39,8 +39,15 @@ export function showStandings(state) {
 function measureColumns(state) {
   return state.evaluation.measures.map((measure, position) => {
     const value = (index) => state.standingsOf(position)[index].average;
-    return { title: measure, numeric: true, best: true, value, text: (index) => percent(value(index)) };
+    const text = (index) => percent(value(index)) + deviationText(state, index, position);
+    return { title: measure, numeric: true, best: true, value, text };
   });
+}
+
+// The standard deviation over repetitions of the method.
+export function deviationText({ report, chosen: { average } }, method, measure) {
+  const deviations = report.methods[method].deviations[average];
+  return deviations.length ? ` \u00b1 ${percent(deviations[measure])}` : '';
 }
 
 // The name, which leads to the method's own page, with its authors and the paper below.

@@ -31,12 +31,14 @@ function drawChoices(state) {
 }
 
 const state = new MultiDatasetState(pageData('multi-dataset-data'));
+const hasPairs = state.table.pairs.length > 0;
 followTheme();
+if (!hasPairs) byId('wins').remove();
 drawHead(state.report);
 drawChoices(state);
 showMethods(state);
 const drawDifference = showCriticalDifference(state);
-showWins(state);
+if (hasPairs) showWins(state);
 drawDatasets(state.report);
 followScrolling();
 followResizing(drawDifference);

@@ -18,13 +18,15 @@ export function showMethods(state) {
     const columns = [{ title: 'Method', text: (index) => methods[index].name, cell: nameCell }];
     datasets.forEach(({ name }, set) => {
       const value = (index) => table.values[set][index];
-      columns.push({ title: name, numeric: true, best: true, value, text: (index) => percent(value(index)) });
+      columns.push({ title: name, numeric: true, best: true, value,
+        text: (index) => percent(value(index)) + deviationText(table, set, index) });
     });
     const average = (index) => mean(table.values.map((row) => row[index]));
     const letters = (index) => table.letters[table.order.indexOf(index)];
     columns.push({ title: 'Mean', numeric: true, best: true, value: average, text: (index) => percent(average(index)) },
       { title: 'Mean rank', numeric: true, value: (index) => -table.mean_ranks[index],
         text: (index) => table.mean_ranks[index].toFixed(2) },
+      ...rankColumns(table),
       { title: 'Group', text: letters, cell: (index) => lettersCell(letters(index)) });
     stamp('table', [...words, 'in percent'], 'The best of each data set is bold',
       'Methods that share a letter do not differ significantly');
@@ -32,6 +34,19 @@ export function showMethods(state) {
       caption: `${words.join(', ')}, percent`, columns, rows: table.order, sort, sorted: (chosen) => { sort = chosen; },
     });
   });
+}
+
+// The standard deviation over repetitions of a method.
+export function deviationText({ deviations }, set, method) {
+  const deviation = deviations.length ? deviations[set][method] : null;
+  return deviation === null ? '' : ` \u00b1 ${percent(deviation)}`;
+}
+
+// The column of intervals of ranks, if there are any.
+function rankColumns({ rank_intervals: intervals }) {
+  if (!intervals.length) return [];
+  const text = (index) => [...new Set(intervals[index])].join(' \u2013 ');
+  return [{ title: 'Ranks', numeric: true, value: (index) => -intervals[index][1], text }];
 }
 
 export function showWins(state) {
@@ -63,8 +78,8 @@ export function drawDatasets({ datasets, failures }) {
   sortableTable(byId('datasets-table'), { caption: 'Data sets', columns, rows: datasets });
   if (failures.length === 0) return;
   const place = make('div', { class: 'wide', id: 'failures-table' });
-  sortableTable(place, { caption: counted(failures.length, 'data set'), rows: failures,
-    columns: [{ title: 'Data set', text: ([name]) => name }, { title: 'Reason', text: ([, reason]) => reason }] });
-  byId('failures').append(make('h3', {}, 'Data sets left out'),
+  sortableTable(place, { caption: 'Left out', rows: failures,
+    columns: [{ title: 'Name', text: ([name]) => name }, { title: 'Reason', text: ([, reason]) => reason }] });
+  byId('failures').append(make('h3', {}, 'Left out'),
     make('p', {}, 'These could not be used; all figures are without them.'), place);
 }

@@ -77,6 +77,40 @@ TEST(LeaderboardCommand, PrintsEachFormat) {
   EXPECT_THAT(run_executable(leaderboard(small, "--format markdown --digits 1")).output, HasSubstr("| **100.0**"));
 }
 
+TEST(LeaderboardCommand, ComparesMethodsOverDataSets) {
+  const test_board::SmallBoard small;
+  const auto at = [&](const std::string& name) { return small.folder.path() / name; };
+  for (const std::string set : {"s", "t"}) {
+    test::write_text(at(set + "/labels.csv"), test_board::small_labels());
+    for (const std::string method : {"good", "poor"}) {
+      test::write_text(at(set + "/" + method + ".csv"), test_board::small_matrix(method == "good" ? 0 : 3));
+    }
+  }
+  const std::string sets = "leaderboard " + shell_word(at("s")) + " " + shell_word(at("t"));
+  const Outcome outcome = run_executable(sets + " -o " + shell_word(at("site")));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("mean rank"), HasSubstr("Friedman's test: chi-squared 2.00")));
+  EXPECT_TRUE(std::filesystem::exists(at("site/t/index.html")));
+  EXPECT_THAT(run_executable(sets + " --format csv --rank-by NN").output, HasSubstr("psb,micro,NN,good,100.0000"));
+  EXPECT_THAT(run_executable(sets + " --format json").output, HasSubstr("\"rank_interval\""));
+  EXPECT_THAT(run_executable("leaderboard " + shell_word(at("s"))).output, testing::Not(HasSubstr("mean rank")));
+  test::write_text(at("s/more.csv"), test_board::small_matrix(1));
+  const Outcome lacking = run_executable(sets);
+  EXPECT_EQ(lacking.status, 1);
+  EXPECT_THAT(lacking.errors, testing::AllOf(HasSubstr("\"more\""), HasSubstr("data set t")));
+  expect_error_lines({{sets + " " + shell_word(small.submissions()), "--labels"},
+                      {sets + " " + shell_word(at("s")), "two data sets"}});
+}
+
+TEST(LeaderboardCommand, SaysWhatLettersClaimAndWarnsOfTooFewClasses) {
+  const test_board::SmallBoard small;
+  const Outcome outcome = run_executable(leaderboard(small));
+  EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("on these classes"), HasSubstr("on classes like these")));
+  EXPECT_THAT(outcome.errors, HasSubstr("3 classes"));
+  EXPECT_THAT(run_executable(leaderboard(small, "--blocks classes")).output,
+              testing::Not(HasSubstr("on these classes")));
+}
+
 TEST(LeaderboardCommand, RefusesWhatItCannotUse) {
   const test_board::SmallBoard small;
   const std::string folder = shell_word(small.submissions());

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 
 import { MultiDatasetState, contests } from '../../pages/multi_dataset/multi_dataset_state.mjs';
+import { deviationText } from '../../pages/multi_dataset/tables.mjs';
 import { namePlaces, nameSpace } from '../../pages/multi_dataset/critical_difference.mjs';
 
 function sampleMultiDataset() {
@@ -29,6 +30,13 @@ test('a contest is seen from both sides', () => {
   assert.deepEqual(rows[0][2], { text: '3 / 1 / 2', wins: 3, significant: true });
   assert.deepEqual(rows[2][0], { text: '2 / 1 / 3', wins: 2, significant: true });
   assert.equal(rows[0][1], null);
+});
+
+test('repetitions have a standard deviation', () => {
+  const table = { deviations: [[null, 0.0125]] };
+  assert.equal(deviationText(table, 0, 1), ' \u00b1 1.25');
+  assert.equal(deviationText(table, 0, 0), '');
+  assert.equal(deviationText({ deviations: [] }, 0, 0), '');
 });
 
 test('names of the diagram stand in two columns without crossing lines', () => {

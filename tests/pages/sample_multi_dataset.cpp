@@ -57,6 +57,7 @@ SampleMultiDataset made_sample() {
   }
   for (std::size_t i = 0; i < page.tables.size(); ++i) {
     page.tables[i].ranks = &sample.ranks[i];
+    page.tables[i].rank_intervals = rank_intervals(sample.ranks[i].ranks);
     page.tables[i].letters = compact_letters(page.methods.size(), sample.ranks[i].groups);
   }
   page.main_measure = "mAP";

@@ -39,6 +39,7 @@ TEST(MultiDatasetPage, HasTheValuesRanksAndGroupsOfEachTable) {
   EXPECT_NEAR(table["mean_ranks"][4].get<double>(), sample.ranks[5].mean_ranks[4], 1e-4);
   EXPECT_EQ(table["groups"].size(), sample.ranks[5].groups.size());
   EXPECT_EQ(table["pairs"].size(), 66U);
+  EXPECT_EQ(table["rank_intervals"][11][1], sample.page.tables[5].rank_intervals[11].worst);
   EXPECT_EQ(json["failures"][0][1], "no such folder </script>");
 }
 

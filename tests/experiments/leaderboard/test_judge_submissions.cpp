@@ -38,7 +38,7 @@ TEST(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
   const Evaluation alone = evaluate_files(files, {}).evaluation;
   EXPECT_EQ(board.submissions[1].evaluation.micro, alone.micro);
   EXPECT_EQ(board.measures, alone.measures);
-  EXPECT_EQ(board.micro[board.rank_by][0].average, 1);
+  EXPECT_DOUBLE_EQ(board.micro[board.rank_by][0].average, 1);
   EXPECT_EQ(board.macro[0][1].average, alone.macro[0]);
   EXPECT_EQ(board.labels.size(), 12U);
   EXPECT_TRUE(board.refused.empty());
@@ -51,7 +51,7 @@ TEST(JudgeSubmissions, TakesSimilaritiesWhereTheDescriptionSaysSo) {
   const Leaderboard board = small.judged();
   EXPECT_TRUE(board.refused.empty());
   EXPECT_THAT(names_of(board), ElementsAre("Alike", "good", "poor"));
-  EXPECT_EQ(board.micro[0][0].average, 1);
+  EXPECT_DOUBLE_EQ(board.micro[0][0].average, 1);
 }
 
 TEST(JudgeSubmissions, RefusesWhatLooksLikeTheOtherKindUnlessTheDescriptionInsists) {
@@ -123,7 +123,7 @@ TEST(JudgeSubmissions, MatchesIdsAndNotPlaces) {
   const Leaderboard board = small.judged();
   ASSERT_EQ(board.submissions.size(), 3U);
   EXPECT_EQ(board.submissions[0].submission.name, "backwards");
-  EXPECT_EQ(board.micro[0][0].average, 1);
+  EXPECT_DOUBLE_EQ(board.micro[0][0].average, 1);
 }
 
 TEST(JudgeSubmissions, TellsSubmissionsOfOneNameApartAndNamesRepetitions) {

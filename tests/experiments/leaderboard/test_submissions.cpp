@@ -22,6 +22,22 @@ class SubmissionFolder : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(SubmissionFolder, HaveRepetitionsWithOneDescription) {
+  for (const char* name : {"x.seed1.npy", "x.seed12.csv.gz", "y.v2.npy", "z.seedling.npy", "z.seed.npy"}) add(name);
+  add("x.json", R"({"authors": "A"})");
+  add("y.v2.json", R"({"name": "Y"})");
+  const FoundSubmissions found = find();
+  ASSERT_EQ(found.submissions.size(), 5U);
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_EQ(found.submissions[i].repetition_of, at("x"));
+    EXPECT_EQ(found.submissions[i].name, "x");
+    EXPECT_EQ(found.submissions[i].authors, "A");
+  }
+  EXPECT_EQ(found.submissions[2].name, "Y");
+  for (const std::size_t i : {2U, 3U, 4U}) EXPECT_TRUE(found.submissions[i].repetition_of.empty());
+  EXPECT_TRUE(found.refused.empty());
+}
+
 TEST_F(SubmissionFolder, AreAllFilesOfReadableFormatsInNaturalOrder) {
   for (const char* name : {"m10.npy", "m2.csv.gz", "m1.RUN", "README.md", ".hidden.npy", "deep/x.npy"}) add(name);
   const FoundSubmissions found = find();

@@ -1,12 +1,12 @@
-#include "shapegauge/experiments/multi_dataset/multi_dataset_results.h"
+#include "shapegauge/experiments/results/multi_dataset_results.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/version.h"
-#include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/metrics/equal_scores.h"
 #include "shapegauge/pages/multi_dataset_page.h"
 
@@ -16,21 +16,14 @@ namespace {
 
 using MultiDatasetJson = nlohmann::ordered_json;
 
-// The classes of queries as numbers in the order in which they come.
-std::vector<int> class_numbers(const std::vector<std::string>& classes) {
-  std::vector<std::string> known;
-  std::vector<int> numbers;
-  for (const std::string& name : classes) {
-    const auto found = std::ranges::find(known, name);
-    numbers.push_back(static_cast<int>(found - known.begin()));
-    if (found == known.end()) known.push_back(name);
+// Averages of a method, by measure.
+Eigen::VectorXd averages_of_method(const MethodScores& scores, Average average) {
+  const UnitValues units = units_of(scores.values, class_numbers(scores.classes), ResamplingUnit::queries, average);
+  Eigen::VectorXd averages(units.values.cols());
+  for (Eigen::Index k = 0; k < averages.size(); ++k) {
+    averages[k] = averages_of({.values = units.values.col(k), .weights = units.weights})[0];
   }
-  return numbers;
-}
-
-double average_of(const MethodScores& scores, Eigen::Index measure, Average average) {
-  return averages_of(
-      units_of(scores.values.col(measure), class_numbers(scores.classes), ResamplingUnit::queries, average))[0];
+  return averages;
 }
 
 // The scores of one protocol, by method.
@@ -42,6 +35,22 @@ std::vector<const MethodScores*> scores_under(const EvaluatedDataset& dataset, c
   return scores;
 }
 
+// Standard deviations over repetitions, data sets x methods, of results under a single protocol.
+Eigen::MatrixXd deviations_of(std::span<const EvaluatedDataset> datasets, Average average, Eigen::Index measure) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (datasets.front().micro_deviations.empty()) return {};
+  Eigen::MatrixXd deviations(std::ssize(datasets), std::ssize(datasets.front().scores));
+  for (Eigen::Index set = 0; set < deviations.rows(); ++set) {
+    const EvaluatedDataset& dataset = datasets[static_cast<std::size_t>(set)];
+    const auto& by_method = average == Average::micro ? dataset.micro_deviations : dataset.macro_deviations;
+    for (Eigen::Index method = 0; method < deviations.cols(); ++method) {
+      const Eigen::VectorXd& by_measure = by_method[static_cast<std::size_t>(method)];
+      deviations(set, method) = by_measure.size() == 0 ? none : by_measure[measure];
+    }
+  }
+  return deviations.array().isNaN().all() ? Eigen::MatrixXd() : deviations;
+}
+
 std::vector<std::string> protocols_of(const EvaluatedDataset& dataset) {
   std::vector<std::string> protocols;
   for (const MethodScores& one : dataset.scores) {
@@ -50,19 +59,51 @@ std::vector<std::string> protocols_of(const EvaluatedDataset& dataset) {
   return protocols;
 }
 
+// Tables of all measures, without ranks.
+std::vector<MultiDatasetTable> tables_of_measures(std::span<const EvaluatedDataset> datasets,
+                                                  const std::string& protocol, Average average) {
+  const std::vector<const MethodScores*> first = scores_under(datasets.front(), protocol);
+  std::vector<MultiDatasetTable> tables;
+  for (const std::string& measure : first.front()->measures) {
+    tables.push_back({.protocol = protocol,
+                      .average = average,
+                      .measure = measure,
+                      .values = Eigen::MatrixXd(std::ssize(datasets), std::ssize(first)),
+                      .deviations = deviations_of(datasets, average, std::ssize(tables)),
+                      .ranks = {}});
+  }
+  for (std::size_t set = 0; set < datasets.size(); ++set) {
+    const std::vector<const MethodScores*> scores = scores_under(datasets[set], protocol);
+    for (std::size_t method = 0; method < scores.size(); ++method) {
+      const Eigen::VectorXd averages = averages_of_method(*scores[method], average);
+      for (std::size_t k = 0; k < tables.size(); ++k) {
+        tables[k].values(static_cast<Eigen::Index>(set), static_cast<Eigen::Index>(method)) =
+            averages[static_cast<Eigen::Index>(k)];
+      }
+    }
+  }
+  return tables;
+}
+
 MultiDatasetJson finite_or_null(double number) {
   return std::isfinite(number) ? MultiDatasetJson(number) : MultiDatasetJson(nullptr);
 }
 
 std::vector<std::string> summary_row(const MultiDatasetTable& table, std::size_t position,
-                                     const std::vector<std::string>& letters, int decimals) {
+                                     const std::vector<std::string>& letters, const ScoreStyle& style) {
   const auto method = static_cast<Eigen::Index>(table.ranks.order[position]);
   std::vector<std::string> row;
   for (Eigen::Index set = 0; set < table.values.rows(); ++set) {
-    row.push_back(decimal_text(100 * table.values(set, method), decimals));
+    row.push_back(score_text(table.values(set, method), style));
+    if (table.deviations.size() == 0 || std::isnan(table.deviations(set, method))) continue;
+    row.back() += " ± " + score_text(table.deviations(set, method), style);
   }
-  row.push_back(decimal_text(100 * table.values.col(method).mean(), decimals));
+  row.push_back(score_text(table.values.col(method).mean(), style));
   row.push_back(decimal_text(table.ranks.mean_ranks[method], 2));
+  if (!table.rank_intervals.empty()) {
+    const auto& [best, worst] = table.rank_intervals[table.ranks.order[position]];
+    row.push_back(best == worst ? fmt::format("{}", best) : fmt::format("{}-{}", best, worst));
+  }
   row.push_back(letters[position]);
   return row;
 }
@@ -77,13 +118,21 @@ MultiDatasetJson table_json(const MultiDatasetResults& results, const MultiDatas
   for (std::size_t position = 0; position < letters.size(); ++position) {
     const auto method = static_cast<Eigen::Index>(table.ranks.order[position]);
     MultiDatasetJson values = MultiDatasetJson::object();
+    MultiDatasetJson deviations = MultiDatasetJson::object();
     for (std::size_t set = 0; set < results.datasets.size(); ++set) {
-      values[results.datasets[set].name] = table.values(static_cast<Eigen::Index>(set), method);
+      const auto row = static_cast<Eigen::Index>(set);
+      values[results.datasets[set].name] = table.values(row, method);
+      if (table.deviations.size() == 0 || std::isnan(table.deviations(row, method))) continue;
+      deviations[results.datasets[set].name] = table.deviations(row, method);
     }
     methods.push_back({{"method", results.methods[table.ranks.order[position]]},
                        {"values", values},
                        {"mean_rank", table.ranks.mean_ranks[method]},
                        {"group", letters[position]}});
+    if (!deviations.empty()) methods.back()["deviations"] = std::move(deviations);
+    if (table.rank_intervals.empty()) continue;
+    const auto& [best, worst] = table.rank_intervals[table.ranks.order[position]];
+    methods.back()["rank_interval"] = {best, worst};
   }
   MultiDatasetJson pairs = MultiDatasetJson::array();
   for (const RankDifference& pair : table.ranks.pairs) {
@@ -112,25 +161,16 @@ MultiDatasetJson table_json(const MultiDatasetResults& results, const MultiDatas
 
 }  // namespace
 
-std::vector<MultiDatasetTable> multi_dataset_tables(std::span<const EvaluatedDataset> datasets, double alpha) {
+std::vector<MultiDatasetTable> multi_dataset_tables(std::span<const EvaluatedDataset> datasets, double alpha,
+                                                    const std::optional<ResamplingOptions>& intervals) {
   std::vector<MultiDatasetTable> tables;
   for (const std::string& protocol : protocols_of(datasets.front())) {
-    const std::vector<const MethodScores*> first = scores_under(datasets.front(), protocol);
     for (const Average average : {Average::micro, Average::macro}) {
-      for (std::size_t measure = 0; measure < first.front()->measures.size(); ++measure) {
-        MultiDatasetTable table{.protocol = protocol,
-                                .average = average,
-                                .measure = first.front()->measures[measure],
-                                .values = Eigen::MatrixXd(std::ssize(datasets), std::ssize(first)),
-                                .ranks = {}};
-        for (std::size_t set = 0; set < datasets.size(); ++set) {
-          const std::vector<const MethodScores*> scores = scores_under(datasets[set], protocol);
-          for (std::size_t method = 0; method < scores.size(); ++method) {
-            table.values(static_cast<Eigen::Index>(set), static_cast<Eigen::Index>(method)) =
-                average_of(*scores[method], static_cast<Eigen::Index>(measure), average);
-          }
-        }
+      for (MultiDatasetTable& table : tables_of_measures(datasets, protocol, average)) {
         table.ranks = compare_by_ranks(table.values, alpha);
+        if (intervals && datasets.size() > 1) {
+          table.rank_intervals = rank_intervals(table.ranks.ranks, 1 - alpha, *intervals);
+        }
         tables.push_back(std::move(table));
       }
     }
@@ -142,13 +182,16 @@ const MultiDatasetTable& main_table(const MultiDatasetResults& results) {
   return *std::ranges::find(results.tables, results.main_measure, &MultiDatasetTable::measure);
 }
 
-TextTable multi_dataset_summary(const MultiDatasetResults& results, const MultiDatasetTable& table, int decimals) {
+TextTable multi_dataset_summary(const MultiDatasetResults& results, const MultiDatasetTable& table,
+                                const ScoreStyle& style) {
   TextTable summary{.header = {"method"}, .rows = {}, .text_columns = 1};
   for (const EvaluatedDataset& dataset : results.datasets) summary.header.push_back(dataset.name);
-  summary.header.insert(summary.header.end(), {"mean", "mean rank", "group"});
+  summary.header.insert(summary.header.end(), {"mean", "mean rank"});
+  if (!table.rank_intervals.empty()) summary.header.emplace_back("rank");
+  summary.header.emplace_back("group");
   const std::vector<std::string> letters = letters_of(table.ranks);
   for (std::size_t position = 0; position < letters.size(); ++position) {
-    std::vector<std::string> row = summary_row(table, position, letters, decimals);
+    std::vector<std::string> row = summary_row(table, position, letters, style);
     row.insert(row.begin(), results.methods[table.ranks.order[position]]);
     summary.rows.push_back(std::move(row));
   }
@@ -164,10 +207,10 @@ TextTable multi_dataset_summary(const MultiDatasetResults& results, const MultiD
   return summary;
 }
 
-TextTable multi_dataset_csv_table(const MultiDatasetResults& results) {
+TextTable multi_dataset_csv_table(const MultiDatasetResults& results, const ScoreStyle& style) {
   TextTable all{.header = {"protocol", "average", "measure"}, .rows = {}, .text_columns = 4};
   for (const MultiDatasetTable& table : results.tables) {
-    const TextTable one = multi_dataset_summary(results, table, csv_style.decimals);
+    const TextTable one = multi_dataset_summary(results, table, style);
     if (all.rows.empty()) all.header.insert(all.header.end(), one.header.begin(), one.header.end());
     for (std::vector<std::string> row : one.rows) {
       row.insert(row.begin(), {table.protocol, name_of(table.average), table.measure});
@@ -236,7 +279,7 @@ std::string multi_dataset_html(const MultiDatasetResults& results) {
                         .failures = results.failures};
   for (const EvaluatedDataset& dataset : results.datasets) {
     page.datasets.push_back({.name = dataset.name,
-                             .page = dataset.has_report ? fmt::format("{}/report.html", dataset.folder) : "",
+                             .page = dataset.page,
                              .models = dataset.models,
                              .queries = dataset.scores.front().queries.size()});
   }
@@ -245,7 +288,9 @@ std::string multi_dataset_html(const MultiDatasetResults& results) {
                            .average = table.average,
                            .measure = table.measure,
                            .values = table.values,
+                           .deviations = table.deviations,
                            .ranks = &table.ranks,
+                           .rank_intervals = table.rank_intervals,
                            .letters = letters_of(table.ranks),
                            .words = test_words(results, table)});
   }

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/multi_dataset/multi_dataset_results.h"
+#include "shapegauge/experiments/results/multi_dataset_results.h"
 
 namespace shapegauge {
 
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 /// Scores of two methods on a data set: three queries, the first two of one class.
 EvaluatedDataset small_dataset(const std::string& name, const Eigen::Vector3d& first, const Eigen::Vector3d& second) {
-  EvaluatedDataset dataset{.name = name, .folder = name, .has_report = true, .models = 3, .scores = {}};
+  EvaluatedDataset dataset{.name = name, .folder = name, .page = name + "/report.html", .models = 3, .scores = {}};
   for (const auto& [method, values] : {std::pair{"a", first}, {"b", second}}) {
     dataset.scores.push_back({.method = method,
                               .source = name,
@@ -70,7 +70,7 @@ TEST(MultiDatasetResults, HaveAllTablesAndPairsInFiles) {
 TEST(MultiDatasetResults, LeadToReportsWhereThereAreSome) {
   MultiDatasetResults results = small_results();
   EXPECT_THAT(multi_dataset_html(results), HasSubstr("s/report.html"));
-  for (EvaluatedDataset& dataset : results.datasets) dataset.has_report = false;
+  for (EvaluatedDataset& dataset : results.datasets) dataset.page.clear();
   EXPECT_THAT(multi_dataset_html(results), testing::Not(HasSubstr("s/report.html")));
 }
 
