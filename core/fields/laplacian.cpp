@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <fmt/format.h>
 #include <iterator>
 #include <limits>
@@ -18,6 +19,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
@@ -111,10 +113,13 @@ Eigenpairs merged(const Eigenpairs& a, const Eigenpairs& b) {
   return {both.values(order), both.vectors(Eigen::all, order)};
 }
 
-/// Computes the eigenvalues next above the shift by Lanczos iteration.
-Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift) {
+/// Computes the eigenvalues next above the shift by Lanczos iteration. The start depends on the seed.
+Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift, std::uint64_t seed) {
   Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, count, 2 * count + 20, shift);
-  solver.init();
+  RandomNumbers random(seed);
+  Eigen::VectorXd start(inverse.rows());
+  for (double& entry : start) entry = random.uniform(-1, 1);
+  solver.init(start.data());
   constexpr Eigen::Index most_iterations = 300;
   constexpr double tolerance = 1e-9;
   solver.compute(Spectra::SortRule::LargestMagn, most_iterations, tolerance, Spectra::SortRule::SmallestAlge);
@@ -143,14 +148,16 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, d
     return first_of({solver.eigenvalues(), solver.eigenvectors()}, count);
   }
   ShiftedInverse inverse(matrix, shift);
-  Eigenpairs pairs = iterated(inverse, count, shift);
+  Eigenpairs pairs = iterated(inverse, count, shift, 0);
   constexpr int most_rounds = 20;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 1; round <= most_rounds; ++round) {
     const double last = pairs.values[count - 1] * (1 - 1e-6);
     const Eigen::Index missing = count_below(matrix, last) - (pairs.values.array() < last).count();
     if (missing <= 0) return pairs;
     inverse.set_known(pairs.vectors);
-    pairs = first_of(merged(pairs, iterated(inverse, std::min(missing, count), shift)), count);
+    // A start of its own: those missing are nearly orthogonal to the earlier ones.
+    const auto seed = static_cast<std::uint64_t>(round);
+    pairs = first_of(merged(pairs, iterated(inverse, std::min(missing, count), shift, seed)), count);
   }
   throw InputError("the eigenvalues of the mesh's Laplacian are too close to each other to be distinguished");
 }

@@ -59,10 +59,13 @@ TEST(Laplacian, EigenvaluesOfTheUnitSphereAreThoseOfSphericalHarmonics) {
 }
 
 TEST(Laplacian, NoCopyOfAMultipleEigenvalueIsLeftOut) {
-  const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), 100);
-  for (Eigen::Index k = 1; k < 100; ++k) {
-    const double l = std::floor(std::sqrt(static_cast<double>(k)));
-    EXPECT_NEAR(spectrum.eigenvalues[k], l * (l + 1), 0.06 * l * (l + 1)) << k;
+  // 17 to 24 eigenvalues end among the nine copies of 20, which the mesh divides into four and five.
+  for (const int count : {17, 18, 19, 20, 21, 22, 23, 24, 100}) {
+    const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), count);
+    for (Eigen::Index k = 1; k < count; ++k) {
+      const double l = std::floor(std::sqrt(static_cast<double>(k)));
+      EXPECT_NEAR(spectrum.eigenvalues[k], l * (l + 1), 0.06 * l * (l + 1)) << k << " of " << count;
+    }
   }
 }
 
