@@ -14,6 +14,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -122,7 +123,12 @@ Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift, s
   solver.init(start.data());
   constexpr Eigen::Index most_iterations = 300;
   constexpr double tolerance = 1e-9;
-  solver.compute(Spectra::SortRule::LargestMagn, most_iterations, tolerance, Spectra::SortRule::SmallestAlge);
+  try {
+    solver.compute(Spectra::SortRule::LargestMagn, most_iterations, tolerance, Spectra::SortRule::SmallestAlge);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::runtime_error&) {  // Spectra's, of numbers out of range: it has no result, as below
+  }
   if (solver.info() != Spectra::CompInfo::Successful) {
     throw InputError(
         fmt::format("the {} smallest eigenvalues of the mesh's Laplacian did not converge in {} "
