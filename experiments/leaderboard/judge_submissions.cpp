@@ -225,28 +225,12 @@ std::vector<std::string> measure_names(const EvaluationOptions& options) {
   return names;
 }
 
-// Aligns the scores of all submissions to the same queries.
-AlignedMethods aligned(const std::vector<MethodScores>& scores) {
-  if (scores.size() > 1) return align_methods(scores, {});
-  AlignedMethods one{.methods = {scores[0].method},
-                     .protocol = scores[0].protocol,
-                     .measures = scores[0].measures,
-                     .classes = {},
-                     .values = {}};
-  for (Eigen::Index measure = 0; measure < scores[0].values.cols(); ++measure) {
-    one.values.emplace_back(scores[0].values.col(measure));
-  }
-  return one;
-}
-
 void add_standings(const AlignedMethods& methods, StandingOptions options, Leaderboard& board) {
-  const std::vector<int>& classes =
-      methods.classes.empty() ? board.submissions.front().evaluation.query_classes : methods.classes;
   for (const Eigen::MatrixXd& values : methods.values) {
     options.average = Average::micro;
-    board.micro.push_back(standings_of(values, classes, options));
+    board.micro.push_back(standings_of(values, methods.classes, options));
     options.average = Average::macro;
-    board.macro.push_back(standings_of(values, classes, options));
+    board.macro.push_back(standings_of(values, methods.classes, options));
   }
 }
 
@@ -286,7 +270,7 @@ Leaderboard judge_submissions(const FoundSubmissions& found, const JudgingOption
     judging.judge(submission);
   }
   if (board.submissions.empty()) throw InputError(all_refused(board.refused));
-  const AlignedMethods methods = aligned(judging.scores());
+  const AlignedMethods methods = align_methods(judging.scores(), {});
   for (std::size_t i = 0; i < methods.methods.size(); ++i) {
     board.submissions[i].submission.name = methods.methods[i];
   }
