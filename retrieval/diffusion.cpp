@@ -149,8 +149,11 @@ struct Diffusion {
   }
 };
 
-/// Returns a distance just below another one; 0 for 0.
-double just_below(double distance) { return std::nextafter(distance, 0.0); }
+/// Returns a distance just below another one; 0 for 0. Errors of the solver can make similarities exceed 1, and
+/// distances negative.
+double just_below(double distance) {
+  return distance == 0 ? 0 : std::nextafter(distance, -std::numeric_limits<double>::infinity());
+}
 
 /// Moves the nearest model before diffusion in front of the others, for rows from `first` on.
 void put_nearest_first(const NearestModels& before, Eigen::Index first, DistanceMatrix& rows) {

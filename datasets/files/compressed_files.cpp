@@ -12,8 +12,8 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/base/utf8.h"
+#include "shapegauge/core/io/file_bytes.h"
 
 namespace shapegauge {
 

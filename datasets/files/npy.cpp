@@ -16,10 +16,10 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/little_endian.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/base/utf8.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/datasets/files/exact_number.h"
-#include "shapegauge/core/base/utf8.h"
 
 namespace shapegauge {
 

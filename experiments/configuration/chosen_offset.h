@@ -27,8 +27,8 @@ std::string reasons_for_offset(const ChosenOffset& chosen);
 /// Returns the warning about an offset smaller than the gaps of the shape, if it is.
 std::optional<std::string> leak_warning(const ChosenOffset& chosen);
 
-/// Says of a hollow body (closed_components()) whether values are those of its hull, as the offset SDF computes them, or of
-/// its wall. Nothing for other shapes.
+/// Says of a hollow body (closed_components()) whether values are those of its hull, as the offset SDF computes them,
+/// or of its wall. Nothing for other shapes.
 std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull);
 
 }  // namespace shapegauge

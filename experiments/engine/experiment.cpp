@@ -70,6 +70,7 @@ PartOutcome run_part(const Experiment& experiment, const Part& part, const fs::p
                      const RunControl& control, Cache& cache) {
   if (!experiment.run_part) throw InputError("experiments of this kind have no parts");
   if (cache.folder().empty()) throw InputError("`part` needs a folder that all parts share as `cache`");
+  require_writable(cache.folder());
   return experiment.run_part({.control = control, .cache = cache, .generated = destination / "dataset"}, part);
 }
 

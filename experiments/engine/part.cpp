@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/engine/part.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
 #include <optional>
@@ -35,10 +36,17 @@ std::optional<Part> part_of_job_array() {
   const auto task = number_of("SLURM_ARRAY_TASK_ID");
   const auto count = number_of("SLURM_ARRAY_TASK_COUNT");
   if (!task || !count || *count == 0) return std::nullopt;
-  // Arrays may begin at any number, such as --array=1-64.
+  // Arrays may begin at any number, such as --array=1-64, but their numbers must be evenly spaced.
   const std::size_t first = number_of("SLURM_ARRAY_TASK_MIN").value_or(0);
-  const std::size_t step = number_of("SLURM_ARRAY_TASK_STEP").value_or(1);
-  return Part{.number = (*task - first) / (step > 0 ? step : 1) % *count + 1, .count = *count};
+  const std::size_t step = std::max<std::size_t>(number_of("SLURM_ARRAY_TASK_STEP").value_or(1), 1);
+  const std::size_t last = number_of("SLURM_ARRAY_TASK_MAX").value_or(first + (*count - 1) * step);
+  if ((last - first) / step + 1 != *count) {
+    throw InputError(fmt::format(
+        "`part=auto` needs a Slurm job array with evenly spaced numbers, such as 1-64, and this one has {} from {} to "
+        "{}; to repeat single parts use K/N",
+        *count, first, last));
+  }
+  return Part{.number = (*task - first) / step % *count + 1, .count = *count};
 }
 
 Part part_of_environment() {

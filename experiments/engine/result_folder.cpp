@@ -172,9 +172,17 @@ void make_folder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure || !fs::is_directory(folder)) {
-    throw InputError(fmt::format("cannot create the result folder {}: {}", folder.string(),
+    throw InputError(fmt::format("cannot create the folder {}: {}", folder.string(),
                                  failure ? failure.message() : "a file has that name"));
   }
+}
+
+void require_writable(const fs::path& folder) {
+  make_folder(folder);
+  const fs::path probe = folder / ".shapegauge-probe";
+  write_file_atomically(probe, "");
+  std::error_code ignored;
+  fs::remove(probe, ignored);
 }
 
 void check_results_are_no_inputs(const fs::path& folder, std::span<const std::string> files,
@@ -192,13 +200,7 @@ void check_results_are_no_inputs(const fs::path& folder, std::span<const std::st
 }
 
 void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace) {
-  make_folder(folder);
-  // Tests writing now, not after hours.
-  const fs::path probe = folder / ".shapegauge-probe";
-  write_file_atomically(probe, "");
-  std::error_code ignored;
-  fs::remove(probe, ignored);
-
+  require_writable(folder);
   if (replace || !has_results(folder) || earlier_configuration(folder) == escaped_json(configuration)) return;
   throw InputError(fmt::format(
       "{} has results of another configuration; use another folder with `output`, or `replace=true`", folder.string()));

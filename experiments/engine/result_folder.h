@@ -50,6 +50,9 @@ bool holds_timings(std::string_view file);
 /// Creates a folder if missing. Throws InputError if that fails.
 void make_folder(const std::filesystem::path& folder);
 
+/// Creates a folder if missing and writes to it, before hours of work. Throws InputError if that fails.
+void require_writable(const std::filesystem::path& folder);
+
 /// Throws InputError if the folder, one of the files (by name in the folder), one that an earlier run has listed there
 /// and that will be replaced or removed, or a folder of one of these is among the inputs.
 void check_results_are_no_inputs(const std::filesystem::path& folder, std::span<const std::string> files,

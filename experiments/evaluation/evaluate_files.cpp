@@ -88,12 +88,19 @@ MatrixIds ids_of_files(const OpenMatrix& matrix, const EvaluationFiles& files) {
   MatrixIds ids{.rows = matrix.row_ids, .columns = matrix.column_ids};
   if (!files.ids.empty()) {
     const std::vector<std::string> given = read_ids(files.ids);
+    if (given.empty()) throw InputError(fmt::format("{} has no ids", files.ids.string()));
     check_same_ids(given, ids.rows, "row", files);
     if (matrix.rows == matrix.columns) {
       check_same_ids(given, ids.columns, "column", files);
       ids.columns = given;
     }
     ids.rows = given;
+    if (ids.columns.empty()) {
+      throw InputError(
+          fmt::format("{} has the ids of the rows only, and the columns of {} have none; use a table with the ids of "
+                      "both (.csv)",
+                      files.ids.string(), files.matrix.string()));
+    }
   }
   if (ids.rows.empty() || ids.columns.empty()) return {};
   return ids;

@@ -250,7 +250,6 @@ MethodScores method_scores(const std::string& method, const std::string& source,
 
 AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
                              std::span<const std::string> names) {
-  if (methods.size() < 2) throw InputError("a comparison needs at least two methods");
   check_protocols(methods);
   AlignedMethods aligned{.methods = checked_names(methods, names),
                          .protocol = methods[0].protocol,

@@ -52,8 +52,8 @@ struct AlignedMethods {
 
 /// Aligns methods to the same queries and measures: the requested measures, or all common ones. `names` are the
 /// methods' names, if given. Otherwise methods of equal names get the shortest distinguishing suffix of their file's
-/// path. Throws InputError for fewer than two methods, different protocols, queries that differ between methods or have
-/// different classes, a missing measure, a wrong number of names, and equal names.
+/// path. There must be at least one method. Throws InputError for different protocols, queries that differ between
+/// methods or have different classes, a missing measure, a wrong number of names, and equal names.
 AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
                              std::span<const std::string> names = {});
 

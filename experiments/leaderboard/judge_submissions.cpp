@@ -220,20 +220,6 @@ std::vector<std::string> measure_names(const EvaluationOptions& options) {
   return names;
 }
 
-// Aligns the scores of all submissions to the same queries.
-AlignedMethods aligned(const std::vector<MethodScores>& scores) {
-  if (scores.size() > 1) return align_methods(scores, {});
-  AlignedMethods one{.methods = {scores[0].method},
-                     .protocol = scores[0].protocol,
-                     .measures = scores[0].measures,
-                     .classes = {},
-                     .values = {}};
-  for (Eigen::Index measure = 0; measure < scores[0].values.cols(); ++measure) {
-    one.values.emplace_back(scores[0].values.col(measure));
-  }
-  return one;
-}
-
 // Returns standings by the means of classes, which are also the units of the tests. Letters are capitals.
 std::vector<MethodStanding> class_standings(const Eigen::MatrixXd& values, std::span<const int> classes,
                                             StandingOptions options) {
@@ -248,11 +234,9 @@ std::vector<MethodStanding> class_standings(const Eigen::MatrixXd& values, std::
 }
 
 void add_standings(const AlignedMethods& methods, const StandingOptions& options, Leaderboard& board) {
-  const std::vector<int>& classes =
-      methods.classes.empty() ? board.submissions.front().evaluation.query_classes : methods.classes;
   for (const Eigen::MatrixXd& values : methods.values) {
-    board.micro.push_back(standings_of(values, classes, options));
-    board.macro.push_back(class_standings(values, classes, options));
+    board.micro.push_back(standings_of(values, methods.classes, options));
+    board.macro.push_back(class_standings(values, methods.classes, options));
   }
 }
 
@@ -300,7 +284,7 @@ Leaderboard judge_submissions(const FoundSubmissions& found, const JudgingOption
   }
   if (board.submissions.empty()) throw InputError(all_refused(board.refused));
   combine_repetitions(board.submissions, judging.scores());
-  const AlignedMethods methods = aligned(judging.scores());
+  const AlignedMethods methods = align_methods(judging.scores(), {});
   for (std::size_t i = 0; i < methods.methods.size(); ++i) {
     board.submissions[i].submission.name = methods.methods[i];
   }

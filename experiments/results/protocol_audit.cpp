@@ -65,17 +65,16 @@ std::optional<std::vector<EvaluatedFiles>> evaluate_all(std::span<const std::fil
   return evaluated;
 }
 
-void add_standings(const std::vector<EvaluatedFiles>& evaluated, const StandingOptions& options, ProtocolAudit& audit) {
-  const Evaluation& first = evaluated.front().evaluation;
-  for (Eigen::Index score = 0; score < first.per_query.cols(); ++score) {
-    Eigen::MatrixXd values(first.per_query.rows(), std::ssize(evaluated));
-    for (std::size_t method = 0; method < evaluated.size(); ++method) {
-      const Eigen::MatrixXd& per_query = evaluated[method].evaluation.per_query;
-      if (per_query.rows() != values.rows()) throw InputError("the files have different queries");
-      values.col(static_cast<Eigen::Index>(method)) = per_query.col(score);
-    }
-    audit.standings.push_back(standings_of(values, first.query_classes, options));
+// Returns the scores of the files.
+std::vector<MethodScores> scores_of(std::span<const std::filesystem::path> matrices,
+                                    const std::vector<EvaluatedFiles>& evaluated) {
+  std::vector<MethodScores> scores;
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    const EvaluatedFiles& one = evaluated[i];
+    scores.push_back(
+        method_scores(method_name(matrices[i], one.data), matrices[i].string(), one.data.task, one.evaluation));
   }
+  return scores;
 }
 
 void add_scores(const Column& column, const std::vector<EvaluatedFiles>& evaluated, ProtocolAudit& audit) {
@@ -140,17 +139,16 @@ ProtocolAudit audit_protocols(std::span<const std::filesystem::path> matrices, c
     const auto evaluated = evaluate_all(matrices, files, columns[i], audit);
     if (!evaluated) continue;
     if (i == 0) {
-      std::vector<MethodScores> scores;
       for (std::size_t method = 0; method < matrices.size(); ++method) {
-        const EvaluatedFiles& one = (*evaluated)[method];
-        const std::string source = matrices[method].string();
-        scores.push_back(method_scores(method_name(matrices[method], one.data), source, one.data.task, one.evaluation));
-        for (const std::string& warning : one.warnings) {
-          audit.warnings.push_back(fmt::format("{}: {}", source, warning));
+        for (const std::string& warning : (*evaluated)[method].warnings) {
+          audit.warnings.push_back(fmt::format("{}: {}", matrices[method].string(), warning));
         }
       }
-      audit.methods = scores.size() > 1 ? align_methods(scores, {}).methods : std::vector{scores.front().method};
-      add_standings(*evaluated, standings, audit);
+      const AlignedMethods aligned = align_methods(scores_of(matrices, *evaluated), {});
+      audit.methods = aligned.methods;
+      for (const Eigen::MatrixXd& values : aligned.values) {
+        audit.standings.push_back(standings_of(values, aligned.classes, standings));
+      }
     }
     add_scores(columns[i], *evaluated, audit);
   }

@@ -50,7 +50,8 @@ std::vector<std::string> incomplete_methods(const ExperimentResults& results) {
 std::vector<std::string> run_warnings(const ExperimentResults& results) {
   std::vector<std::string> warnings = field_warnings(results.fields);
   const auto has_outliers = [](const ShapeReport& shape) { return shape.diagnostics.outliers > 0; };
-  if (const auto count = std::ranges::count_if(results.shapes, has_outliers); count > 0) {
+  const auto count = std::ranges::count_if(results.shapes, has_outliers);
+  if (count > 0 && !results.configuration.preparation.remove_outliers) {
     warnings.push_back(fmt::format(
         "{} of {} shapes are clouds with outliers, which enlarge them: use `preparation.remove_outliers=true`", count,
         results.shapes.size()));

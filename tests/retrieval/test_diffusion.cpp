@@ -257,6 +257,16 @@ TEST(KeptNearest, IsTheNearestBeforeAndTheOthersAreUnchanged) {
   EXPECT_LT(largest_difference(diffused_by_rows(distances, keeping), kept), 2e-6);
 }
 
+/// With such a damping, errors of the solver make many distances negative.
+TEST(KeptNearest, IsTheNearestAmongNegativeDistances) {
+  const DistanceMatrix distances = distances_of(arcs(10, 4, 3));
+  const DistanceMatrix kept =
+      diffused_by_rows(distances, {.neighbours = {}, .damping = 0.999999, .tie = 0, .keep_nearest = true});
+  for (Eigen::Index i = 0; i < 40; ++i) {
+    EXPECT_EQ(nearest_in_row(kept, i, 1).front().model, nearest_in_row(distances, i, 1).front().model);
+  }
+}
+
 TEST(WithQuery, AreTheNearestOfAllModelsTogether) {
   for (const Eigen::Index models : {1, 3, 6, 40}) {
     Eigen::MatrixXd points = clusters(models + 1, 1, 8);

@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -5,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
@@ -174,6 +176,23 @@ TEST(ReadDistanceMatrix, CondensedDistancesAreTheUpperTriangle) {
   write_npy_vector(folder.path() / "five.npy", condensed.head(5));
   EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "five.npy", TableShape::square); }),
               HasSubstr("square"));
+}
+
+TEST(ReadDistanceMatrix, CondensedShapesAreVectorsOfTriangularLength) {
+  const auto is_condensed = [](const std::vector<std::uint64_t>& shape) { return is_condensed_shape(shape); };
+  for (const std::vector<std::uint64_t>& shape : {std::vector<std::uint64_t>{1}, {6}, {1, 6}, {6, 1}, {4'498'500}}) {
+    EXPECT_TRUE(is_condensed(shape)) << testing::PrintToString(shape);
+  }
+  for (const std::vector<std::uint64_t>& shape : {std::vector<std::uint64_t>{},
+                                                  {0},
+                                                  {5},
+                                                  {1, 1},
+                                                  {3, 2},
+                                                  {1, 1, 6},
+                                                  {std::numeric_limits<std::int64_t>::max()},
+                                                  {std::numeric_limits<std::uint64_t>::max()}}) {
+    EXPECT_FALSE(is_condensed(shape)) << testing::PrintToString(shape);
+  }
 }
 
 TEST(ReadDistanceMatrix, IntegersThatWouldBeRoundedAreAnError) {

@@ -31,8 +31,8 @@ class AutomaticPart : public testing::Test {
   }
   static void clear() {
     for (const char* name :
-         {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP",
-          "SLURM_PROCID", "SLURM_NTASKS", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}) {
+         {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX",
+          "SLURM_ARRAY_TASK_STEP", "SLURM_PROCID", "SLURM_NTASKS", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}) {
       ::unsetenv(name);
     }
   }
@@ -87,6 +87,18 @@ TEST_F(AutomaticPart, IsThatOfTheInnermostTask) {
                        {"SLURM_NTASKS", "1"}}),
             "2/2")
       << "a job array";
+}
+
+/// With --array=1,3,7, two tasks would have the first part of three, and none the second.
+TEST_F(AutomaticPart, NeedsEvenlySpacedTasks) {
+  std::map<std::string, std::string> task{{"SLURM_ARRAY_TASK_ID", "7"},
+                                          {"SLURM_ARRAY_TASK_COUNT", "3"},
+                                          {"SLURM_ARRAY_TASK_MIN", "1"},
+                                          {"SLURM_ARRAY_TASK_MAX", "7"},
+                                          {"SLURM_ARRAY_TASK_STEP", "2"}};
+  EXPECT_THAT(test::input_error_of([&] { (void)part_with(task); }), HasSubstr("K/N"));
+  task["SLURM_ARRAY_TASK_STEP"] = "3";
+  EXPECT_EQ(part_with(task), "3/3");
 }
 
 TEST_F(AutomaticPart, NeedsALauncher) {

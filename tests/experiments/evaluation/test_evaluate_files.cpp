@@ -125,7 +125,27 @@ TEST_F(EvaluateFiles, FeaturesThatAreEqualInSinglePrecisionAreAWarning) {
   EXPECT_THAT(evaluated.warnings, Contains(HasSubstr(std::to_string(models - 1) + " rows equal others")));
 }
 
-/// Warnings for a matrix of four models in two classes.
+TEST_F(EvaluateFiles, IdsOfRowsNeedThoseOfOtherColumns) {
+  test::write_text(at("m.txt"), "1 2 3\n4 5 6\n");
+  test::write_text(at("queries.csv"), "id,class\na,x\nb,y\n");
+  test::write_text(at("targets.csv"), "id,class\nd,x\ne,y\nf,y\n");
+  test::write_text(at("rows.txt"), "b\na\n");
+  const auto error = test::input_error_of([&] {
+    (void)open_evaluation_files(
+        {.matrix = at("m.txt"), .labels = at("queries.csv"), .targets = at("targets.csv"), .ids = at("rows.txt")});
+  });
+  EXPECT_THAT(error, AllOf(HasSubstr("rows.txt"), HasSubstr("columns of "), HasSubstr("m.txt")));
+}
+
+TEST_F(EvaluateFiles, AFileWithoutIdsIsAnError) {
+  test::write_text(at("none.txt"), "\n");
+  const auto error = test::input_error_of([&] {
+    (void)open_evaluation_files(
+        {.matrix = at("features.npy"), .labels = at("labels.csv"), .ids = at("none.txt"), .distance = "l2"});
+  });
+  EXPECT_THAT(error, HasSubstr("none.txt has no ids"));
+}
+
 TEST_F(EvaluateFiles, IdsThatAreGivenAreThoseOfTheMatrix) {
   test::write_text(at("m.csv"), "id,a,b,c\na,0,1,2\nb,1,0,3\nc,2,3,0\n");
   test::write_text(at("classes.csv"), "id,class\na,x\nb,x\nc,y\n");
@@ -139,6 +159,7 @@ TEST_F(EvaluateFiles, IdsThatAreGivenAreThoseOfTheMatrix) {
               AllOf(HasSubstr("row 2 is \"b\" in "), HasSubstr("m.csv but \"c\" in "), HasSubstr("other.txt")));
 }
 
+/// Warnings for a matrix of four models in two classes.
 class MatrixWarnings : public testing::Test {
  protected:
   [[nodiscard]] std::vector<std::string> warnings_of(const std::string& matrix, bool similarity = false) const {

@@ -66,8 +66,6 @@ TEST_F(MethodScoresTest, WhatCannotBeComparedIsOneError) {
   EXPECT_THAT(align_error(header + "c,psb,1,ant,1\nc,psb,2,ant,1\n", {"FT"}), HasSubstr("no measure \"FT\" for \"c\""));
   EXPECT_THAT(align_error("method,protocol,id,class,ST\nc,psb,1,ant,1\nc,psb,2,ant,1\n"),
               HasSubstr("no measure in common"));
-  const std::vector<MethodScores> one = {read(table)[0]};
-  EXPECT_THAT(test::input_error_of([&] { align_methods(one, {}); }), HasSubstr("two methods"));
 }
 
 TEST_F(MethodScoresTest, FaultsAreOneErrorWithTheLine) {

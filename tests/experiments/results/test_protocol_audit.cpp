@@ -60,6 +60,27 @@ TEST_F(ProtocolAuditTest, TablesCompareScoresOfOneQuantity) {
   EXPECT_EQ(audit_json(found)["scores"][1]["values"][1], 1);
 }
 
+// All lists are alike, so that all queries of the class a have a first tier of 1 and those of b 0: resampled classes
+// range from 0 to 1, unless the rows of a file are taken for other queries.
+TEST_F(ProtocolAuditTest, FilesMayHaveTheirQueriesInAnyOrder) {
+  const auto list = [](const std::string& query) {
+    return query + " Q0 5 1 4 run\n" + query + " Q0 6 2 3 run\n" + query + " Q0 7 3 2 run\n" + query +
+           " Q0 8 4 1 run\n";
+  };
+  test::TemporaryFolder folder;
+  const std::vector runs{folder.file("one.run", list("0") + list("1") + list("2") + list("3")),
+                         folder.file("other.run", list("3") + list("0") + list("2") + list("1"))};
+  const ProtocolAudit found = audit_protocols(runs,
+                                              {.matrix = {},
+                                               .labels = folder.file("q.csv", "id,class\n0,a\n1,a\n2,b\n3,b\n"),
+                                               .targets = folder.file("t.csv", "id,class\n5,a\n6,a\n7,b\n8,b\n")},
+                                              {.resampling = {.resamples = 100}});
+  for (const MethodStanding& standing : found.standings[1]) {
+    EXPECT_EQ(standing.interval->low, 0);
+    EXPECT_EQ(standing.interval->high, 1);
+  }
+}
+
 }  // namespace
 
 }  // namespace shapegauge

@@ -47,6 +47,15 @@ TEST(RunWarnings, IncludeTheRemarksOfMethods) {
   EXPECT_THAT(run_warnings(results), ElementsAre("method \"second\": odd"));
 }
 
+TEST(RunWarnings, OutliersAreReportedUnlessTheyAreRemoved) {
+  ExperimentResults results = two_methods();
+  results.shapes.resize(5);
+  results.shapes[3].diagnostics.outliers = 2;  // in the file
+  EXPECT_THAT(run_warnings(results), ElementsAre(testing::StartsWith("1 of 5 shapes are clouds with outliers")));
+  results.configuration.preparation.remove_outliers = true;
+  EXPECT_THAT(run_warnings(results), IsEmpty());
+}
+
 TEST(RunWarnings, TiesAreReportedWithTheirEffectUnderEachProtocol) {
   ExperimentResults results = two_methods();
   EXPECT_THAT(run_warnings(results), IsEmpty());
