@@ -31,10 +31,11 @@ constexpr double skipped_difference = 1e-3;
 
 /// Returns the distance in a shape's unit frame below which its points coincide: its coordinates, and those of samples
 /// on its surface, are rounded.
-double rounding_of(const Shape& shape, const UnitFrame& frame) {
+double rounding_of(const UnitFrame& frame) {
   constexpr double usual = 1e-9;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  return std::max(usual, 4 * epsilon * shape.vertices.cwiseAbs().maxCoeff() / frame.diagonal);
+  const double largest = frame.centre.cwiseAbs().maxCoeff() + frame.diagonal / 2;
+  return std::max(usual, 4 * epsilon * largest / frame.diagonal);
 }
 
 const Shape& checked(const Shape& shape, const InscribedBallOptions& options) {
@@ -58,7 +59,7 @@ class TouchingBalls::Search {
       : parallel(options.parallel),
         shape_(checked(shape, options)),
         frame_(unit_frame(shape)),
-        rounding_(rounding_of(shape, frame_)),
+        rounding_(rounding_of(frame_)),
         tree_(in_unit_frame(shape, frame_)),
         min_cosine_(-std::cos(options.separation_angle_degrees / 180 * std::numbers::pi)),
         cone_cosine_(std::sin(options.separation_angle_degrees / 360 * std::numbers::pi)) {
