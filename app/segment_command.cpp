@@ -34,7 +34,7 @@ struct SegmentArguments {
   ShapeFiles files{.output_format = "seg"};
   std::string method{word_of(SegmentationOptions{}.method)};
   ParameterTexts settings;  ///< of segmentation_table, without the method and the offset
-  OffsetArguments offset{.offset = fmt::format("{}", SegmentationOptions{}.offset)};
+  OffsetArguments offset{.offset = fmt::format("{:g}%", 100 * SegmentationOptions{}.offset)};
   CleaningArguments cleaning;
 };
 

@@ -269,6 +269,7 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {good + "--method offset_sdf --offset 1mm" + out, "--unit"},
       {good + "--method offset_sdf --offset 3m --unit mm" + out, "diagonal"},
       {good + "--method offset_sdf --offset 0.5 --unit mm" + out, "write 0.5mm or 50%"},
+      {good + "--method offset_sdf --offset 0.05 --unit mm" + out, "write 0.05mm or 5%"},
       {good + "--method offset_sdf --offset half%" + out, "%"},
       {good + "--method cone_sdf --below 2parsecs" + out, "--below"},
       {good + "--method cone_sdf --range 4" + out, "--range"},
