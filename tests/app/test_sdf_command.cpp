@@ -194,7 +194,14 @@ TEST_F(SdfCommand, SummariesAreInAnyFormatAndUnit) {
 
 TEST_F(SdfCommand, GltfIsInMetres) {
   const std::string absent = "sdf '" + at("absent.glb") + "' --method inscribed_ball --summary --below 1.2";
-  expect_error_lines({{absent + " --unit mm", "metres"}, {absent + "mm", "No such file"}});
+  const std::string others = " '" + at("absent.glb") + "' -o x.ply --offset 1mm";
+  const std::string segment = "segment --method paper" + others;
+  expect_error_lines({{absent + " --unit mm", "metres"},
+                      {absent + "mm", "No such file"},
+                      {"normals" + others + " --unit mm", "metres"},
+                      {"normals" + others, "No such file"},
+                      {segment + " --unit mm", "metres"},
+                      {segment, "No such file"}});
 }
 
 TEST_F(SdfCommand, AnOffsetMayBeALength) {
