@@ -63,9 +63,10 @@ double radius_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
   const double b = height * slope - square * from.dot(line);
   const double c = height * height - square * from.squaredNorm();
   const double discriminant = b * b - a * c;
-  if (a == 0 || !(discriminant >= 0)) return least;
-  try_at((-b - std::sqrt(discriminant)) / a);
-  try_at((-b + std::sqrt(discriminant)) / a);
+  if (!(discriminant >= 0)) return least;
+  const double sum = -(b + std::copysign(std::sqrt(discriminant), b));  // a may be 0: the line is parallel to the cone
+  try_at(sum / a);
+  try_at(c / sum);
   return least;
 }
 

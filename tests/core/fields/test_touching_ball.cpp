@@ -83,6 +83,8 @@ TEST(TouchingBall, IsStoppedByOppositePointsOnly) {
   // A lid is stopped at the border of the cone, or where it begins within the cone.
   EXPECT_DOUBLE_EQ(radius({{1, -9, 2}, {1, 9, 2}, {9, 0, 2}}), 5.0 / 4);
   EXPECT_EQ(radius({{2.1, -9, 2}, {2.1, 9, 2}, {9, 0, 2}}), infinity);
+  // An edge parallel to the border of the cone enters it at (1.5, 2, 2.5).
+  EXPECT_NEAR(radius({{-1, 2, 0}, {3, 2, 4}, {-1, 30, 0}}), 2.5, 1e-12);
 }
 
 }  // namespace
