@@ -99,13 +99,12 @@ class TouchingBalls::Search {
                                  const OppositePoints& opposite, std::int32_t index, double limit) const {
     const Triangle& triangle = tree_.triangle(index);
     const Triangle relative{triangle.a - point, triangle.b - point, triangle.c - point};
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (is_cloud(shape_)) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
       const bool is_opposite = -shape_.normals.row(index).dot(normal) >= min_cosine_;
       return is_opposite ? touching_radius(relative.a, opposite) : infinity;
     }
-    const Eigen::Vector3d& triangle_normal = normals_[static_cast<std::size_t>(index)];
-    return triangle_normal.isZero(0) ? infinity : touching_radius(relative, triangle_normal, opposite, limit);
+    return touching_radius(relative, normals_[static_cast<std::size_t>(index)], opposite, limit);
   }
 
   const Shape& shape_;

@@ -66,8 +66,8 @@ TEST(TouchingBall, PlaneSideAndCorner) {
   EXPECT_DOUBLE_EQ(radius_of(high_wall, up), 10.0 / 6);
   const Triangle tip{{0, 0, 3}, {1, 0, 9}, {0, 1, 9}};
   EXPECT_DOUBLE_EQ(radius_of(tip, up), 1.5);
-  const Triangle segment{{2, -1, 2}, {2, 1, 2}, {2, 0, 2}};
-  EXPECT_DOUBLE_EQ(radius_of(segment, up), 2);
+  const Triangle degenerate{{2, -1, 2}, {2, 1, 2}, {2, 0, 2}};
+  EXPECT_EQ(radius_of(degenerate, up), infinity);
   EXPECT_EQ(radius_of({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}}, up), infinity);
 }
 
