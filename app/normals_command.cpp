@@ -60,6 +60,7 @@ void add_normals_command(CLI::App& app, int& status) {
   add_offset_option(*command, arguments->offset);
   add_cleaning_options(*command, arguments->cleaning);
   command->callback([arguments, &status] {
+    arguments->offset.unit_of_files = take_unit_of_files(arguments->offset.unit, arguments->files.inputs);
     const GivenOffset given = parse_offset(arguments->offset);
     const NormalFileWriter write = normal_file_writer(output_name(arguments->files));
     status = for_each_shape(arguments->files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {

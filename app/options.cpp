@@ -150,8 +150,7 @@ GivenOffset parse_offset(const OffsetArguments& arguments) {
     if (!(in_units > 0)) throw InputError(fmt::format("--offset is {}; it must be above 0", arguments.offset));
     return {.fraction = {}, .length = in_units};
   }
-  const bool is_default = arguments.offset == fmt::format("{}", OffsetSdfOptions{}.offset);
-  if (!arguments.unit.empty() && !arguments.unit_of_files && !is_default) {
+  if (!arguments.unit.empty() && !arguments.unit_of_files) {
     throw InputError(
         fmt::format("--offset {0} with --unit may be a length or a fraction of the diagonal; write {0}{1} or {2:g}%",
                     arguments.offset, arguments.unit, 100 * length->value));

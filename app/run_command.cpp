@@ -237,7 +237,8 @@ void add_run_command(CLI::App& app, int& status) {
                    "name; paths are relative to the working directory")
       ->allow_extra_args(false);
   begin_option_group(*command, output_options);
-  command->add_option("--plot", arguments->plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
+  CLI::Option* const plot = command->add_option("--plot", arguments->plot,
+                                                "File for a chart of the precision-recall curves: .svg, .pdf or .png");
   command->add_flag("--replace", arguments->replace, "Overwrite results of another configuration");
   command->add_flag("--force", arguments->force, "Like --replace, and ignore the contents of the cache");
   add_cache_option(*command, arguments->cache);
@@ -247,7 +248,8 @@ void add_run_command(CLI::App& app, int& status) {
   CLI::Option* const part = add_part_option(*command, arguments->part,
                                             "Compute only part K of N into the cache: K/N, or auto (Slurm job array, "
                                             "srun, mpirun)")
-                                ->excludes(no_cache);
+                                ->excludes(no_cache)
+                                ->excludes(plot);
   begin_option_group(*command, "Replay");
   command->add_option("--replay", arguments->source.replay, "Manifest of a run to repeat (manifest.json)")
       ->excludes(configuration)

@@ -66,7 +66,7 @@ struct SdfArguments {
   ShapeFiles files{.output_format = "csv"};
   std::string method;
   std::string site{word_of(SamplePlan{}.site)};
-  OffsetArguments offset{.offset = fmt::format("{}", OffsetSdfOptions{}.offset)};
+  OffsetArguments offset{.offset = fmt::format("{:g}%", 100 * OffsetSdfOptions{}.offset)};
   ParameterTexts settings;  ///< of the method, without the offset
   CleaningArguments cleaning;
   fs::path timings;

@@ -34,7 +34,7 @@ struct SegmentArguments {
   ShapeFiles files{.output_format = "seg"};
   std::string method{word_of(SegmentationOptions{}.method)};
   ParameterTexts settings;  ///< of segmentation_table, without the method and the offset
-  OffsetArguments offset{.offset = fmt::format("{}", SegmentationOptions{}.offset)};
+  OffsetArguments offset{.offset = fmt::format("{:g}%", 100 * SegmentationOptions{}.offset)};
   CleaningArguments cleaning;
 };
 
@@ -132,6 +132,7 @@ void add_segment_command(CLI::App& app, int& status) {
     if (options.method != SegmentationAlgorithm::paper && offset->count() > 0) {
       throw InputError("--offset requires --method paper");
     }
+    arguments->offset.unit_of_files = take_unit_of_files(arguments->offset.unit, arguments->files.inputs);
     const LabelWriter write = label_writer(output_name(arguments->files));
     status = for_each_shape(arguments->files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
       segment(*arguments, options, write, shape, job, remarks);

@@ -14,7 +14,7 @@ debian_mirror() {
     awk -v release="$(. /etc/os-release && echo "$VERSION_CODENAME")" '$2 == "Debian" && $3 == release { print $1; exit }'
 }
 
-# make_empty_debian RELEASE ROOT: makes it, with the lists of packages, with git and certificates only, in a folder that does not exist. A packed copy
+# make_empty_debian RELEASE ROOT: makes it, with git, certificates and the lists of packages, in an empty folder. A packed copy
 # beside the build is used for a day. Packages that this machine has downloaded are shared.
 make_empty_debian() {
   local release=$1 root=$2 packed=build/empty-$1.tar
@@ -24,14 +24,15 @@ make_empty_debian() {
     debootstrap --variant=minbase --include=git,ca-certificates "$release" "$root" "$(debian_mirror)" >&2 || return 1
     # Packages are written without waiting for the disk: a crash would end the trial anyway.
     echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
-    tar --create --file "$packed.part" --directory "$root" .
+    tar --create --one-file-system --file "$packed.part" --directory "$root" . || return 1
     mv "$packed.part" "$packed" || return 1
   else
     tar --extract --file "$packed" --directory "$root" || return 1
   fi
   cp -L /etc/resolv.conf "$root/etc/resolv.conf"
   mount -t proc proc "$root/proc" || return 1
-  mount --bind /dev "$root/dev" || return 1
+  # Private: what is mounted in it must not appear in the machine's /dev.
+  mount --bind --make-private /dev "$root/dev" || return 1
   mount -t devpts devpts "$root/dev/pts" || return 1
   mount --bind /var/cache/apt/archives "$root/var/cache/apt/archives" || return 1
   inside "$root" apt-get --quiet update >&2
@@ -39,8 +40,11 @@ make_empty_debian() {
 
 # remove_empty_debian ROOT: unmounts what was mounted, and removes the folder.
 remove_empty_debian() {
-  local mounted
-  for mounted in var/cache/apt/archives dev/pts dev proc; do umount --lazy "$1/$mounted" 2>/dev/null || true; done
+  local folder
+  for folder in var/cache/apt/archives dev/pts dev proc sys; do
+    ! mountpoint -q "$1/$folder" || umount --lazy "$1/$folder" ||
+      { say "$1 stays: $1/$folder is a folder of this machine, and cannot be unmounted"; return 1; }
+  done
   rm -rf --one-file-system "$1"
 }
 

@@ -28,8 +28,9 @@ std::vector<std::int32_t> numbers_of_sound(const Shape& mesh) {
 
 /// Returns the closest of the sound triangles to the middle of a triangle.
 std::int32_t closest_to(const Shape& mesh, Eigen::Index triangle, const TriangleBVH& sound, const UnitFrame& frame) {
+  constexpr double far = 100;  // in single precision, all triangles are about equally near to farther places
   const Eigen::Vector3d middle = mesh.vertices(mesh.triangles.row(triangle), Eigen::all).colwise().mean();
-  return sound.closest(frame.to_unit(middle)).value().triangle;
+  return sound.closest(frame.to_unit(middle).cwiseMax(-far).cwiseMin(far)).value().triangle;
 }
 
 }  // namespace

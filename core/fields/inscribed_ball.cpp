@@ -34,10 +34,11 @@ constexpr double skipped_difference = 1e-3;
 
 /// Returns the distance in a shape's unit frame below which its points coincide: its coordinates, and those of samples
 /// on its surface, are rounded.
-double rounding_of(const Shape& shape, const UnitFrame& frame) {
+double rounding_of(const UnitFrame& frame) {
   constexpr double usual = 1e-9;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  return std::max(usual, 4 * epsilon * shape.vertices.cwiseAbs().maxCoeff() / frame.diagonal);
+  const double largest = frame.centre.cwiseAbs().maxCoeff() + frame.diagonal / 2;
+  return std::max(usual, 4 * epsilon * largest / frame.diagonal);
 }
 
 const Shape& checked(const Shape& shape, const InscribedBallOptions& options) {
@@ -61,7 +62,7 @@ class TouchingBalls::Search {
       : parallel(options.parallel),
         shape_(checked(shape, options)),
         frame_(unit_frame(shape)),
-        rounding_(rounding_of(shape, frame_)),
+        rounding_(rounding_of(frame_)),
         tree_(in_unit_frame(shape, frame_)),
         min_cosine_(-std::cos(options.separation_angle_degrees / 180 * std::numbers::pi)),
         cone_cosine_(std::sin(options.separation_angle_degrees / 360 * std::numbers::pi)) {
@@ -177,13 +178,12 @@ class TouchingBalls::Search {
                                  const OppositePoints& opposite, std::int32_t index, double limit) const {
     const Triangle& triangle = tree_.triangle(index);
     const Triangle relative{triangle.a - point, triangle.b - point, triangle.c - point};
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (is_cloud(shape_)) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
       const bool is_opposite = -shape_.normals.row(index).dot(normal) >= min_cosine_;
       return is_opposite ? touching_radius(relative.a, opposite) : infinity;
     }
-    const Eigen::Vector3d& triangle_normal = normals_[static_cast<std::size_t>(index)];
-    return triangle_normal.isZero(0) ? infinity : touching_radius(relative, triangle_normal, opposite, limit);
+    return touching_radius(relative, normals_[static_cast<std::size_t>(index)], opposite, limit);
   }
 
   const Shape& shape_;

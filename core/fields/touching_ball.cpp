@@ -44,7 +44,7 @@ double contact_along(const Eigen::Vector3d& from, const Eigen::Vector3d& line, c
 /// that is outside the cone, of a point where the segment enters the cone.
 double radius_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const OppositePoints& opposite) {
   const double length = (to - from).norm();
-  if (!(length > 0)) return touching_radius(from, opposite);
+  if (!(length > 0)) return touching_radius(from, opposite);  // by rounding: the corners are relative to the origin
   const Eigen::Vector3d line = (to - from) / length;
   const double contact = contact_along(from, line, opposite.direction);
   double least = unlimited;
@@ -63,9 +63,10 @@ double radius_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
   const double b = height * slope - square * from.dot(line);
   const double c = height * height - square * from.squaredNorm();
   const double discriminant = b * b - a * c;
-  if (a == 0 || !(discriminant >= 0)) return least;
-  try_at((-b - std::sqrt(discriminant)) / a);
-  try_at((-b + std::sqrt(discriminant)) / a);
+  if (!(discriminant >= 0)) return least;
+  const double sum = -(b + std::copysign(std::sqrt(discriminant), b));  // a may be 0: the line is parallel to the cone
+  try_at(sum / a);
+  try_at(c / sum);
   return least;
 }
 
@@ -86,18 +87,17 @@ double touching_radius(const Eigen::Vector3d& q, const OppositePoints& opposite)
 
 double touching_radius(const Triangle& triangle, const Eigen::Vector3d& normal, const OppositePoints& opposite,
                        double limit) {
+  if (normal.isZero(0)) return unlimited;
   const Corners corners{triangle.a, triangle.b, triangle.c};
-  if (!normal.isZero(0)) {
-    const double distance = normal.dot(triangle.a);
-    const double cosine = (distance < 0 ? -1 : 1) * normal.dot(opposite.direction);
-    if (cosine < opposite.min_cosine - cosine_margin) return unlimited;
-    const double radius = std::abs(distance) / (1 + cosine);
-    // With a margin for rounding: the minimum must not depend on the order of the triangles.
-    if (!(radius < limit * (1 + 1e-12))) return unlimited;
-    const Eigen::Vector3d away = distance < 0 ? Eigen::Vector3d(-normal) : normal;
-    const Eigen::Vector3d contact = radius * (opposite.direction + away);
-    if (contact.norm() > opposite.rounding && contains(corners, normal, contact)) return radius;
-  }
+  const double distance = normal.dot(triangle.a);
+  const double cosine = (distance < 0 ? -1 : 1) * normal.dot(opposite.direction);
+  if (cosine < opposite.min_cosine - cosine_margin) return unlimited;
+  const double radius = std::abs(distance) / (1 + cosine);
+  // With a margin for rounding: the minimum must not depend on the order of the triangles.
+  if (!(radius < limit * (1 + 1e-12))) return unlimited;
+  const Eigen::Vector3d away = distance < 0 ? Eigen::Vector3d(-normal) : normal;
+  const Eigen::Vector3d contact = radius * (opposite.direction + away);
+  if (contact.norm() > opposite.rounding && contains(corners, normal, contact)) return radius;
   const auto at_origin = [&](const Eigen::Vector3d& corner) { return corner.norm() < opposite.rounding; };
   if (std::ranges::any_of(corners, at_origin)) return unlimited;
   double least = unlimited;

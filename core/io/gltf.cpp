@@ -23,8 +23,8 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::size_t most_gltf_vertices = 100'000'000;
-constexpr std::size_t most_nesting = 200;  // of JSON: the library reads it recursively
+constexpr std::size_t most_gltf_items = 100'000'000;  // vertices or triangles: nodes repeat their meshes
+constexpr std::size_t most_nesting = 200;             // of JSON: the library reads it recursively
 constexpr std::string_view glb_magic = "glTF";
 
 [[noreturn]] void fail(const std::string& name, std::string_view what) {
@@ -351,7 +351,7 @@ class GltfScene {
   };
 
   struct PlacedPoints {
-    Positions positions;
+    int accessor;
     Eigen::Affine3d transform;
   };
 
@@ -397,7 +397,7 @@ class GltfScene {
       if (found == primitive.attributes.end()) continue;
       const int mode = primitive.mode;
       if (mode == TINYGLTF_MODE_POINTS) {
-        points_.push_back({positions_of(model_, found->second, name_), transform});
+        points_.push_back({found->second, transform});
         continue;
       }
       if (mode != TINYGLTF_MODE_TRIANGLES && mode >= 0 && mode < TINYGLTF_MODE_TRIANGLE_STRIP) continue;  // lines
@@ -408,7 +408,9 @@ class GltfScene {
       }
       const auto& [first, count] = placed[found->second];
       const bool mirrored = transform.linear().determinant() < 0;
-      for (std::array<std::int32_t, 3> triangle : triangles_of(corners_of(model_, primitive, count, name_), mode)) {
+      const auto triangles = triangles_of(corners_of(model_, primitive, count, name_), mode);
+      require_room(soup_.triangles(), triangles.size(), "triangles");
+      for (std::array<std::int32_t, 3> triangle : triangles) {
         if (mirrored) std::swap(triangle[1], triangle[2]);
         soup_.begin_face();
         for (const std::int32_t corner : triangle) soup_.add_corner(static_cast<std::int32_t>(first) + corner);
@@ -416,10 +418,13 @@ class GltfScene {
     }
   }
 
+  void require_room(std::size_t present, std::size_t more, std::string_view what) const {
+    if (more <= most_gltf_items - present) return;
+    fail(name_, fmt::format("its scene has more than {} {}", most_gltf_items, what));
+  }
+
   void add_vertices(const Positions& positions, const Eigen::Affine3d& transform) {
-    if (positions.size() > most_gltf_vertices - std::min(most_gltf_vertices, soup_.vertices())) {
-      fail(name_, fmt::format("its scene has more than {} vertices", most_gltf_vertices));
-    }
+    require_room(soup_.vertices(), positions.size(), "vertices");
     for (const Eigen::Vector3d& position : positions) {
       const Eigen::Vector3d place = transform * position;
       if (!place.allFinite()) fail(name_, message_not_finite(static_cast<std::int64_t>(soup_.vertices())));
@@ -428,7 +433,9 @@ class GltfScene {
   }
 
   void add_points() {
-    for (const PlacedPoints& points : points_) add_vertices(points.positions, points.transform);
+    for (const PlacedPoints& points : points_) {
+      add_vertices(positions_of(model_, points.accessor, name_), points.transform);
+    }
   }
 
   const tinygltf::Model& model_;

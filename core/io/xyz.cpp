@@ -83,13 +83,16 @@ class XyzReader {
     if (read_names()) return;
     TextScanner ahead = scanner_;
     ahead.read_word();
-    if (!ahead.at_line_end()) return;
+    if (ahead.at_line_end()) count_ = read_number_of_points("the number of points, or a point's three coordinates");
+  }
+
+  std::size_t read_number_of_points(std::string_view role) {
     std::int64_t count = 0;
-    scanner_.read_integer(count, "the number of points, or a point's three coordinates");
+    scanner_.read_integer(count, role);
     if (count < 0 || count > std::numeric_limits<std::int32_t>::max()) {
       scanner_.fail(fmt::format("{} points cannot be read", count));
     }
-    count_ = static_cast<std::size_t>(count);
+    return static_cast<std::size_t>(count);
   }
 
   /// Reads a first line that begins with the names x, y and z.
@@ -105,13 +108,11 @@ class XyzReader {
 
   /// Reads the number of points of another scan, after those of the first.
   bool begin_further_scan() {
+    if (!count_ || positions_.size() != *count_) return false;
     TextScanner ahead = scanner_;
     ahead.read_word();
-    if (!count_ || positions_.size() != *count_ || !ahead.at_line_end()) return false;
-    std::int64_t more = 0;
-    scanner_.read_integer(more, "the number of points of the next scan");
-    if (more < 0) scanner_.fail(fmt::format("{} points cannot be read", more));
-    *count_ += static_cast<std::size_t>(more);
+    if (!ahead.at_line_end()) return false;
+    *count_ += read_number_of_points("the number of points of the next scan");
     return true;
   }
 

@@ -18,7 +18,7 @@ std::vector<bool> outliers(const Shape& shape) {
   const std::vector<double> distances = distances_to_sixth(shape.vertices);
   std::vector<double> reordered = distances;
   const double limit = max_distance * lower_quantile(reordered, 0.5);
-  if (lower_quantile(reordered, 1 - max_fraction) > limit) return marked;
+  if (!(limit > 0) || lower_quantile(reordered, 1 - max_fraction) > limit) return marked;
   for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = distances[i] > limit;
   return marked;
 }

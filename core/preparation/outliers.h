@@ -10,8 +10,9 @@
 namespace shapegauge {
 
 /// Marks the outliers of a cloud: points whose sixth neighbour is farther than 10 times the median such distance
-/// (point_spacing()). None if they would be more than 1 % of the points, as in a cloud of varying density, and none for
-/// a mesh. Throws InputError for an unusable shape (require_usable()).
+/// (point_spacing()). None if they would be more than 1 % of the points, as in a cloud of varying density, none where
+/// most points coincide with six others, and none for a mesh. Throws InputError for an unusable shape
+/// (require_usable()).
 std::vector<bool> outliers(const Shape& shape);
 
 /// Returns the number of outliers().

@@ -116,7 +116,7 @@ def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
         is_cloud = faces is None or len(faces) == 0
         normals = own_normals if normals is None and is_cloud else normals
     vertices = _rows(vertices, "vertices", _numpy.float64)
-    faces = _rows(_split_quads([] if faces is None else faces), "faces", _numpy.int32)
+    faces = _rows(_split_quads(vertices, [] if faces is None else faces), "faces", _numpy.int32)
     normals = _rows([] if normals is None else normals, "normals", _numpy.float64)
     if len(normals) > 0 and len(faces) > 0:
         raise InputError("normals are for point clouds; a mesh has its own: leave normals out")
@@ -125,12 +125,22 @@ def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
     return vertices, faces, normals
 
 
-def _split_quads(faces: Any) -> Any:
-    """Splits faces of four corners, m x 4, into 2 m triangles; returns other faces as they are."""
+def _split_quads(vertices: _numpy.ndarray, faces: Any) -> Any:
+    """Splits faces of four corners, m x 4, into 2 m triangles; returns other faces as they are.
+
+    The diagonal is that from the first corner or, if its triangles overlap in a concave quad, the other one.
+    """
     array = array_of(faces, "faces")
     if array.ndim != 2 or array.shape[1] != 4:
         return faces
-    return array[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3)
+    triangles = array[:, [0, 1, 2, 0, 2, 3]]
+    if array.dtype.kind in "iu" and array.size > 0 and 0 <= array.min() and array.max() < len(vertices):
+        corners = vertices[array]
+        first, diagonal, last = (corners[:, k] - corners[:, 0] for k in (1, 2, 3))
+        with _numpy.errstate(all="ignore"):  # coordinates beyond 1e77
+            overlap = (_numpy.cross(first, diagonal) * _numpy.cross(diagonal, last)).sum(axis=1) < 0
+        triangles[overlap] = array[overlap][:, [1, 2, 3, 1, 3, 0]]
+    return triangles.reshape(-1, 3)
 
 
 def _rows(values: Any, what: str, kind: Any) -> _numpy.ndarray:

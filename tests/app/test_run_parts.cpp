@@ -191,7 +191,8 @@ TEST_F(RunParts, OfAJobArrayAreThoseOfItsTask) {
 
 TEST_F(RunParts, RefuseWhatTheyCannotDo) {
   const std::string run = "run " + quoted("small.json") + " --part ";
-  test_command_line::expect_error_lines({{run + "3/2", "3/2"}, {run + "1/2 --no-cache", "--no-cache"}});
+  test_command_line::expect_error_lines(
+      {{run + "3/2", "3/2"}, {run + "1/2 --no-cache", "--no-cache"}, {run + "1/2 --plot x.svg", "--plot"}});
   EXPECT_EQ(run_part("1/2", "small.json/cache").status, 2) << "a part that nothing can keep";
 }
 

@@ -194,7 +194,14 @@ TEST_F(SdfCommand, SummariesAreInAnyFormatAndUnit) {
 
 TEST_F(SdfCommand, GltfIsInMetres) {
   const std::string absent = "sdf '" + at("absent.glb") + "' --method inscribed_ball --summary --below 1.2";
-  expect_error_lines({{absent + " --unit mm", "metres"}, {absent + "mm", "No such file"}});
+  const std::string others = " '" + at("absent.glb") + "' -o x.ply --offset 1mm";
+  const std::string segment = "segment --method paper" + others;
+  expect_error_lines({{absent + " --unit mm", "metres"},
+                      {absent + "mm", "No such file"},
+                      {"normals" + others + " --unit mm", "metres"},
+                      {"normals" + others, "No such file"},
+                      {segment + " --unit mm", "metres"},
+                      {segment, "No such file"}});
 }
 
 TEST_F(SdfCommand, AnOffsetMayBeALength) {
@@ -269,6 +276,7 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {good + "--method offset_sdf --offset 1mm" + out, "--unit"},
       {good + "--method offset_sdf --offset 3m --unit mm" + out, "diagonal"},
       {good + "--method offset_sdf --offset 0.5 --unit mm" + out, "write 0.5mm or 50%"},
+      {good + "--method offset_sdf --offset 0.05 --unit mm" + out, "write 0.05mm or 5%"},
       {good + "--method offset_sdf --offset half%" + out, "%"},
       {good + "--method cone_sdf --below 2parsecs" + out, "--below"},
       {good + "--method cone_sdf --range 4" + out, "--range"},

@@ -283,3 +283,7 @@ def test_quads_are_two_triangles_each():
     expected, _ = sg.sdf(vertices, quads[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3))
     np.testing.assert_array_equal(values, expected)
     np.testing.assert_allclose(weights, 0.5)
+    arrow = np.array([[0, 0, 0], [2, 0, 0], [0.2, 0.2, 0], [0, 2, 0]])  # concave
+    for first in range(4):
+        with pytest.warns(UserWarning):  # a sheet
+            assert sum(sg.sdf(arrow, [np.roll(range(4), first)]).weights) == pytest.approx(0.4)

@@ -24,6 +24,20 @@ TEST(SoundMesh, DegenerateTrianglesBelongToTheClosest) {
   EXPECT_EQ(sound.extended({7, 9}), (Labels{7, 7, 9, 9, 9}));
 }
 
+TEST(SoundMesh, DegenerateTrianglesMayBeFarAway) {
+  Shape mesh = test::box({1, 1, 1}, 1);
+  const Eigen::Index vertices = mesh.vertices.rows();
+  const Eigen::Index triangles = mesh.triangles.rows();
+  mesh.vertices.conservativeResize(vertices + 1, Eigen::NoChange);
+  mesh.vertices.bottomRows(1) << 1e30, 0, 0;
+  mesh.triangles.conservativeResize(triangles + 1, Eigen::NoChange);
+  mesh.triangles.bottomRows(1).setConstant(static_cast<std::int32_t>(vertices));
+  const SoundMesh sound = sound_mesh(mesh);
+  ASSERT_EQ(sound.shape.triangles.rows(), triangles);
+  const std::int32_t closest = sound.triangle_of.back();
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(mesh.vertices(sound.shape.triangles(closest, k), 0), 0.5);
+}
+
 TEST(SoundMesh, LeavesOtherMeshesAndCloudsAsTheyAre) {
   const Shape sphere = test::sphere(1, 2);
   EXPECT_EQ(sound_mesh(sphere).shape.triangles, sphere.triangles);

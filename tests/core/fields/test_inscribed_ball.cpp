@@ -154,6 +154,14 @@ TEST(InscribedBall, FarFromTheOriginIsThatOfTheSameRoundedShapeAtTheOrigin) {
   }
 }
 
+TEST(InscribedBall, IgnoresVerticesWithoutTriangles) {
+  Shape shape = test::box({1, 2, 3}, 4);
+  const Eigen::VectorXd expected = at_faces(shape);
+  shape.vertices.conservativeResize(shape.vertices.rows() + 1, Eigen::NoChange);
+  shape.vertices.bottomRows(1) << 1e18, 0, 0;
+  EXPECT_EQ(at_faces(shape), expected);
+}
+
 TEST(InscribedBall, MissesWhereNothingStopsTheBall) {
   Shape sheet;
   sheet.vertices.resize(3, 3);

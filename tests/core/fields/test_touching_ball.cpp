@@ -66,8 +66,8 @@ TEST(TouchingBall, PlaneSideAndCorner) {
   EXPECT_DOUBLE_EQ(radius_of(high_wall, up), 10.0 / 6);
   const Triangle tip{{0, 0, 3}, {1, 0, 9}, {0, 1, 9}};
   EXPECT_DOUBLE_EQ(radius_of(tip, up), 1.5);
-  const Triangle segment{{2, -1, 2}, {2, 1, 2}, {2, 0, 2}};
-  EXPECT_DOUBLE_EQ(radius_of(segment, up), 2);
+  const Triangle degenerate{{2, -1, 2}, {2, 1, 2}, {2, 0, 2}};
+  EXPECT_EQ(radius_of(degenerate, up), infinity);
   EXPECT_EQ(radius_of({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}}, up), infinity);
 }
 
@@ -83,6 +83,8 @@ TEST(TouchingBall, IsStoppedByOppositePointsOnly) {
   // A lid is stopped at the border of the cone, or where it begins within the cone.
   EXPECT_DOUBLE_EQ(radius({{1, -9, 2}, {1, 9, 2}, {9, 0, 2}}), 5.0 / 4);
   EXPECT_EQ(radius({{2.1, -9, 2}, {2.1, 9, 2}, {9, 0, 2}}), infinity);
+  // An edge parallel to the border of the cone enters it at (1.5, 2, 2.5).
+  EXPECT_NEAR(radius({{-1, 2, 0}, {3, 2, 4}, {-1, 30, 0}}), 2.5, 1e-12);
 }
 
 }  // namespace

@@ -117,6 +117,7 @@ TEST(ReadXyz, NumberOfPointsMustBeRight) {
   expect_xyz_error("1\n0 0 0\n1 0 0\n0 0 0\n", "c.xyz: found 3 points, but the first line announces 1");
   expect_xyz_error("1\n0 0 0 1\n1 0 0 1\n", "c.xyz: found 2 points, but the first line announces 1");
   expect_xyz_error("-1\n0 0 0\n", "c.xyz:1: -1 points cannot be read");
+  expect_xyz_error("1\n0 0 0\n9223372036854775807\n0 0 1\n", "c.xyz:3: 9223372036854775807 points cannot be read");
   expect_xyz_error("1.5\n0 0 0\n",
                    "c.xyz:1: expected the number of points, or a point's three coordinates (a whole number), found "
                    "\"1.5\"");
