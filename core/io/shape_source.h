@@ -32,7 +32,8 @@ struct ShapeSource {
                                            std::size_t limit = std::numeric_limits<std::size_t>::max()) const;
 };
 
-/// Reads a whole file as a source, named by its path; a text in UTF-16 is converted (to_utf8()). Throws InputError as read_file_bytes() does.
+/// Reads a whole file as a source, named by its path; a text in UTF-16 is converted (to_utf8()). Throws InputError as
+/// read_file_bytes() does.
 ShapeSource read_shape_source(const std::filesystem::path& path);
 
 /// Adapts a reader of self-contained files to ShapeFormat::read.

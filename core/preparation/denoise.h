@@ -74,8 +74,8 @@ struct DenoisedShape {
 };
 
 /// Smooths a mesh whose vertices are clearly noisy (is_noisy()), with a pass band of 0.025 / noise.relative() clamped
-/// to [0.02, 0.3] (docs/notes/reproducing.md, Fig 6, shows the effect). Duplicate triangles stay duplicates. Returns other
-/// meshes and clouds unchanged.
+/// to [0.02, 0.3] (docs/notes/reproducing.md, Fig 6, shows the effect). Duplicate triangles stay duplicates. Returns
+/// other meshes and clouds unchanged.
 DenoisedShape denoised(Shape shape);
 
 }  // namespace shapegauge

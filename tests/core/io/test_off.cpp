@@ -93,9 +93,7 @@ TEST(ReadOff, ColoursAfterFaces) {
   }
 }
 
-TEST(ReadOff, DataAfterTheLastFace) {
-  expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + off_faces + "SKEL {}\n");
-}
+TEST(ReadOff, DataAfterTheLastFace) { expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + off_faces + "SKEL {}\n"); }
 TEST(ReadOff, PaddingAfterTheLastFace) {
   expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + off_faces + std::string(9, '\0'));
 }
