@@ -66,6 +66,13 @@ CALLS = {
 }
 
 
+def cpu_seconds(process):
+    """The CPU time of a process so far, which does not depend on what else the machine does."""
+    with open(f"/proc/{process.pid}/stat", encoding="utf-8") as file:
+        fields = file.read().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def interrupted(code, folder, is_under_way):
     """Runs the code, sends a signal once it computes, and returns the exit status and standard error."""
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([os.path.dirname(__file__), *sys.path])}
@@ -87,7 +94,9 @@ def test_ctrl_c_stops_a_computation(name, tmp_path):
 
     def is_under_way(process):
         assert process.stdout.readline() == "begun\n"
-        time.sleep(1)
+        begun = cpu_seconds(process)
+        while process.poll() is None and cpu_seconds(process) < begun + 1:
+            time.sleep(0.05)
 
     status, output, errors = interrupted(code, tmp_path, is_under_way)
     assert errors.rstrip().endswith("KeyboardInterrupt") and status in (130, -signal.SIGINT)
