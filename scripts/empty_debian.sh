@@ -29,6 +29,7 @@ make_empty_debian() {
   else
     tar --extract --file "$packed" --directory "$root" || return 1
   fi
+  chmod 755 "$root"  # of mktemp, it lets no other user of that Debian in
   cp -L /etc/resolv.conf "$root/etc/resolv.conf"
   mount -t proc proc "$root/proc" || return 1
   # Private: what is mounted in it must not appear in the machine's /dev.
