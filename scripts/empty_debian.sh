@@ -35,6 +35,7 @@ make_empty_debian() {
   # Private: what is mounted in it must not appear in the machine's /dev.
   mount --bind --make-private /dev "$root/dev" || return 1
   mount -t devpts devpts "$root/dev/pts" || return 1
+  mount --rbind --make-rslave /sys "$root/sys" || return 1  # Slurm's daemons read the control groups
   mount --bind /var/cache/apt/archives "$root/var/cache/apt/archives" || return 1
   inside "$root" apt-get --quiet update >&2
 }
@@ -43,7 +44,7 @@ make_empty_debian() {
 remove_empty_debian() {
   local folder
   for folder in var/cache/apt/archives dev/pts dev proc sys; do
-    ! mountpoint -q "$1/$folder" || umount --lazy "$1/$folder" ||
+    ! mountpoint -q "$1/$folder" || umount --recursive --lazy "$1/$folder" ||
       { say "$1 stays: $1/$folder is a folder of this machine, and cannot be unmounted"; return 1; }
   done
   rm -rf --one-file-system "$1"
