@@ -165,9 +165,9 @@ std::span<const std::string_view> matrix_extensions() { return extensions; }
 
 bool is_condensed_shape(std::span<const std::uint64_t> shape) {
   if (shape.empty() || shape.size() > 2) return false;
-  const std::uint64_t columns = shape.size() == 1 ? 1 : shape[1];
-  if (shape.size() == 2 && (shape[0] == 1) == (columns == 1)) return false;
-  return size_of_condensed(static_cast<Eigen::Index>(std::max(shape[0], columns))).has_value();
+  if (shape.size() == 2 && (shape[0] == 1) == (shape[1] == 1)) return false;
+  const std::uint64_t length = shape.size() == 1 ? shape[0] : std::max(shape[0], shape[1]);
+  return length > 0 && size_of_condensed(static_cast<Eigen::Index>(length)).has_value();
 }
 
 void replace_or_refuse_nan(DistanceMatrix& numbers, const MatrixPlace& first, TableShape shape,

@@ -30,7 +30,7 @@ bool is_missing(std::string_view word) {
 // Returns whether the word is an integer, beyond 2^53, that is not the number.
 bool is_rounded_integer(std::string_view word, double number) {
   constexpr double largest = 9007199254740992.0;  // 2^53
-  if (std::abs(number) <= largest || word.find_first_not_of("+-0123456789") != std::string_view::npos) return false;
+  if (std::abs(number) < largest || word.find_first_not_of("+-0123456789") != std::string_view::npos) return false;
   return fmt::format("{:.0f}", std::abs(number)) != word.substr(word.find_first_not_of("+-0"));
 }
 

@@ -152,12 +152,12 @@ TEST(ReadDistanceMatrix, TextMayBeUtf16) {
 
 TEST(ReadDistanceMatrix, NanOnTheDiagonalIsNoValue) {
   const TemporaryFolder folder;
-  DistanceMatrix matrix{{1, 2}, {3, 4}};
+  DistanceMatrix matrix{{1, 2.5}, {3, 4}};
   matrix.diagonal().setConstant(std::numeric_limits<double>::quiet_NaN());
   write_npy(folder.path() / "m.npy", matrix);
-  const DistanceMatrix expected{{0, 2}, {3, 0}};
-  for (const auto& path : {folder.path() / "m.npy", folder.file("m.txt", "nan 2\n3 NA\n"),
-                           folder.file("m.csv", "NA,2\n3,\n"), folder.file("n.csv", "id,a,b\na,,2\nb,3,nan\n")}) {
+  const DistanceMatrix expected{{0, 2.5}, {3, 0}};
+  for (const auto& path : {folder.path() / "m.npy", folder.file("m.txt", "nan 2.5\n3 NA\n"),
+                           folder.file("m.csv", "NA,2.5\n3,\n"), folder.file("n.csv", "id,a,b\na,,2.5\nb,3,nan\n")}) {
     EXPECT_EQ(read_matrix(path, TableShape::square).numbers, expected) << path;
   }
 }
