@@ -167,7 +167,7 @@ bool is_condensed_shape(std::span<const std::uint64_t> shape) {
   if (shape.empty() || shape.size() > 2) return false;
   if (shape.size() == 2 && (shape[0] == 1) == (shape[1] == 1)) return false;
   const std::uint64_t length = shape.size() == 1 ? shape[0] : std::max(shape[0], shape[1]);
-  return length > 0 && size_of_condensed(static_cast<Eigen::Index>(length)).has_value();
+  return size_of_condensed(static_cast<Eigen::Index>(length)).has_value();
 }
 
 void replace_or_refuse_nan(DistanceMatrix& numbers, const MatrixPlace& first, TableShape shape,
