@@ -31,6 +31,7 @@ make_empty_debian() {
   fi
   chmod 755 "$root"  # of mktemp, it lets no other user of that Debian in
   cp -L /etc/resolv.conf "$root/etc/resolv.conf"
+  echo "127.0.0.1 localhost" >"$root/etc/hosts"  # an installer writes it; browsers are driven through it
   mount -t proc proc "$root/proc" || return 1
   # Private: what is mounted in it must not appear in the machine's /dev.
   mount --bind --make-private /dev "$root/dev" || return 1
