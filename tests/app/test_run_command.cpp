@@ -170,7 +170,7 @@ TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
   const Outcome outcome = run();
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
-  EXPECT_THAT(outcome.output, HasSubstr("fixed      psb       micro    100.00"));
+  EXPECT_THAT(outcome.output, HasSubstr("fixed      psb       both     100.00"));
   EXPECT_THAT(outcome.output, HasSubstr("Results in " + at("out").string()));
   EXPECT_THAT(outcome.output, HasSubstr("Report: " + (at("out") / "report.html").string()));
   EXPECT_THAT(text_of(at("out") / "summary.csv"),
@@ -223,7 +223,7 @@ TEST_F(RunCommand, AMethodThatCannotTakeAModelIsNamed) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("method \"dna\" cannot take 1 of 9 models, which count as not found: 3 ("));
   EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("omitted")));
-  EXPECT_THAT(outcome.output, testing::ContainsRegex("dna +1 +psb +micro "));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("dna +1 +psb +both "));
 }
 
 TEST_F(RunCommand, UnusableInputIsOneClearLine) {
