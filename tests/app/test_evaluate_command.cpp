@@ -398,9 +398,10 @@ TEST_F(EvaluateCommand, IntervalsAreThoseOfCompareWhateverTheOrderOfTheClasses) 
   write_text(at("toy.cla"), "PSB 1\n3 7\nC 0 2\n5\n6\nB 0 2\n3\n4\nA 0 3\n0\n1\n2\n");
   std::filesystem::copy_file(at("toy.npy"), at("copy.npy"));
   const auto alone = nlohmann::json::parse(evaluate_toy("--confidence 0.95 --format json").output);
-  const auto compared = nlohmann::json::parse(run_executable("compare '" + at("toy.npy") + "' '" + at("copy.npy") +
-                                                             "' --labels '" + at("toy.cla") + "' --format json")
-                                                  .output);
+  const auto compared =
+      nlohmann::json::parse(run_executable("compare '" + at("toy.npy") + "' '" + at("copy.npy") + "' --labels '" +
+                                           at("toy.cla") + "' --blocks classes --format json")
+                                .output);
   for (const char* const measure : {"NN", "FT", "DCG", "mAP"}) {
     EXPECT_EQ(compared["measures"][measure]["methods"][0]["interval"], alone["intervals"]["micro"][measure]) << measure;
   }
