@@ -43,13 +43,13 @@ std::string short_length(double value) { return fmt::format("{:.4g}", value); }
 
 /// Makes the table of the largest regions.
 TextTable table_of(const ThinRegions& found, const RegionWords& words, const std::string& unit_name,
-                   std::size_t most_rows) {
+                   std::size_t row_limit) {
   const std::string unit = unit_name.empty() ? "" : fmt::format(" ({})", unit_name);
   TextTable table{
       .header = {"kind", "region", unit.empty() ? "area" : fmt::format("area ({}²)", unit_name), "least" + unit,
                  "median" + unit, "short by" + unit, "x" + unit, "y" + unit, "z" + unit, "faces"},
       .rows = {}};
-  for (std::size_t i = 0; i < std::min(most_rows, found.regions.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(row_limit, found.regions.size()); ++i) {
     const ThinRegion& region = found.regions[i];
     std::vector<std::string> row{kind_of(region, words), std::to_string(i + 1)};
     for (const double value : {region.area, region.least, region.median, found.limit - region.least,
@@ -63,13 +63,13 @@ TextTable table_of(const ThinRegions& found, const RegionWords& words, const std
 }
 
 std::string text_of(const ThinRegions& found, const RegionWords& words, const std::string& unit) {
-  constexpr std::size_t most_rows = 20;
+  constexpr std::size_t row_limit = 20;
   if (found.limit == 0) return "";
   std::string text = fmt::format("{} below {:g}{}: {}\n", words.several, found.limit, unit.empty() ? "" : " " + unit,
                                  found.regions.empty() ? "none" : std::to_string(found.regions.size()));
-  if (!found.regions.empty()) text += to_plain_text(table_of(found, words, unit, most_rows));
-  if (found.regions.size() > most_rows) {
-    text += fmt::format("and {} more; --format csv lists all\n", found.regions.size() - most_rows);
+  if (!found.regions.empty()) text += to_plain_text(table_of(found, words, unit, row_limit));
+  if (found.regions.size() > row_limit) {
+    text += fmt::format("and {} more; --format csv lists all\n", found.regions.size() - row_limit);
   }
   if (found.small_regions > 0) {
     text += fmt::format("{} smaller than --min-area, of {} in all\n",

@@ -51,9 +51,9 @@ remove_empty_debian() {
   rm -rf --one-file-system "$1"
 }
 
-# inside ROOT COMMAND...: runs a command in it, with an empty environment.
+# inside ROOT COMMAND...: runs a command in it as root, with an empty environment and the home folder /srv.
 inside() {
   local root=$1
   shift
-  chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 HOME=/root "$@"
+  chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 HOME=/srv "$@"
 }
