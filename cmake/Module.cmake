@@ -114,6 +114,11 @@ endfunction()
 function(shapegauge_optimise_little)
   foreach(target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    # Without effect at -O1, but GCC 13 and later refuse the headers precompiled at -O3 without it.
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13
+       AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+      target_compile_options(${target} PRIVATE -munroll-only-small-loops)
+    endif()
   endforeach()
 endfunction()
 function(shapegauge_optimise_moderately)

@@ -132,7 +132,7 @@ std::string chosen_matrix(const Variables& variables, const std::string& wanted,
 
 DistanceMatrix read_mat(const std::filesystem::path& path, const std::string& variable) {
   read_file_bytes(path, 1);  // reports unreadable files
-  Mat_LogInitFunc("shapegauge", [](int, char*) {});
+  Mat_LogInitFunc("shapegauge", [](int, auto*) {});
   const std::unique_ptr<mat_t, CloseFile> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (file == nullptr) throw InputError(fmt::format("{}: not a .mat file, or damaged", path.string()));
   const std::string name = chosen_matrix(variables_of(file.get()), variable, path.string());
