@@ -114,10 +114,9 @@ endfunction()
 function(shapegauge_optimise_little)
   foreach(target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-    # Without effect at -O1, but GCC 13 and later refuse the headers precompiled at -O3 without it.
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13
-       AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-      target_compile_options(${target} PRIVATE -munroll-only-small-loops)
+    get_target_property(headers ${target} PRECOMPILE_HEADERS_REUSE_FROM)
+    if(headers)
+      shapegauge_precompile_headers(${target} -O1)
     endif()
   endforeach()
 endfunction()
@@ -126,21 +125,24 @@ function(shapegauge_optimise_moderately)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
   endforeach()
 endfunction()
-# The heaviest headers, parsed once for all position-independent targets of a build in batches; the sources still include
-# what they use. GCC accepts them at every level of optimisation. A compiler cache is more efficient without them.
+# The heaviest headers, parsed once for all position-independent targets of a build in batches, and once more for those at -O1
+# (another argument), since GCC 13 and later refuse headers precompiled with more optimisation; the sources still include
+# what they use. A compiler cache is more efficient without them.
 function(shapegauge_precompile_headers target)
   if(NOT SHAPEGAUGE_UNITY_BUILD OR CMAKE_CXX_COMPILER_LAUNCHER OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     return()
   endif()
-  if(NOT TARGET shapegauge_common_headers)
+  set(headers shapegauge_common_headers${ARGN})
+  if(NOT TARGET ${headers})
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/common_headers.cpp CONTENT "")
-    add_library(shapegauge_common_headers OBJECT ${PROJECT_BINARY_DIR}/common_headers.cpp)
-    shapegauge_configure_target(shapegauge_common_headers)
-    set_target_properties(shapegauge_common_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    target_link_libraries(shapegauge_common_headers PRIVATE Eigen3::Eigen TBB::tbb nlohmann_json::nlohmann_json)
-    target_precompile_headers(shapegauge_common_headers PRIVATE <Eigen/Dense> <Eigen/SparseCore> <nlohmann/json.hpp>
+    add_library(${headers} OBJECT ${PROJECT_BINARY_DIR}/common_headers.cpp)
+    shapegauge_configure_target(${headers})
+    target_compile_options(${headers} PRIVATE $<$<CONFIG:Release>:${ARGN}>)
+    set_target_properties(${headers} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(${headers} PRIVATE Eigen3::Eigen TBB::tbb nlohmann_json::nlohmann_json)
+    target_precompile_headers(${headers} PRIVATE <Eigen/Dense> <Eigen/SparseCore> <nlohmann/json.hpp>
                               <tbb/parallel_for.h> <tbb/parallel_reduce.h> <algorithm> <filesystem> <fstream>
                               <functional> <map> <memory> <mutex> <optional> <string> <vector>)
   endif()
-  target_precompile_headers(${target} REUSE_FROM shapegauge_common_headers)
+  target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()

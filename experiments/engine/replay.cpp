@@ -192,7 +192,7 @@ ComparedOutputs compare_outputs(const Json& recorded, const Json& now) {
   ComparedOutputs compared;
   const Json files_now = now.at("outputs").at("files");
   for (const auto& [name, hash] : recorded.at("outputs").at("files").items()) {
-    (files_now.value(name, "") == hash ? compared.same : compared.different).push_back(name);
+    (files_now.value(name, "") == hash.get<std::string>() ? compared.same : compared.different).push_back(name);
   }
   for (const Json& file : now.at("files")) {
     if (holds_timings(file.get<std::string>())) compared.timings.push_back(file);
