@@ -135,9 +135,9 @@ Json to_json(const std::vector<SignatureConfiguration>& signatures) {
       json["field"] = to_json(signature.field->settings);
       json["histogram"] = to_json(signature.histogram);
     } else if (signature.descriptor) {
-      json["descriptor"] = signature.descriptor->settings;
+      json["descriptor"] = to_json(*signature.descriptor);
     } else if (signature.derived) {
-      json.update(signature.derived->settings);
+      json.update(to_json(*signature.derived));
     } else {
       for (const std::size_t part : signature.parts) json["concatenate"].push_back(signatures[part].name);
     }

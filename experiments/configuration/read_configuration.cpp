@@ -255,7 +255,7 @@ std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
   }
   if (const auto cyclic = part_of_itself(signatures)) {
     const auto& derived = signatures[*cyclic].derived;
-    throw ConfigurationError{fmt::format("{}.{}", *cyclic, derived ? derived->key : "concatenate"),
+    throw ConfigurationError{fmt::format("{}.{}", *cyclic, derived ? key_of(*derived) : "concatenate"),
                              fmt::format("the signature \"{}\" is a part of itself", names[*cyclic])};
   }
   require_histograms(signatures);

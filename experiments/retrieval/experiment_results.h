@@ -28,7 +28,7 @@ struct MethodResults {
   std::vector<ModelFailure> failures = {};
   Signatures signatures;                   ///< row i is of ExperimentResults::models[i]; empty for derived distances
   std::vector<Interval> histogram_ranges;  ///< of each row, if the signature is one histogram; otherwise empty
-  std::string remark = {};                 ///< DerivedDistances::remark
+  std::string remark = {};                 ///< remark_on() derived distances
 };
 
 /// Results of a run.

@@ -59,8 +59,8 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature, const 
     parts.push_back(holders.are_all() ? all : DistanceMatrix(all(holders.places(), holders.places())));
   }
   try {
-    if (signature.derived->remark) remark = signature.derived->remark(parts);
-    return signature.derived->compute(parts);
+    remark = remark_on(*signature.derived, parts);
+    return derive(*signature.derived, parts);
   } catch (const ArgumentError& error) {
     throw InputError(fmt::format("signature \"{}\": {}", signature.name, error.what()));
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 
 namespace shapegauge {
@@ -21,16 +22,14 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
                                        std::span<const PlannedField> plan) {
   std::vector<FieldReport> reports;
   for (std::size_t field = 0; field < plan.size(); ++field) {
-    FieldReport& report = reports.emplace_back();
-    report.settings = to_json(plan[field].field.settings);
-    const auto given = report.settings.find("offset");
-    if (given != report.settings.end() && given->is_number()) report.offset = given->get<double>();
+    FieldReport& report = reports.emplace_back(FieldReport{.settings = plan[field].field.settings});
+    const std::optional<double> fixed = fixed_offset(report.settings);
     for (const ModelDescription* model : models) {
       if (!model->fields[field].error.empty()) continue;
       ++report.models;
       report.seconds += model->fields[field].seconds;
       const std::optional<double> chosen = model->fields[field].offset;
-      if (offset_leaks(model->diagnostics, chosen ? chosen : report.offset)) ++report.leaking;
+      if (offset_leaks(model->diagnostics, chosen ? chosen : fixed)) ++report.leaking;
       for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
     }
   }
@@ -75,10 +74,11 @@ std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
       warnings.push_back(fmt::format(
           "{} of {} shapes have gaps wider than the offset of the field {}: the offset surface leaks into them; use a "
           "larger offset{}",
-          field.leaking, field.models, field.settings.dump(), field.offset ? R"( or "auto")" : ""));
+          field.leaking, field.models, to_json(field.settings).dump(),
+          fixed_offset(field.settings) ? R"( or "auto")" : ""));
     }
     for (const std::string& warning : outcome_warnings(field.outcomes)) {
-      warnings.push_back(fmt::format("{} in the field {}", warning, field.settings.dump()));
+      warnings.push_back(fmt::format("{} in the field {}", warning, to_json(field.settings).dump()));
     }
   }
   return warnings;
@@ -115,14 +115,15 @@ namespace {
 
 /// Returns a field's name for headers: its type and other settings, such as "offset_sdf at=faces offset=0.05".
 std::string name_of(const FieldReport& field) {
-  std::string name = field.settings.at("type");
-  for (const auto& [key, value] : field.settings.items()) {
+  std::string name = field.settings.type;
+  const nlohmann::json settings = to_json(field.settings);
+  for (const auto& [key, value] : settings.items()) {
     if (key != "type") name += fmt::format(" {}={}", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
   return name;
 }
 
-bool chooses_offset(const FieldReport& field) { return field.settings.value("offset", nlohmann::json()).is_string(); }
+bool has_offset(const FieldReport& field) { return field.settings.values.find("offset") != nullptr; }
 
 void append_header(std::vector<std::string>& header, const PreparationOptions& preparation,
                    std::span<const FieldReport> fields) {
@@ -131,7 +132,8 @@ void append_header(std::vector<std::string>& header, const PreparationOptions& p
   header.emplace_back("area scaled to 1");
   if (preparation.denoise) header.insert(header.end(), {"noise", "smoothing pass band"});
   for (const FieldReport& field : fields) {
-    if (chooses_offset(field)) header.push_back(fmt::format("{}: chosen offset", name_of(field)));
+    if (has_offset(field) && !fixed_offset(field.settings))
+      header.push_back(fmt::format("{}: chosen offset", name_of(field)));
     for (const auto& [outcome, count] : field.outcomes) {
       header.push_back(fmt::format("{}: {}", name_of(field), outcome));
     }
@@ -195,8 +197,8 @@ TextTable shape_seconds_table(std::span<const Model> models, std::span<const Sha
 nlohmann::ordered_json fields_json(std::span<const FieldReport> fields) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const FieldReport& field : fields) {
-    nlohmann::ordered_json entry{{"field", field.settings}, {"samples", field.outcomes}};
-    if (field.settings.contains("offset")) entry["shapes_with_gaps_wider_than_offset"] = field.leaking;
+    nlohmann::ordered_json entry{{"field", to_json(field.settings)}, {"samples", field.outcomes}};
+    if (has_offset(field)) entry["shapes_with_gaps_wider_than_offset"] = field.leaking;
     list.push_back(std::move(entry));
   }
   return list;
@@ -208,7 +210,7 @@ nlohmann::ordered_json execution_json(int threads, std::span<const std::pair<std
   for (const auto& [stage, time] : timings) seconds[stage] = time;
   nlohmann::ordered_json by_field = nlohmann::ordered_json::array();
   for (const FieldReport& field : fields) {
-    by_field.push_back({{"field", field.settings}, {"seconds", field.seconds}});
+    by_field.push_back({{"field", to_json(field.settings)}, {"seconds", field.seconds}});
   }
   return {{"threads", threads}, {"seconds", std::move(seconds)}, {"field_seconds", std::move(by_field)}};
 }

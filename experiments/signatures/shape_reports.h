@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,14 +40,12 @@ struct ShapeReport {
 bool offset_leaks(const ShapeDiagnostics& model, std::optional<double> offset);
 
 /// Report on a field over all models used.
-// NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct FieldReport {
-  nlohmann::json settings;            ///< as in a configuration
-  std::optional<double> offset = {};  ///< of the settings; absent if the field has none or chooses it for each shape
-  FieldOutcomes outcomes;             ///< totals
-  double seconds = 0;                 ///< total over the models, including concurrent work
-  std::size_t models = 0;             ///< with values of it
-  std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_sizes()), into which it leaks
+  FieldSettings settings;
+  FieldOutcomes outcomes = {};  ///< totals
+  double seconds = 0;           ///< total over the models, including concurrent work
+  std::size_t models = 0;       ///< with values of it
+  std::size_t leaking = 0;      ///< models with gaps wider than the field's offset (gap_sizes()), into which it leaks
 };
 
 /// Returns the reports on the plan's fields over all models.

@@ -45,11 +45,10 @@ class RunComparison : public testing::Test {
 TEST_F(RunComparison, NotesShapesThatAreNotPerturbedAsRequested) {
   Json changed = document();
   changed["shapes"][2]["perturbations"] = {{{"type", "decimate"}, {"faces", 1}}};
-  fs::create_directories(path("notes"));
-  EXPECT_THAT(write_shape_comparison(path("notes"), run(changed)).notes,
+  EXPECT_THAT(test::publish(path("notes"), run(changed)).notes,
               testing::ElementsAre(testing::StartsWith(
                   "1 of 3 shapes were not perturbed as requested; the first, again: decimated to ")));
-  EXPECT_THAT(write_shape_comparison(path("notes"), run()).notes, testing::IsEmpty());
+  EXPECT_THAT(test::publish(path("notes"), run()).notes, testing::IsEmpty());
 }
 
 TEST_F(RunComparison, AShapeIsNoDistanceFromItself) {

@@ -89,7 +89,7 @@ Results two_models() {
   Results results;
   results.classes = {"ant", "bird"};
   results.models = {{.id = "3", .file = "", .label = 1}, {.id = "5", .file = "", .label = 0}};
-  results.fields = {{.settings = {{"type", "offset_sdf"}, {"at", "faces"}, {"offset", 0.05}},
+  results.fields = {{.settings = read_field({{"type", "offset_sdf"}, {"offset", 0.05}}).settings,
                      .outcomes = {{"total", 9}, {"undecided", 1}}}};
   results.shapes.resize(2);
   results.shapes[0] = {.diagnostics = {.triangles = 4, .closed = true},
@@ -123,16 +123,16 @@ TEST(ShapesTable, HasTheDiagnosticsAndTheOutcomesOfEachModel) {
   EXPECT_EQ(cell(table, 0, "choices"), "2 0");
   EXPECT_EQ(cell(table, 0, "closed"), "true");
   EXPECT_EQ(cell(table, 0, "triangles"), "4");
-  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: total"), "4");
-  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: undecided"), "0");
+  EXPECT_EQ(cell(table, 0, "offset_sdf accuracy=standard at=faces offset=0.05: total"), "4");
+  EXPECT_EQ(cell(table, 0, "offset_sdf accuracy=standard at=faces offset=0.05: undecided"), "0");
   EXPECT_EQ(cell(table, 1, "choices"), "");
-  EXPECT_EQ(cell(table, 1, "offset_sdf at=faces offset=0.05: undecided"), "1");
+  EXPECT_EQ(cell(table, 1, "offset_sdf accuracy=standard at=faces offset=0.05: undecided"), "1");
 }
 
 TEST(ShapeSecondsTable, HasTheTimeOfEachField) {
   const Results results = two_models();
   const TextTable table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
-  EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf at=faces offset=0.05"}));
+  EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf accuracy=standard at=faces offset=0.05"}));
   EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"3", "0.250000"}, {"5", "1.500000"}}));
 }
 
@@ -150,17 +150,18 @@ TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
 }
 
 TEST(FieldsJson, HasOutcomesAndOfThoseWithAnOffsetItsLeaks) {
-  const std::vector<FieldReport> fields{{.settings = {{"type", "offset_sdf"}, {"offset", 0.01}},
-                                         .outcomes = {{"total", 7}, {"missing", 2}},
-                                         .seconds = 3,
-                                         .models = 5,
-                                         .leaking = 4},
-                                        {.settings = {{"type", "cone_sdf"}}, .outcomes = {{"total", 8}}, .seconds = 1}};
+  const std::vector<FieldReport> fields{
+      {.settings = read_field({{"type", "offset_sdf"}, {"offset", 0.01}}).settings,
+       .outcomes = {{"total", 7}, {"missing", 2}},
+       .seconds = 3,
+       .models = 5,
+       .leaking = 4},
+      {.settings = read_field({{"type", "cone_sdf"}}).settings, .outcomes = {{"total", 8}}, .seconds = 1}};
   const nlohmann::ordered_json json = fields_json(fields);
   ASSERT_EQ(json.size(), 2U);
   EXPECT_EQ(json[0]["samples"], (nlohmann::ordered_json{{"missing", 2}, {"total", 7}}));
   EXPECT_EQ(json[0]["shapes_with_gaps_wider_than_offset"], 4);
-  EXPECT_EQ(json[1], (nlohmann::ordered_json{{"field", {{"type", "cone_sdf"}}}, {"samples", {{"total", 8}}}}));
+  EXPECT_EQ(json[1], (nlohmann::ordered_json{{"field", to_json(fields[1].settings)}, {"samples", {{"total", 8}}}}));
 }
 
 }  // namespace
