@@ -80,6 +80,8 @@ Json to_json(const DescriptorChoice& choice) {
   return settings;
 }
 
+bool needs_learning(const DescriptorChoice& choice) { return needs_learning(choice.descriptor, choice.values); }
+
 DescriptorFields compute_fields(const DescriptorChoice& choice, FieldSource& source) {
   DescriptorFields result;
   if (choice.fields.empty()) return result;

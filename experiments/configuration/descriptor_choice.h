@@ -24,6 +24,9 @@ DescriptorChoice make_descriptor(const nlohmann::json& settings);
 /// Formats the settings as make_descriptor() takes them, including those of fields and axes, with all defaults.
 nlohmann::json to_json(const DescriptorChoice& choice);
 
+/// Returns true if the descriptor must learn from all shapes before it can describe one.
+bool needs_learning(const DescriptorChoice& choice);
+
 /// Fields of a descriptor on a shape.
 struct DescriptorFields {
   std::vector<ScalarField> fields;

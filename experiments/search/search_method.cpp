@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// Version of the index format; increment when an index changes.
-constexpr int index_version = 5;
+constexpr int index_version = 6;
 
 bool is_reranked(const SignatureConfiguration& signature) {
   return signature.derived && std::holds_alternative<RerankSettings>(signature.derived->settings);

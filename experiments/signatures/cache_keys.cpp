@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Cache version of the entries' contents; see docs/manual/cache.md.
-constexpr int entry_version = 2;
+constexpr int entry_version = 3;
 
 /// Returns the program that computes results.
 const Json& program() {

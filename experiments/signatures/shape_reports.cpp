@@ -19,10 +19,10 @@ bool offset_leaks(const ShapeDiagnostics& model, std::optional<double> offset) {
 }
 
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
-                                       std::span<const PlannedField> plan) {
+                                       std::span<const Field> fields) {
   std::vector<FieldReport> reports;
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    FieldReport& report = reports.emplace_back(FieldReport{.settings = plan[field].field.settings});
+  for (std::size_t field = 0; field < fields.size(); ++field) {
+    FieldReport& report = reports.emplace_back(FieldReport{.settings = fields[field].settings});
     const std::optional<double> fixed = fixed_offset(report.settings);
     for (const ModelDescription* model : models) {
       if (!model->fields[field].error.empty()) continue;
@@ -53,7 +53,7 @@ ShapeReport report_shape(const ModelDescription& model) {
     report.offsets.push_back(field.offset);
     report.seconds.push_back(field.seconds);
   }
-  for (const FeatureDescription& descriptor : model.features) report.descriptor_seconds.push_back(descriptor.seconds);
+  for (const FeatureDescription& features : model.features) report.descriptor_seconds.push_back(features.seconds);
   return report;
 }
 
@@ -189,7 +189,9 @@ TextTable shape_seconds_table(std::span<const Model> models, std::span<const Sha
     auto& row = table.rows.emplace_back();
     row.push_back(models[i].id);
     for (const double seconds : shapes[i].seconds) row.push_back(fmt::format("{:.6f}", seconds));
-    for (const double seconds : shapes[i].descriptor_seconds) row.push_back(fmt::format("{:.6f}", seconds));
+    for (std::size_t s = 0; s < signatures.size(); ++s) {
+      if (signatures[s].descriptor) row.push_back(fmt::format("{:.6f}", shapes[i].descriptor_seconds[s]));
+    }
   }
   return table;
 }

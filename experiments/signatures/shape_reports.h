@@ -32,7 +32,7 @@ struct ShapeReport {
   std::vector<FieldOutcomes> outcomes;         ///< by field
   std::vector<std::optional<double>> offsets;  ///< by field: the offset, if it chose one
   std::vector<double> seconds;                 ///< by field
-  std::vector<double> descriptor_seconds;      ///< by signature that is a descriptor, without its fields
+  std::vector<double> descriptor_seconds;      ///< by signature, without its fields; 0 unless it is a descriptor
 };
 
 /// Returns true if the model's gaps are wider than an offset, a fraction of the diagonal: the offset surface then leaks
@@ -48,9 +48,9 @@ struct FieldReport {
   std::size_t leaking = 0;      ///< models with gaps wider than the field's offset (gap_sizes()), into which it leaks
 };
 
-/// Returns the reports on the plan's fields over all models.
+/// Returns the reports on the fields over all models.
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
-                                       std::span<const PlannedField> plan);
+                                       std::span<const Field> fields);
 
 /// Returns the report on a model.
 ShapeReport report_shape(const ModelDescription& model);

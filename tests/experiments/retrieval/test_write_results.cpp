@@ -48,7 +48,7 @@ class WriteResults : public testing::Test {
       results_.models.push_back({.id = names_[i], .file = path("T" + names_[i] + ".off"), .label = labels_[i]});
       ShapeReport report;
       report.area = 2.0 + static_cast<double>(i);
-      report.descriptor_seconds = {0.25 * static_cast<double>(i)};
+      report.descriptor_seconds = {0, 0.25 * static_cast<double>(i)};
       results_.shapes.push_back(report);
     }
     add("line", line_);

@@ -53,22 +53,13 @@ ModelDescription model_with_gaps(double gap_size, double chosen_offset) {
   return model;
 }
 
-SignatureConfiguration signature_of(const char* name, const nlohmann::json& field) {
-  SignatureConfiguration signature;
-  signature.name = name;
-  signature.field = read_field(field);
-  return signature;
-}
-
 TEST(ReportFields, CountsAndAddsOverTheModels) {
   const ModelDescription closed = model_with_gaps(0.4, 0.05);  // narrower than 0.05 of the diagonal
   const ModelDescription open = model_with_gaps(0.6, 0.05);
   const ModelDescription wide = model_with_gaps(0.6, 0.07);
-  const std::vector<PlannedField> plan =
-      plan_fields({signature_of("fixed", {{"type", "offset_sdf"}, {"offset", 0.05}}),
-                   signature_of("auto", {{"type", "offset_sdf"}, {"offset", "auto"}})});
-  ASSERT_EQ(plan.size(), 2U);
-  const std::vector<FieldReport> reports = report_fields({&closed, &open, &wide}, plan);
+  const std::vector<Field> fields{read_field({{"type", "offset_sdf"}, {"offset", 0.05}}),
+                                  read_field({{"type", "offset_sdf"}, {"offset", "auto"}})};
+  const std::vector<FieldReport> reports = report_fields({&closed, &open, &wide}, fields);
   ASSERT_EQ(reports.size(), 2U);
   EXPECT_EQ(reports[0].models, 3U);
   EXPECT_EQ(reports[0].leaking, 2U);  // both with gaps wider than half a unit
