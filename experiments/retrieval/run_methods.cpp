@@ -94,10 +94,8 @@ class MethodsRun {
     task_.query_subclasses = task_.target_subclasses = subclasses_of(models);
     for (const std::vector<ModelFailure>& of_signature : without) holders_.emplace_back(of_signature, labels_.size());
     for (const Protocol protocol : configuration.protocols) {
-      evaluations_.push_back({.protocol = protocol,
-                              .ties = configuration.ties,
-                              .measures = configuration.measures,
-                              .minimum_class_size = configuration.minimum_class_size});
+      evaluations_.push_back(configuration.evaluation);
+      evaluations_.back().protocol = protocol;
     }
   }
 
@@ -209,17 +207,18 @@ class MethodsRun {
   }
 
   [[nodiscard]] std::string key_of_scores(const StreamedRows& streamed, const RowRange& rows) const {
+    const EvaluationOptions& evaluation = configuration_->evaluation;
     std::vector<std::string> measures;
-    for (const Measure& measure : configuration_->measures) measures.push_back(measure.name);
+    for (const Measure& measure : evaluation.measures) measures.push_back(measure.name);
     std::vector<std::string_view> protocols;
     for (const Protocol protocol : configuration_->protocols) protocols.push_back(name_of(protocol));
     return result_key(EntryKind::evaluation, {{"distances", streamed.key},
                                               {"labels", sha256(encode(labels_))},
                                               {"subclasses", sha256(encode(task_.query_subclasses))},
                                               {"protocols", protocols},
-                                              {"ties", name_of(configuration_->ties)},
+                                              {"ties", name_of(evaluation.ties)},
                                               {"measures", measures},
-                                              {"minimum_class_size", configuration_->minimum_class_size},
+                                              {"minimum_class_size", evaluation.minimum_class_size},
                                               {"rows", {rows.first, rows.last}},
                                               {"version", row_scores_version}});
   }

@@ -70,9 +70,12 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
       rows.push_back(std::move(row));
     }
   }
-  const OrderedJson json{{"name", results.configuration.name},          {"unit", "percent"},
-                         {"ties", name_of(results.configuration.ties)}, {"tied", ties_json(evaluations)},
-                         {"confidence", IntervalOptions().confidence},  {"rows", std::move(rows)}};
+  const OrderedJson json{{"name", results.configuration.name},
+                         {"unit", "percent"},
+                         {"ties", name_of(results.configuration.evaluation.ties)},
+                         {"tied", ties_json(evaluations)},
+                         {"confidence", IntervalOptions().confidence},
+                         {"rows", std::move(rows)}};
   return json_text(json, 2) + "\n";
 }
 

@@ -58,7 +58,7 @@ class WriteResults : public testing::Test {
 
   void add(const std::string& name, const DistanceMatrix& distances) {
     EvaluationOptions options;
-    options.measures = results_.configuration.measures;
+    options.measures = results_.configuration.evaluation.measures;
     MethodResults& method = results_.methods.emplace_back();
     method.name = name;
     method.distances = distances;
