@@ -127,16 +127,16 @@ SearchMethod search_method(Json document, const std::string& source, const std::
 
   std::set<std::size_t> needed;
   add_with_parts(signatures, chosen, needed);
-  const auto index_of = [&](std::size_t signature) {
+  const auto new_index = [&](std::size_t signature) {
     return static_cast<std::size_t>(std::distance(needed.begin(), needed.find(signature)));
   };
   std::vector<SignatureConfiguration> kept;
   for (const std::size_t i : needed) {
     SignatureConfiguration& signature = kept.emplace_back(std::move(signatures[i]));
-    for (std::size_t& part : signature.parts) part = index_of(part);
+    for (std::size_t& part : signature.parts) part = new_index(part);
   }
   signatures = std::move(kept);
-  const std::size_t index = index_of(chosen);
+  const std::size_t index = new_index(chosen);
   if (const auto& derived = signatures[index].derived) {
     method.terms = signatures[index].parts;
     method.sum = std::get<SumSettings>(derived->settings);
