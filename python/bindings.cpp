@@ -23,7 +23,6 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/experiment.h"
 #include "shapegauge/experiments/engine/result_folder.h"
-#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/evaluation/evaluation_warnings.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
 #include "shapegauge/retrieval/rerank.h"
