@@ -80,10 +80,4 @@ OrderedJson manifest_entries(const ExperimentResults& results) {
           {"fields", fields_json(results.fields)}};
 }
 
-OrderedJson execution_entries(const ExperimentResults& results) {
-  OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
-  execution["cache"] = cache_json(results.cache);
-  return execution;
-}
-
 }  // namespace shapegauge

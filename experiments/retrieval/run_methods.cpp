@@ -240,11 +240,24 @@ class MethodsRun {
     return scores;
   }
 
+  /// Returns the scores of a whole matrix. All its rows are passed to `also`, if there is one.
+  RowScores scores_of_whole(const DistanceMatrix& distances, const RowVisitor& also, double& seconds) {
+    const Eigen::Index all = distances.rows();
+    const auto visit_rows = [&](const RowVisitor& judge) {
+      constexpr Eigen::Index together = 1024;
+      for (Eigen::Index first = 0; first < all; first += together) {
+        const auto some = distances.middleRows(first, std::min(together, all - first));
+        judge(first, some);
+        if (also) also(first, some);
+      }
+    };
+    return judge_rows(task_, evaluations_, {.first = 0, .last = all}, visit_rows, seconds);
+  }
+
   /// Evaluates the distances of one signature; returns the seconds of evaluation.
   double judge(std::size_t i, const Signatures& rows, MethodResults& method) {
     const bool whole = is_whole(i);
     const StreamedRows streamed = whole ? StreamedRows{} : streamed_rows(i, rows);
-    const auto all = std::ssize(labels_);
     std::optional<MatrixFile> file;
     if (configuration_->keep_distances && !distance_files_->empty())
       file.emplace((*distance_files_)[i], labels_.size());
@@ -252,7 +265,7 @@ class MethodsRun {
     if (configuration_->report.wanted) {
       const double largest = whole ? largest_of_whole(whole_[i], holders_[i].places().front())
                                    : largest_of_first(streamed.distance, streamed.rows);
-      overview = begin_overview(labels_, largest, 0, all);
+      overview = begin_overview(labels_, largest, 0, std::ssize(labels_));
     }
     RowVisitor also;
     if (file || overview) {
@@ -264,15 +277,7 @@ class MethodsRun {
     double seconds = 0;
     std::vector<RowScores> scores;
     if (whole) {
-      const auto visit_whole = [&](const RowVisitor& judge) {
-        constexpr Eigen::Index together = 1024;
-        for (Eigen::Index first = 0; first < all; first += together) {
-          const auto some = whole_[i].middleRows(first, std::min(together, all - first));
-          judge(first, some);
-          if (also) also(first, some);
-        }
-      };
-      scores.push_back(judge_rows(task_, evaluations_, {.first = 0, .last = all}, visit_whole, seconds));
+      scores.push_back(scores_of_whole(whole_[i], also, seconds));
     } else {
       for (const RowRange& some : entries()) scores.push_back(scores_of(streamed, some, also, seconds));
     }

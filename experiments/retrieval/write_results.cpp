@@ -146,7 +146,7 @@ std::vector<std::string> distance_files(const Configuration& configuration) {
 
 RunOutcome write_results(const RunResults& to, const ExperimentResults& results) {
   to.manifest = manifest_entries(results);
-  to.execution = execution_entries(results);
+  to.execution = execution_json(results.threads, results.timings, results.fields, results.cache);
   std::vector<NamedEvaluation> evaluations = all_evaluations(results);
   RunOutcome outcome{.summary = printed_summary(evaluations),
                      .warnings = run_warnings(results),

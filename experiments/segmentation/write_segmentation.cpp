@@ -121,7 +121,7 @@ Json manifest_entries(const SegmentationResults& results) {
 }
 
 Json execution_entries(const SegmentationResults& results) {
-  Json execution = execution_json(results.threads, results.timings, {});
+  Json execution = execution_json(results.threads, results.timings, {}, results.cache);
   const CacheUse& use = results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation));
   execution["cache"] = {{"from_cache", use.hits}, {"computed", use.computed}};
   return execution;

@@ -206,12 +206,6 @@ OrderedJson manifest_entries(const ShapeComparisonResults& results) {
           {"fields", fields_json(results.fields)}};
 }
 
-OrderedJson execution_entries(const ShapeComparisonResults& results) {
-  OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
-  execution["cache"] = cache_json(results.cache);
-  return execution;
-}
-
 /// Formats the summary for a terminal: distances, errors, normals, timings.
 std::string summary_text(const ShapeComparisonResults& results) {
   std::string text;
@@ -225,7 +219,7 @@ std::string summary_text(const ShapeComparisonResults& results) {
 
 RunOutcome write_shape_comparison(const RunResults& to, const ShapeComparisonResults& results) {
   to.manifest = manifest_entries(results);
-  to.execution = execution_entries(results);
+  to.execution = execution_json(results.threads, results.timings, results.fields, results.cache);
   RunOutcome outcome{.summary = summary_text(results),
                      .notes = notes_of(results),
                      .warnings = field_warnings(results.fields),

@@ -11,6 +11,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/experiments/engine/manifest.h"
 
 namespace shapegauge {
 
@@ -207,14 +208,17 @@ nlohmann::ordered_json fields_json(std::span<const FieldReport> fields) {
 }
 
 nlohmann::ordered_json execution_json(int threads, std::span<const std::pair<std::string, double>> timings,
-                                      std::span<const FieldReport> fields) {
+                                      std::span<const FieldReport> fields, const CacheReport& cache) {
   nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
   for (const auto& [stage, time] : timings) seconds[stage] = time;
   nlohmann::ordered_json by_field = nlohmann::ordered_json::array();
   for (const FieldReport& field : fields) {
     by_field.push_back({{"field", to_json(field.settings)}, {"seconds", field.seconds}});
   }
-  return {{"threads", threads}, {"seconds", std::move(seconds)}, {"field_seconds", std::move(by_field)}};
+  return {{"threads", threads},
+          {"seconds", std::move(seconds)},
+          {"field_seconds", std::move(by_field)},
+          {"cache", cache_json(cache)}};
 }
 
 }  // namespace shapegauge

@@ -85,8 +85,9 @@ TextTable shape_seconds_table(std::span<const Model> models, std::span<const Sha
 /// Formats for each field its settings, its samples by outcome, and the number of shapes that its offset leaks into.
 nlohmann::ordered_json fields_json(std::span<const FieldReport> fields);
 
-/// Formats the run-dependent data: threads, seconds by stage, and seconds by field.
+/// Formats the manifest's "execution": threads, seconds by stage and by field, and numbers of results from the cache by
+/// kind.
 nlohmann::ordered_json execution_json(int threads, std::span<const std::pair<std::string, double>> timings,
-                                      std::span<const FieldReport> fields);
+                                      std::span<const FieldReport> fields, const CacheReport& cache);
 
 }  // namespace shapegauge

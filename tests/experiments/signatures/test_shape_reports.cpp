@@ -155,6 +155,15 @@ TEST(FieldsJson, HasOutcomesAndOfThoseWithAnOffsetItsLeaks) {
   EXPECT_EQ(json[1], (nlohmann::ordered_json{{"field", to_json(fields[1].settings)}, {"samples", {{"total", 8}}}}));
 }
 
+TEST(ExecutionJson, HasThreadsTimesAndTheUseOfTheCache) {
+  const std::vector<std::pair<std::string, double>> timings{{"dataset", 0.5}, {"signatures", 2.0}};
+  const nlohmann::ordered_json execution = execution_json(3, timings, two_models().fields, {});
+  EXPECT_EQ(execution["threads"], 3);
+  EXPECT_EQ(execution["seconds"], (nlohmann::ordered_json{{"dataset", 0.5}, {"signatures", 2.0}}));
+  EXPECT_EQ(execution["field_seconds"][0]["field"]["type"], "offset_sdf");
+  EXPECT_EQ(execution["cache"], nullptr) << "there was none";
+}
+
 }  // namespace
 
 }  // namespace shapegauge
