@@ -84,10 +84,11 @@ std::vector<std::pair<std::string, ReportSettings>> perturbations_of(const Confi
 std::vector<ReportLeak> leaks_of(const ExperimentResults& results) {
   std::vector<ReportLeak> found;
   for (std::size_t i = 0; i < results.shapes.size(); ++i) {
-    const ShapeReport& shape = results.shapes[i];
+    const ModelDescription& shape = results.shapes[i];
     for (std::size_t field = 0; field < results.fields.size(); ++field) {
       const FieldSettings& settings = results.fields[field].settings;
-      const std::optional<double> offset = shape.offsets[field] ? shape.offsets[field] : fixed_offset(settings);
+      const std::optional<double> offset =
+          shape.fields[field].offset ? shape.fields[field].offset : fixed_offset(settings);
       if (!offset_leaks(shape.diagnostics, offset)) continue;
       found.push_back({.id = results.models[i].id,
                        .field = setting_text(to_json(settings)),

@@ -37,7 +37,7 @@ OrderedJson inputs_json(const Configuration& configuration, const std::vector<st
 OrderedJson inputs(const ExperimentResults& results) {
   std::vector<std::string> ids = ids_of(results.models);
   std::vector<std::string> hashes;
-  for (const ShapeReport& shape : results.shapes) hashes.push_back(shape.sha256);
+  for (const ModelDescription& shape : results.shapes) hashes.push_back(shape.sha256);
   for (const LeftOutShape& failure : results.failures) {
     ids.push_back(failure.id);
     hashes.push_back(sha256_if_readable(failure.file));

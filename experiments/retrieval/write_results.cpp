@@ -157,7 +157,7 @@ RunOutcome write_results(const RunResults& to, const ExperimentResults& results)
   std::vector<std::string> ids;
   std::vector<std::vector<std::string>> remarks;
   for (const Model& model : results.models) ids.push_back(model.id);
-  for (const ShapeReport& shape : results.shapes) remarks.push_back(shape.remarks);
+  for (const ModelDescription& shape : results.shapes) remarks.push_back(shape.remarks);
   for (std::string note : {skipped_text(results.skipped), perturbation_note(ids, remarks, outcome.noun)}) {
     if (!note.empty()) outcome.notes.push_back(std::move(note));
   }

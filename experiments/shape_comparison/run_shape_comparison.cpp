@@ -137,13 +137,15 @@ void run_stages(const RunContext& context, ShapeComparisonResults& results) {
   for (auto& [index, shape] : measured.shapes) {
     if (comparison.reference == index) reference_row = models.size();
     models.push_back(&shape.description);
-    results.shapes.push_back({.name = comparison.shapes[index].name,
-                              .report = report_shape(shape.description),
-                              .read_seconds = shape.read_seconds,
-                              .fields = std::move(shape.fields)});
   }
   results.fields = report_fields(models, fields);
   results.signatures = signature_results(comparison, fields, models, reference_row);
+  for (auto& [index, shape] : measured.shapes) {
+    results.shapes.push_back({.name = comparison.shapes[index].name,
+                              .description = without_values(std::move(shape.description)),
+                              .read_seconds = shape.read_seconds,
+                              .fields = std::move(shape.fields)});
+  }
   results.timings.emplace_back("histograms", second_stage.seconds());
 }
 

@@ -17,7 +17,7 @@ namespace shapegauge {
 /// Results of a comparison for one shape.
 struct ShapeMeasurement {
   std::string name;
-  ShapeReport report;
+  ModelDescription description;          ///< without_values()
   double read_seconds = 0;               ///< reading or generating the shape
   std::vector<FieldMeasurement> fields;  ///< by field
 };

@@ -134,12 +134,12 @@ TextTable timings_table(const ShapeComparisonResults& results) {
 
 TextTable shapes_table(const ShapeComparisonResults& results) {
   TextTable table{.header = {"shape"}, .rows = {}};
-  std::vector<ShapeReport> reports;
+  std::vector<ModelDescription> descriptions;
   for (const ShapeMeasurement& shape : results.shapes) {
     table.rows.push_back({shape.name});
-    reports.push_back(shape.report);
+    descriptions.push_back(shape.description);
   }
-  return with_shape_reports(std::move(table), reports, results.comparison.preparation, results.fields);
+  return with_shape_reports(std::move(table), descriptions, results.comparison.preparation, results.fields);
 }
 
 /// Returns a note on shapes that could not be perturbed as requested.
@@ -148,7 +148,7 @@ std::vector<std::string> notes_of(const ShapeComparisonResults& results) {
   std::vector<std::vector<std::string>> remarks;
   for (const ShapeMeasurement& shape : results.shapes) {
     names.push_back(shape.name);
-    remarks.push_back(shape.report.remarks);
+    remarks.push_back(shape.description.remarks);
   }
   const std::string note = perturbation_note(names, remarks, "shape");
   return note.empty() ? std::vector<std::string>() : std::vector{note};

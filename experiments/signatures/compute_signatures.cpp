@@ -163,9 +163,9 @@ void report(std::vector<ModelDescription*> models, const Configuration& configur
   }
   computed.fields = report_fields(all, fields);
   for (ModelDescription* const model : models) {
-    computed.shapes.push_back(report_shape(*model));
     computed.pictures.push_back(std::move(model->picture));
     computed.views.push_back(std::move(model->view));
+    computed.shapes.push_back(without_values(std::move(*model)));
   }
   for (std::vector<std::string>* drawings : {&computed.pictures, &computed.views}) {
     if (std::ranges::all_of(*drawings, &std::string::empty)) drawings->clear();

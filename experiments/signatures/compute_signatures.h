@@ -30,7 +30,7 @@ struct ComputedSignatures {
   std::vector<ViewedField> viewed;  ///< fields of the views, named after the first signature that is a histogram of it,
                                     ///< or the one that has it pictured
   std::vector<FieldReport> fields;
-  std::vector<ShapeReport> shapes;  ///< by model with signatures
+  std::vector<ModelDescription> shapes;  ///< by model with signatures, without_values()
 };
 
 /// Computes all signatures of the configuration, in parallel over the models. The same bytes for any number of threads.

@@ -237,6 +237,12 @@ bool is_described(const Dataset& dataset, std::size_t model, const Configuration
   }
 }
 
+ModelDescription without_values(ModelDescription model) {
+  for (FieldDescription& field : model.fields) field.values = field.weights = Eigen::VectorXf();
+  for (FeatureDescription& features : model.features) features.features = Eigen::VectorXf();
+  return model;
+}
+
 ScalarField kept_field(const FieldDescription& field) {
   return {.values = field.values.cast<double>(), .weights = field.weights.cast<double>()};
 }

@@ -98,6 +98,9 @@ ModelDescription describe_model(const Dataset& dataset, std::size_t model, const
 bool is_described(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                   std::span<const Field> fields, Cache& cache);
 
+/// Returns the description without values and features, when these are in tables.
+ModelDescription without_values(ModelDescription model);
+
 /// Returns the values kept by a description.
 ScalarField kept_field(const FieldDescription& field);
 

@@ -37,27 +37,6 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
   return reports;
 }
 
-ShapeReport report_shape(const ModelDescription& model) {
-  ShapeReport report{.sha256 = model.sha256,
-                     .diagnostics = model.diagnostics,
-                     .chosen = model.chosen,
-                     .remarks = model.remarks,
-                     .area = model.area,
-                     .noise = model.noise,
-                     .pass_band = model.pass_band,
-                     .outcomes = {},
-                     .offsets = {},
-                     .seconds = {},
-                     .descriptor_seconds = {}};
-  for (const FieldDescription& field : model.fields) {
-    report.outcomes.push_back(field.outcomes);
-    report.offsets.push_back(field.offset);
-    report.seconds.push_back(field.seconds);
-  }
-  for (const FeatureDescription& features : model.features) report.descriptor_seconds.push_back(features.seconds);
-  return report;
-}
-
 std::string perturbation_note(std::span<const std::string> names, std::span<const std::vector<std::string>> remarks,
                               std::string_view noun) {
   const auto fell_short = [](const std::vector<std::string>& of_shape) { return !of_shape.empty(); };
@@ -141,7 +120,7 @@ void append_header(std::vector<std::string>& header, const PreparationOptions& p
   }
 }
 
-void append_report(std::vector<std::string>& row, const ShapeReport& shape, const PreparationOptions& preparation,
+void append_report(std::vector<std::string>& row, const ModelDescription& shape, const PreparationOptions& preparation,
                    std::span<const FieldReport> fields) {
   row.push_back(fmt::format("{}", fmt::join(shape.chosen, " ")));
   const nlohmann::ordered_json diagnostics = diagnostics_json(shape.diagnostics);
@@ -152,17 +131,18 @@ void append_report(std::vector<std::string>& row, const ShapeReport& shape, cons
     row.push_back(fmt::format("{:.4g}", shape.pass_band));
   }
   for (std::size_t field = 0; field < fields.size(); ++field) {
-    if (const auto& offset = shape.offsets[field]) row.push_back(fmt::format("{:.6g}", *offset));
+    if (const auto& offset = shape.fields[field].offset) row.push_back(fmt::format("{:.6g}", *offset));
     for (const auto& [outcome, sum] : fields[field].outcomes) {
-      const auto count = shape.outcomes[field].find(outcome);
-      row.push_back(std::to_string(count == shape.outcomes[field].end() ? 0 : count->second));
+      const FieldOutcomes& of_shape = shape.fields[field].outcomes;
+      const auto count = of_shape.find(outcome);
+      row.push_back(std::to_string(count == of_shape.end() ? 0 : count->second));
     }
   }
 }
 
 }  // namespace
 
-TextTable with_shape_reports(TextTable table, std::span<const ShapeReport> shapes,
+TextTable with_shape_reports(TextTable table, std::span<const ModelDescription> shapes,
                              const PreparationOptions& preparation, std::span<const FieldReport> fields) {
   table.text_columns = table.header.size() + 1;
   table.header.emplace_back("choices");
@@ -172,14 +152,14 @@ TextTable with_shape_reports(TextTable table, std::span<const ShapeReport> shape
 }
 
 TextTable shapes_table(std::span<const Model> models, std::span<const std::string> classes,
-                       std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
+                       std::span<const ModelDescription> shapes, const PreparationOptions& preparation,
                        std::span<const FieldReport> fields) {
   TextTable table{.header = {"id", "class"}, .rows = {}};
   for (const Model& model : models) table.rows.push_back({model.id, classes[static_cast<std::size_t>(model.label)]});
   return with_shape_reports(std::move(table), shapes, preparation, fields);
 }
 
-TextTable shape_seconds_table(std::span<const Model> models, std::span<const ShapeReport> shapes,
+TextTable shape_seconds_table(std::span<const Model> models, std::span<const ModelDescription> shapes,
                               std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures) {
   TextTable table{.header = {"id"}, .rows = {}, .text_columns = 1};
   for (const FieldReport& field : fields) table.header.push_back(name_of(field));
@@ -189,9 +169,9 @@ TextTable shape_seconds_table(std::span<const Model> models, std::span<const Sha
   for (std::size_t i = 0; i < models.size(); ++i) {
     auto& row = table.rows.emplace_back();
     row.push_back(models[i].id);
-    for (const double seconds : shapes[i].seconds) row.push_back(fmt::format("{:.6f}", seconds));
+    for (const FieldDescription& field : shapes[i].fields) row.push_back(fmt::format("{:.6f}", field.seconds));
     for (std::size_t s = 0; s < signatures.size(); ++s) {
-      if (signatures[s].descriptor) row.push_back(fmt::format("{:.6f}", shapes[i].descriptor_seconds[s]));
+      if (signatures[s].descriptor) row.push_back(fmt::format("{:.6f}", shapes[i].features[s].seconds));
     }
   }
   return table;

@@ -20,21 +20,6 @@
 
 namespace shapegauge {
 
-/// Report on one model, after the perturbations, in the file's units.
-struct ShapeReport {
-  std::string sha256 = {};  ///< of the file; empty without a file
-  ShapeDiagnostics diagnostics;
-  std::vector<std::size_t> chosen;             ///< choices of perturbations that choose, in order
-  std::vector<std::string> remarks = {};       ///< how perturbations fell short of their settings
-  double area = 0;                             ///< area that was scaled to 1, in the file's units squared
-  double noise = 0;                            ///< NoiseLevel::relative(), if the preparation estimates noise
-  double pass_band = 0;                        ///< of the preparation's smoothing; 0 if not smoothed
-  std::vector<FieldOutcomes> outcomes;         ///< by field
-  std::vector<std::optional<double>> offsets;  ///< by field: the offset, if it chose one
-  std::vector<double> seconds;                 ///< by field
-  std::vector<double> descriptor_seconds;      ///< by signature, without its fields; 0 unless it is a descriptor
-};
-
 /// Returns true if the model's gaps are wider than an offset, a fraction of the diagonal: the offset surface then leaks
 /// into the model. False without an offset.
 bool offset_leaks(const ShapeDiagnostics& model, std::optional<double> offset);
@@ -52,9 +37,6 @@ struct FieldReport {
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
                                        std::span<const Field> fields);
 
-/// Returns the report on a model.
-ShapeReport report_shape(const ModelDescription& model);
-
 /// Returns a note on the shapes whose perturbations fell short of their settings; empty if there are none. `remarks`
 /// are those of each shape, `noun` is that for a shape.
 std::string perturbation_note(std::span<const std::string> names, std::span<const std::vector<std::string>> remarks,
@@ -69,17 +51,17 @@ nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics);
 
 /// Adds columns to a table whose rows are shapes: the choices of perturbations, the diagnostics, and for each field the
 /// number of samples by outcome.
-TextTable with_shape_reports(TextTable table, std::span<const ShapeReport> shapes,
+TextTable with_shape_reports(TextTable table, std::span<const ModelDescription> shapes,
                              const PreparationOptions& preparation, std::span<const FieldReport> fields);
 
 /// Makes a table with a row for each model: id, class, choices of perturbations, diagnostics, and for each field the
 /// number of samples by outcome. The same for any number of threads.
 TextTable shapes_table(std::span<const Model> models, std::span<const std::string> classes,
-                       std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
+                       std::span<const ModelDescription> shapes, const PreparationOptions& preparation,
                        std::span<const FieldReport> fields);
 
 /// Makes a table with a row for each model: id, and the seconds of each field and each descriptor.
-TextTable shape_seconds_table(std::span<const Model> models, std::span<const ShapeReport> shapes,
+TextTable shape_seconds_table(std::span<const Model> models, std::span<const ModelDescription> shapes,
                               std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures);
 
 /// Formats for each field its settings, its samples by outcome, and the number of shapes that its offset leaks into.

@@ -89,7 +89,7 @@ TEST_F(RunComparison, AFieldWithoutADimensionIsNoFurtherOffForNoiseInTheArea) {
     {"name": "heat", "field": {"type": "heat_kernel", "time": 100, "eigenvalues": 10, "at": "vertices"},
      "histogram": {"range": "dataset"}}])");
   const ShapeComparisonResults results = run(changed);
-  EXPECT_GT(results.shapes[0].report.area, 1.1 * results.shapes[1].report.area);
+  EXPECT_GT(results.shapes[0].description.area, 1.1 * results.shapes[1].description.area);
   EXPECT_NEAR(results.shapes[0].fields[0].errors->relative_percentile_90, 0, 1e-6);
   EXPECT_NEAR(results.shapes[0].fields[0].errors->percentile_90, 0, 1e-6);
 }

@@ -72,7 +72,7 @@ struct Results {
   std::vector<std::string> classes;
   std::vector<Model> models;
   std::vector<FieldReport> fields;
-  std::vector<ShapeReport> shapes;
+  std::vector<ModelDescription> shapes;
   std::vector<SignatureConfiguration> signatures;
 };
 
@@ -83,18 +83,14 @@ Results two_models() {
   results.fields = {{.settings = read_field({{"type", "offset_sdf"}, {"offset", 0.05}}).settings,
                      .outcomes = {{"total", 9}, {"undecided", 1}}}};
   results.shapes.resize(2);
-  results.shapes[0] = {.diagnostics = {.triangles = 4, .closed = true},
-                       .chosen = {2, 0},
-                       .outcomes = {{{"total", 4}}},
-                       .offsets = {std::nullopt},
-                       .seconds = {0.25},
-                       .descriptor_seconds = {}};
-  results.shapes[1] = {.diagnostics = {.triangles = 5},
-                       .chosen = {},
-                       .outcomes = {{{"total", 5}, {"undecided", 1}}},
-                       .offsets = {std::nullopt},
-                       .seconds = {1.5},
-                       .descriptor_seconds = {}};
+  for (ModelDescription& shape : results.shapes) shape.fields.resize(1);
+  results.shapes[0].diagnostics = {.triangles = 4, .closed = true};
+  results.shapes[0].chosen = {2, 0};
+  results.shapes[0].fields[0].outcomes = {{"total", 4}};
+  results.shapes[0].fields[0].seconds = 0.25;
+  results.shapes[1].diagnostics = {.triangles = 5};
+  results.shapes[1].fields[0].outcomes = {{"total", 5}, {"undecided", 1}};
+  results.shapes[1].fields[0].seconds = 1.5;
   return results;
 }
 
@@ -132,8 +128,8 @@ TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
   SignatureConfiguration& signature = results.signatures.emplace_back();
   signature.name = "SH";
   signature.descriptor = make_descriptor({{"type", "spherical_harmonics"}});
-  results.shapes[0].descriptor_seconds = {0.5};
-  results.shapes[1].descriptor_seconds = {2};
+  results.shapes[0].features = {{.features = {}, .seconds = 0.5}};
+  results.shapes[1].features = {{.features = {}, .seconds = 2}};
   const TextTable table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
   EXPECT_EQ(table.header.back(), "SH");
   EXPECT_EQ(table.rows[0].back(), "0.500000");
