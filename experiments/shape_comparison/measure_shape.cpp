@@ -113,7 +113,7 @@ MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size
   std::string compared_with = truth != nullptr ? truth->reference->key : "";
   if (is_compared_with) compared_with = "itself";  // its record has more contents than that of an equal shape
   const std::string key = key_of_measurement(comparison, shape, compared_with, thread_count(control));
-  return cache.get(EntryKind::comparison, key, [&] {
+  MeasuredShape measured = cache.get(EntryKind::comparison, key, [&] {
     const Stopwatch parsing;
     Shape read = file ? read_shape(*file) : generate_model(*source.generated);
     const double read_seconds = file_seconds + parsing.seconds();
@@ -124,10 +124,12 @@ MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size
       own.emplace(ReferenceShape{
           .key = shape, .vertices = perturbed.shape.vertices, .triangles = perturbed.shape.triangles, .values = {}});
     }
-    MeasuredShape measured = measure_shape(comparison, std::move(perturbed), fields, truth, std::move(own), control);
-    measured.read_seconds = read_seconds;
-    return measured;
+    MeasuredShape computed = measure_shape(comparison, std::move(perturbed), fields, truth, std::move(own), control);
+    computed.read_seconds = read_seconds;
+    return computed;
   });
+  measured.name = source.name;
+  return measured;
 }
 
 }  // namespace shapegauge

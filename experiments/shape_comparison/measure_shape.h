@@ -46,6 +46,7 @@ struct GroundTruth {
 
 /// Everything that a comparison measures on one shape.
 struct MeasuredShape {
+  std::string name = {};                 ///< in the comparison; not in the cache
   double read_seconds = 0;               ///< reading or generating the shape
   std::vector<FieldMeasurement> fields;  ///< by field
   ModelDescription description;
@@ -80,7 +81,7 @@ inline auto members(ReferenceShape& reference) {
   return std::tie(key, vertices, triangles, values);
 }
 inline auto members(MeasuredShape& measured) {
-  auto& [read_seconds, fields, description, reference] = measured;
+  auto& [name, read_seconds, fields, description, reference] = measured;
   return std::tie(read_seconds, fields, description, reference);
 }
 

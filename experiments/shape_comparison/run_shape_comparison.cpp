@@ -134,17 +134,16 @@ void run_stages(const RunContext& context, ShapeComparisonResults& results) {
   }
   std::vector<const ModelDescription*> models;
   std::optional<std::size_t> reference_row;
-  for (auto& [index, shape] : measured.shapes) {
+  for (const auto& [index, shape] : measured.shapes) {
     if (comparison.reference == index) reference_row = models.size();
     models.push_back(&shape.description);
   }
   results.fields = report_fields(models, fields);
   results.signatures = signature_results(comparison, fields, models, reference_row);
   for (auto& [index, shape] : measured.shapes) {
-    results.shapes.push_back({.name = comparison.shapes[index].name,
-                              .description = without_values(std::move(shape.description)),
-                              .read_seconds = shape.read_seconds,
-                              .fields = std::move(shape.fields)});
+    shape.description = without_values(std::move(shape.description));
+    shape.reference.reset();
+    results.shapes.push_back(std::move(shape));
   }
   results.timings.emplace_back("histograms", second_stage.seconds());
 }

@@ -135,7 +135,7 @@ TextTable timings_table(const ShapeComparisonResults& results) {
 TextTable shapes_table(const ShapeComparisonResults& results) {
   TextTable table{.header = {"shape"}, .rows = {}};
   std::vector<ModelDescription> descriptions;
-  for (const ShapeMeasurement& shape : results.shapes) {
+  for (const MeasuredShape& shape : results.shapes) {
     table.rows.push_back({shape.name});
     descriptions.push_back(shape.description);
   }
@@ -146,7 +146,7 @@ TextTable shapes_table(const ShapeComparisonResults& results) {
 std::vector<std::string> notes_of(const ShapeComparisonResults& results) {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> remarks;
-  for (const ShapeMeasurement& shape : results.shapes) {
+  for (const MeasuredShape& shape : results.shapes) {
     names.push_back(shape.name);
     remarks.push_back(shape.description.remarks);
   }
