@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
@@ -102,12 +100,7 @@ std::vector<Perturbation> make_perturbations(const Json& list) {
   std::vector<Perturbation> steps;
   for (const Json& settings : list) {
     const std::string name = settings.at("type");
-    const ShapePerturbation* const type = shape_perturbations().find(name);
-    if (type == nullptr && name != one_of_type.name) {
-      std::vector<std::string> names;
-      for (const PerturbationType& any : perturbation_types()) names.emplace_back(any.name);
-      throw InputError(no_such_word("perturbation", name, names));
-    }
+    const ShapePerturbation* const type = name == one_of_type.name ? nullptr : &shape_perturbations().at(name);
     const std::span<const Parameter> parameters = type == nullptr ? one_of_type.parameters : type->parameters;
     Perturbation& step =
         steps.emplace_back(Perturbation{.type = type, .values = read_parameters(parameters, settings)});
