@@ -20,6 +20,7 @@
 #include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/evaluation/evaluation_warnings.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_plots.h"
 #include "shapegauge/experiments/results/evaluation_report.h"

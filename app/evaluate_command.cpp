@@ -25,6 +25,7 @@
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/evaluation/evaluation_warnings.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_plots.h"
 #include "shapegauge/experiments/results/evaluation_report.h"

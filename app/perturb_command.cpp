@@ -95,7 +95,7 @@ std::vector<Perturbation> steps_of(const PerturbArguments& arguments) {
   for (const AskedStep& step : arguments.steps) {
     if (!step.wanted) continue;
     steps.push_back(
-        make_perturbation(*step.kind, parameter_values(step.kind->parameters, step.settings, step.kind->name)));
+        {.type = step.kind, .values = parameter_values(step.kind->parameters, step.settings, step.kind->name)});
   }
   return steps;
 }

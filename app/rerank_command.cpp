@@ -26,7 +26,7 @@
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/datasets/files/open_matrix.h"
 #include "shapegauge/experiments/engine/run_control.h"
-#include "shapegauge/experiments/evaluation/evaluate_files.h"
+#include "shapegauge/experiments/evaluation/evaluation_warnings.h"
 #include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/rerank.h"
 

@@ -23,7 +23,7 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/experiment.h"
 #include "shapegauge/experiments/engine/result_folder.h"
-#include "shapegauge/experiments/evaluation/evaluate_files.h"
+#include "shapegauge/experiments/evaluation/evaluation_warnings.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -68,7 +68,7 @@ py::tuple rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::s
 
 /// Computes the sum of distances with the terms in `settings`, as in a signature of a configuration.
 py::array fuse(const std::vector<DistanceMatrix>& distances, const std::string& settings, int threads) {
-  return array_of(compute(threads, [&] { return make_derived("sum", Json::parse(settings)).compute(distances); }));
+  return array_of(compute(threads, [&] { return derive(make_derived("sum", Json::parse(settings)), distances); }));
 }
 
 /// Spells the settings that a message names as arguments: ties='index'.

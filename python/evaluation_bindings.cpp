@@ -13,6 +13,7 @@
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
+#include "shapegauge/experiments/evaluation/evaluation_warnings.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
 #include "shapegauge/metrics/bootstrap.h"

@@ -36,16 +36,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Returns the offset of a field on the shape; nothing for a field without one.
-std::optional<ChosenOffset> offset_of(const Field& field, FieldSource& source) {
-  const ParameterValues& settings = field.settings.values;
-  if (std::ranges::find(settings.parameters(), "offset", &Parameter::name) == settings.parameters().end()) {
-    return std::nullopt;
-  }
-  const auto* const given = std::get_if<double>(&settings.value("offset"));
-  return given != nullptr ? choose_offset(*given, source.shape()) : chosen_automatically(source.automatic_offset());
-}
-
 py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
   struct Computed {
@@ -66,7 +56,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     result.samples = take_samples(shape, wanted.settings.samples);
     FieldSource source(shape);
     result.values = wanted.compute(source, result.samples, true);
-    if (const auto chosen = offset_of(wanted, source)) {
+    if (const auto chosen = offset_of(wanted.settings, source)) {
       result.offset = chosen->offset;
       result.leak = leak_warning(*chosen);
       result.hollow = hollow_remark(shape, true);

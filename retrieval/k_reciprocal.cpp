@@ -146,16 +146,21 @@ Eigen::RowVectorXd mean_jaccard_distances(const std::vector<NeighbourSets>& of_c
   return sum / static_cast<double>(of_counts.size());
 }
 
+void check_reciprocal(const ReciprocalOptions& options) {
+  check_options("k_reciprocal", reciprocal_table, options);
+  const int most = neighbour_counts(options.neighbours).back();
+  if (!options.neighbours.empty() && options.expansion_neighbours > most) {
+    throw InputError("k_reciprocal: expansion_neighbours is " + std::to_string(options.expansion_neighbours) +
+                     "; it must be at most neighbours, which is " + std::to_string(most));
+  }
+}
+
 }  // namespace
 
 DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions& options) {
-  check_options("k_reciprocal", reciprocal_table, options);
+  check_reciprocal(options);
   const Eigen::Index models = given.rows();
   const std::vector<int> counts = neighbour_counts(options.neighbours);
-  if (!options.neighbours.empty() && options.expansion_neighbours > counts.back()) {
-    throw InputError("k_reciprocal: expansion_neighbours is " + std::to_string(options.expansion_neighbours) +
-                     "; it must be at most neighbours, which is " + std::to_string(counts.back()));
-  }
   const NearestModels found = nearest_models(models, counts.back(), rows_of(given));
   if (models < 2) return symmetrised(given);
   const double factor = safe_factor(found.largest);
@@ -180,10 +185,14 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
 }
 
 RerankMethod k_reciprocal_method() {
-  return {"k_reciprocal", "k-reciprocal re-ranking: Jaccard distance of sets of mutual neighbours.",
-          reciprocal_parameters, [](const DistanceMatrix& distances, const ParameterValues& values) {
-            return k_reciprocal(distances, options_from(reciprocal_table, values));
-          }};
+  return {.name = "k_reciprocal",
+          .description = "k-reciprocal re-ranking: Jaccard distance of sets of mutual neighbours.",
+          .parameters = reciprocal_parameters,
+          .rerank =
+              [](const DistanceMatrix& distances, const ParameterValues& values) {
+                return k_reciprocal(distances, options_from(reciprocal_table, values));
+              },
+          .check = [](const ParameterValues& values) { check_reciprocal(options_from(reciprocal_table, values)); }};
 }
 
 }  // namespace shapegauge

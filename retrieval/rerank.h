@@ -33,6 +33,8 @@ struct RerankMethod {
   std::string_view description;  ///< one sentence
   std::span<const Parameter> parameters;
   DistanceMatrix (*rerank)(const DistanceMatrix&, const ParameterValues&) = nullptr;
+  /// Throws InputError if settings contradict each other; null if they cannot.
+  void (*check)(const ParameterValues&) = nullptr;
 };
 
 /// Returns the registry of re-ranking methods: one file each and one line in rerank.cpp, followed by those added. An

@@ -207,10 +207,14 @@ void ParameterValues::require_complete() const {
   }
 }
 
-const ParameterValue& ParameterValues::value(std::string_view name) const {
+const ParameterValue* ParameterValues::find(std::string_view name) const {
   const auto found = std::ranges::find(parameters_, name, &Parameter::name);
-  if (found == parameters_.end()) throw InputError(fmt::format("there is no parameter {}", quoted_word(name)));
-  return values_[static_cast<std::size_t>(found - parameters_.begin())];
+  return found == parameters_.end() ? nullptr : &values_[static_cast<std::size_t>(found - parameters_.begin())];
+}
+
+const ParameterValue& ParameterValues::value(std::string_view name) const {
+  if (const ParameterValue* const found = find(name)) return *found;
+  throw InputError(fmt::format("there is no parameter {}", quoted_word(name)));
 }
 
 }  // namespace shapegauge

@@ -121,6 +121,9 @@ class ParameterValues {
   /// Throws InputError for the first mandatory parameter without a value.
   void require_complete() const;
 
+  /// Returns the value of a parameter; null if it is not in the list.
+  [[nodiscard]] const ParameterValue* find(std::string_view name) const;
+
   /// Returns the value of a parameter as its kind's type. The parameter must be in the list and have a value.
   /// @{
   [[nodiscard]] const ParameterValue& value(std::string_view name) const;

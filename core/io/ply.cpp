@@ -9,16 +9,16 @@
 #include <fmt/format.h>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/little_endian.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/ply_header.h"
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
@@ -27,28 +27,6 @@
 namespace shapegauge {
 
 namespace {
-
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-enum class PlyEncoding { ascii, little_endian, big_endian };
-
-struct PlyProperty {
-  std::string name;
-  PlyType type = PlyType::float32;
-  bool list = false;
-  PlyType count_type = PlyType::uint8;  ///< of a list's length
-};
-
-struct PlyElement {
-  std::string name;
-  std::int64_t count = 0;
-  std::vector<PlyProperty> properties;
-};
-
-struct PlyHeader {
-  PlyEncoding encoding = PlyEncoding::ascii;
-  std::vector<PlyElement> elements;
-};
 
 /// Sequential values of an ASCII PLY file's body. Every reading function returns false at the end.
 class PlyTextSource {
@@ -74,229 +52,40 @@ class PlyBinarySource {
   bool read_real(double& value, PlyType type) { return read_as(value, type); }
   bool read_whole(std::int64_t& value, PlyType type) { return read_as(value, type); }
   bool skip(PlyType type, std::uint64_t count) {
-    return with_type(type, [&](auto example) { return bytes_.skip(sizeof(example) * count); });
+    return std::visit([&](auto example) { return bytes_.skip(sizeof(example) * count); }, type);
   }
   [[nodiscard]] std::size_t remaining() const { return bytes_.remaining(); }
   [[noreturn]] void fail(std::string_view message) const { text_.fail_whole(message); }
 
  private:
-  /// Calls the function with a number of the type.
-  template <typename Function>
-  static bool with_type(PlyType type, Function function) {
-    switch (type) {
-      case PlyType::int8:
-        return function(std::int8_t{});
-      case PlyType::uint8:
-        return function(std::uint8_t{});
-      case PlyType::int16:
-        return function(std::int16_t{});
-      case PlyType::uint16:
-        return function(std::uint16_t{});
-      case PlyType::int32:
-        return function(std::int32_t{});
-      case PlyType::uint32:
-        return function(std::uint32_t{});
-      case PlyType::float32:
-        return function(float{});
-      case PlyType::float64:
-        return function(double{});
-    }
-    return false;
-  }
-
   template <typename Value>
   bool read_as(Value& value, PlyType type) {
-    return with_type(type, [&](auto number) {
-      if (!bytes_.read(number)) return false;
-      value = static_cast<Value>(+number);
-      return true;
-    });
+    return std::visit(
+        [&](auto number) {
+          if (!bytes_.read(number)) return false;
+          value = static_cast<Value>(+number);
+          return true;
+        },
+        type);
   }
 
   TextScanner text_;
   ByteScanner bytes_;
 };
 
-PlyType read_type(TextScanner& scanner) {
-  static constexpr std::array<std::pair<std::string_view, PlyType>, 16> names = {{
-      {"char", PlyType::int8},
-      {"int8", PlyType::int8},
-      {"uchar", PlyType::uint8},
-      {"uint8", PlyType::uint8},
-      {"short", PlyType::int16},
-      {"int16", PlyType::int16},
-      {"ushort", PlyType::uint16},
-      {"uint16", PlyType::uint16},
-      {"int", PlyType::int32},
-      {"int32", PlyType::int32},
-      {"uint", PlyType::uint32},
-      {"uint32", PlyType::uint32},
-      {"float", PlyType::float32},
-      {"float32", PlyType::float32},
-      {"double", PlyType::float64},
-      {"float64", PlyType::float64},
-  }};
-  const std::string_view word = scanner.read_word();
-  for (const auto& [name, type] : names) {
-    if (word == name) return type;
-  }
-  scanner.fail(fmt::format("\"{}\" is not a type of PLY", word));
-}
-
-PlyEncoding read_encoding(TextScanner& scanner) {
-  const std::string_view word = scanner.read_word();
-  if (word == "ascii") return PlyEncoding::ascii;
-  if (word == "binary_little_endian") return PlyEncoding::little_endian;
-  if (word == "binary_big_endian") return PlyEncoding::big_endian;
-  scanner.fail(fmt::format("\"{}\" is not a PLY format", word));
-}
-
-PlyElement read_element(TextScanner& scanner) {
-  PlyElement element;
-  element.name = scanner.read_word();
-  if (!scanner.read_integer(element.count, "the number of elements")) scanner.fail_whole("ends within its header");
-  if (element.count < 0) scanner.fail(fmt::format("the number of elements cannot be {}", element.count));
-  return element;
-}
-
-bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
-
-PlyProperty read_property(TextScanner& scanner) {
-  PlyProperty property;
-  TextScanner ahead = scanner;
-  property.list = ahead.read_word() == "list";
-  if (property.list) {
-    scanner = ahead;
-    property.count_type = read_type(scanner);
-    if (!is_integer(property.count_type)) scanner.fail("the length of a list must be of an integer type");
-  }
-  property.type = read_type(scanner);
-  property.name = scanner.read_word();
-  return property;
-}
-
-/// Returns true if the first line of the text ends with CR alone.
-bool ends_lines_with_cr(std::string_view text) {
-  const std::size_t start = text.find_first_of("\r\n");
-  return start != std::string_view::npos && text[start] == '\r' && !text.substr(start).starts_with("\r\n");
-}
-
-/// Reads a PLY file's header (Greg Turk, "The PLY Polygon File Format") and leaves the scanner at the first byte of the
-/// body. Throws InputError, with the line, for an invalid header.
-PlyHeader read_ply_header(TextScanner& scanner) {
-  if (scanner.read_word() != "ply") scanner.fail("not a PLY file: it does not begin with \"ply\"");
-  const bool cr_alone = ends_lines_with_cr(scanner.rest());
-  PlyHeader header;
-  bool has_format = false;
-  while (true) {
-    const std::string_view word = scanner.read_word();
-    if (word.empty()) scanner.fail_whole("ends within its header");
-    if (word == "end_header") {
-      scanner.skip_line();
-      break;
-    }
-    if (word == "format") {
-      header.encoding = read_encoding(scanner);
-      has_format = true;
-    } else if (word == "element") {
-      header.elements.push_back(read_element(scanner));
-    } else if (word == "property") {
-      if (header.elements.empty()) scanner.fail("a property before the first element");
-      header.elements.back().properties.push_back(read_property(scanner));
-    } else if (word != "comment" && word != "obj_info") {
-      scanner.fail(fmt::format("\"{}\" does not belong in a PLY header", word));
-    }
-    scanner.skip_line();
-  }
-  if (!has_format) scanner.fail("the header names no format");
-  // The last line may end otherwise than the first. After CR alone, the body's first byte may look like LF.
-  const std::size_t line_end = scanner.rest().starts_with("\r\n") && !cr_alone ? 2 : 1;
-  scanner.advance(std::min(line_end, scanner.remaining()));
-  return header;
-}
-
-/// Returns the index of a vertex property: 0 to 2 for coordinates, 3 to 5 for the normal, 6 for any other.
-std::size_t place_of(const PlyProperty& property) {
-  constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
-  if (property.list) return names.size();
-  return static_cast<std::size_t>(std::ranges::find(names, property.name) - names.begin());
-}
-
-/// Returns true if all components of a vector, beginning at an index, have one property each.
-bool has_vector(const PlyElement& element, std::size_t first_place) {
-  return std::ranges::all_of(std::array{0U, 1U, 2U}, [&](std::size_t axis) {
-    return std::ranges::count(element.properties, first_place + axis, place_of) == 1;
-  });
-}
-
-bool holds_corners(const PlyProperty& property) {
-  return property.list && (property.name == "vertex_indices" || property.name == "vertex_index");
-}
-
-const PlyElement* find_element(const PlyHeader& header, std::string_view name) {
-  const auto found = std::ranges::find(header.elements, name, &PlyElement::name);
-  return found == header.elements.end() ? nullptr : &*found;
-}
-
-void require_vertices(const PlyHeader& header, const TextScanner& scanner) {
-  const PlyElement* const vertex = find_element(header, "vertex");
-  if (vertex == nullptr) scanner.fail_whole("its header has no element \"vertex\"");
-  if (std::ranges::count(header.elements, "vertex", &PlyElement::name) > 1) {
-    scanner.fail_whole("its header has two elements \"vertex\"");
-  }
-  if (vertex->count > std::numeric_limits<std::int32_t>::max()) {
-    scanner.fail_whole(
-        fmt::format("{} vertices: at most {} can be read", vertex->count, std::numeric_limits<std::int32_t>::max()));
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (std::ranges::count(vertex->properties, axis, place_of) != 1) {
-      scanner.fail_whole(fmt::format("its element \"vertex\" needs one property \"{}\"", "xyz"[axis]));
-    }
-  }
-}
-
-void require_readable_faces(const PlyHeader& header, const TextScanner& scanner) {
-  for (const std::string name : {"face", "tristrips"}) {
-    if (std::ranges::count(header.elements, name, &PlyElement::name) > 1) {
-      scanner.fail_whole(fmt::format("its header has two elements \"{}\"", name));
-    }
-    const PlyElement* const face = find_element(header, name);
-    if (face == nullptr || face->count == 0) continue;
-    if (face->count > std::numeric_limits<std::int32_t>::max()) {
-      scanner.fail_whole(
-          fmt::format("{} faces: at most {} can be read", face->count, std::numeric_limits<std::int32_t>::max()));
-    }
-    const auto corners = std::ranges::find_if(face->properties, holds_corners);
-    if (corners == face->properties.end()) {
-      scanner.fail_whole(fmt::format("its element \"{}\" has no list \"vertex_indices\" or \"vertex_index\"", name));
-    }
-    if (std::any_of(corners + 1, face->properties.end(), holds_corners)) {
-      scanner.fail_whole(fmt::format("its element \"{}\" has two lists of vertices", name));
-    }
-    if (!is_integer(corners->type)) scanner.fail_whole("the indices of its faces are not of an integer type");
-  }
-}
-
-PlyHeader read_checked_header(TextScanner& scanner) {
-  PlyHeader header = read_ply_header(scanner);
-  require_vertices(header, scanner);
-  require_readable_faces(header, scanner);
-  return header;
-}
-
 /// Reads the body of a PLY file from a PlyTextSource or a PlyBinarySource.
 template <typename Source>
 class PlyBody {
  public:
   PlyBody(const PlyHeader& header, Source source)
-      : header_(header), source_(std::move(source)), vertices_(find_element(header, "vertex")->count) {
+      : header_(header), source_(std::move(source)), vertices_(find_ply_element(header, "vertex")->count) {
     // Limited by the size of the file, whatever its header announces: a coordinate takes at least a byte and a
     // separator.
-    const PlyElement* const face = find_element(header, "face");
-    const PlyElement& vertex = *find_element(header, "vertex");
+    const PlyElement* const face = find_ply_element(header, "face");
+    const PlyElement& vertex = *find_ply_element(header, "vertex");
     // The normals of a mesh are ignored.
-    places_read_ = (face == nullptr || face->count == 0) && has_vector(vertex, 3) ? 6 : 3;
-    std::ranges::transform(vertex.properties, std::back_inserter(vertex_places_), place_of);
+    places_read_ = (face == nullptr || face->count == 0) && has_ply_vector(vertex, 3) ? 6 : 3;
+    std::ranges::transform(vertex.properties, std::back_inserter(vertex_places_), ply_place_of);
     soup_.reserve(std::min<std::size_t>(vertices_, source_.remaining() / 3),
                   std::min<std::size_t>(face == nullptr ? 0 : face->count, source_.remaining() / 4));
   }
@@ -324,7 +113,7 @@ class PlyBody {
   bool read_item(const PlyElement& element, std::int64_t i) {
     if (element.name == "vertex") return read_vertex(element, i);
     return std::ranges::all_of(element.properties, [&](const PlyProperty& property) {
-      if (!holds_corners(property)) return skip(property);
+      if (!holds_ply_corners(property)) return skip(property);
       if (element.name == "tristrips") return read_strips(property, i);
       return element.name == "face" ? read_corners(property, i) : skip(property);
     });
@@ -405,7 +194,7 @@ class PlyBody {
   const PlyHeader& header_;
   Source source_;
   std::int64_t vertices_;
-  std::vector<std::size_t> vertex_places_;  ///< place_of() of the vertices' properties
+  std::vector<std::size_t> vertex_places_;  ///< ply_place_of() of the vertices' properties
   std::size_t places_read_ = 3;             ///< lower ones are read, the others skipped
   SoupBuilder soup_;
 };
@@ -466,7 +255,7 @@ Eigen::Index sample_count(const Shape& shape, SampleSite site) {
 
 Shape read_ply(const std::string& bytes, const std::string& name) {
   TextScanner scanner(bytes, name);
-  const PlyHeader header = read_checked_header(scanner);
+  const PlyHeader header = read_ply_header(scanner);
   if (header.encoding == PlyEncoding::ascii) return PlyBody(header, PlyTextSource(scanner)).read();
   const std::endian order = header.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big;
   return PlyBody(header, PlyBinarySource(scanner, order)).read();
@@ -474,7 +263,7 @@ Shape read_ply(const std::string& bytes, const std::string& name) {
 
 void check_ply_header(const std::string& bytes, const std::string& name) {
   TextScanner scanner(bytes, name);
-  read_checked_header(scanner);
+  read_ply_header(scanner);
 }
 
 void write_ply(const std::filesystem::path& path, const Shape& shape) { write(path, shape, nullptr); }

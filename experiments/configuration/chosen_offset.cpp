@@ -41,6 +41,18 @@ ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
   return chosen;
 }
 
+std::optional<double> fixed_offset(const FieldSettings& field) {
+  const ParameterValue* const value = field.values.find("offset");
+  const auto* const offset = value == nullptr ? nullptr : std::get_if<double>(value);
+  return offset == nullptr ? std::nullopt : std::optional(*offset);
+}
+
+std::optional<ChosenOffset> offset_of(const FieldSettings& field, FieldSource& source) {
+  if (field.values.find("offset") == nullptr) return std::nullopt;
+  const std::optional<double> fixed = fixed_offset(field);
+  return fixed ? choose_offset(fixed, source.shape()) : chosen_automatically(source.automatic_offset());
+}
+
 std::string reasons_for_offset(const ChosenOffset& chosen) {
   if (!chosen.automatic) return {};
   const auto& [offset, gap, widest_gap, noise, sufficient] = *chosen.automatic;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -20,6 +21,12 @@ ChosenOffset chosen_automatically(const AutomaticOffset& automatic);
 
 /// Returns the given offset or, without one, automatic_offset(). Throws InputError for a shape without extent.
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
+
+/// Returns the offset of a field's settings; nothing for a field without one, or that chooses it for each shape.
+std::optional<double> fixed_offset(const FieldSettings& field);
+
+/// Returns the offset of a field on the shape; nothing for a field without one.
+std::optional<ChosenOffset> offset_of(const FieldSettings& field, FieldSource& source);
 
 /// Returns the reasons for an automatically chosen offset; empty for a given one.
 std::string reasons_for_offset(const ChosenOffset& chosen);

@@ -51,11 +51,10 @@ Json report_to_json(const Configuration& configuration) {
           {"views", report.views}};
 }
 
-Json evaluation_to_json(const Configuration& configuration) {
+Json evaluation_json(const EvaluationOptions& evaluation) {
   Json measures = Json::array();
-  for (const Measure& measure : configuration.measures) measures.push_back(measure.name);
-  Json json = options_json(evaluation_table, EvaluationOptions{.ties = configuration.ties,
-                                                               .minimum_class_size = configuration.minimum_class_size});
+  for (const Measure& measure : evaluation.measures) measures.push_back(measure.name);
+  Json json = options_json(evaluation_table, evaluation);
   json["measures"] = std::move(measures);
   return json;
 }
@@ -135,9 +134,9 @@ Json to_json(const std::vector<SignatureConfiguration>& signatures) {
       json["field"] = to_json(signature.field->settings);
       json["histogram"] = to_json(signature.histogram);
     } else if (signature.descriptor) {
-      json["descriptor"] = signature.descriptor->settings;
+      json["descriptor"] = to_json(*signature.descriptor);
     } else if (signature.derived) {
-      json.update(signature.derived->settings);
+      json.update(to_json(*signature.derived));
     } else {
       for (const std::size_t part : signature.parts) json["concatenate"].push_back(signatures[part].name);
     }
@@ -154,7 +153,7 @@ Json to_json(const Configuration& configuration) {
             {"perturbations", to_json(configuration.perturbations)},
             {"seed", configuration.seed},
             {"preparation", to_json(configuration.preparation)},
-            {"evaluation", evaluation_to_json(configuration)},
+            {"evaluation", evaluation_json(configuration.evaluation)},
             {"on_error", word_of(configuration.on_error)},
             {"signatures", to_json(configuration.signatures)},
             {"distance", configuration.distance},

@@ -19,7 +19,6 @@
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/metrics/evaluation.h"
-#include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/histogram.h"
 
@@ -82,9 +81,7 @@ struct Configuration {
   std::uint64_t seed = 1;                     ///< seed of the perturbations
   PreparationOptions preparation;             ///< of every model, after the perturbations
   std::vector<Protocol> protocols{Protocol::psb};
-  std::vector<Measure> measures;  ///< those of the protocols by default
-  Ties ties = EvaluationOptions{}.ties;
-  int minimum_class_size = EvaluationOptions{}.minimum_class_size;
+  EvaluationOptions evaluation;  ///< under each of the protocols, whose measures are the default
   OnError on_error = OnError::stop;
   std::vector<SignatureConfiguration> signatures;
   std::string distance = "l1";

@@ -9,8 +9,6 @@
 
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
-#include "shapegauge/retrieval/fusion.h"
-#include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {
 
@@ -22,78 +20,28 @@ constexpr std::array<std::string_view, 3> kinds_of_derived{"sum", "fuse_ranks", 
 constexpr auto sum_parameters = parameters_of(sum_table);
 constexpr auto rank_fusion_parameters = parameters_of(rank_fusion_table);
 
-/// Describes two terms of a sum that find different groups; empty if there are none.
-std::string disagreement_remark(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
-                                std::span<const std::string> names) {
-  const std::optional<Disagreement> found = find_disagreement(matrices, weights);
-  if (!found) return {};
-  return fmt::format(
-      "\"{}\" and \"{}\" find different groups: they share {:.0f} % of the nearest models, and the neighbours of a "
-      "model at least {:.0f} % of theirs. If poses do not count, use a method for articulated shapes",
-      names[found->first], names[found->second], 100 * found->agreement, 100 * found->cohesion);
-}
-
 DerivedDistances sum_of(const Json& signature) {
-  DerivedDistances derived{.key = "sum", .settings = Json::object(), .names = {}, .compute = {}};
-  std::vector<double> weights;
+  DerivedDistances derived;
+  SumSettings sum{.weights = {}, .options = read_options(sum_table, signature)};
   for (const Json& term : signature.at("sum")) {
-    const double weight = read_parameters(sum_term_parameters(), term).number("weight");
     derived.names.push_back(term.at("of"));
-    weights.push_back(weight);
-    derived.settings["sum"].push_back({{"of", derived.names.back()}, {"weight", weight}});
+    sum.weights.push_back(read_parameters(sum_term_parameters(), term).number("weight"));
   }
-  if (std::ranges::all_of(weights, [](double weight) { return weight == 0; })) {
+  if (std::ranges::all_of(sum.weights, [](double weight) { return weight == 0; })) {
     throw ConfigurationError{"sum", "at least one weight must be positive"};
   }
-  const auto options = read_options(sum_table, signature);
-  derived.settings.update(options_json(sum_table, options));
-  derived.compute = [weights, options](std::span<const DistanceMatrix> matrices) {
-    return sum_of_distances(matrices, sum_weights(matrices, weights, options.weights), options.scale);
-  };
-  if (options.weights == SumWeights::agreement) {
-    derived.remark = [weights, names = derived.names](std::span<const DistanceMatrix> matrices) {
-      return disagreement_remark(matrices, weights, names);
-    };
-  }
+  derived.settings = std::move(sum);
   return derived;
 }
 
-DerivedDistances rank_fusion_of(const Json& signature) {
-  const auto options = read_options(rank_fusion_table, signature);
-  DerivedDistances derived{.key = "fuse_ranks",
-                           .settings = options_json(rank_fusion_table, options),
-                           .names = signature.at("fuse_ranks"),
-                           .compute = {}};
-  derived.settings["fuse_ranks"] = derived.names;
-  derived.compute = [options](std::span<const DistanceMatrix> matrices) {
-    return fusion_of_ranks(matrices, std::vector<double>(matrices.size(), 1), options.score);
-  };
-  return derived;
-}
-
-DerivedDistances reranking_of(const Json& signature) {
-  const Json& settings = signature.at("rerank");
+DerivedDistances reranking_of(const Json& settings) {
   const RerankMethod& method = rerank_methods().at(settings.at("method").get<std::string>());
-  const ParameterValues values = read_parameters(method.parameters, settings);
-  method.rerank(DistanceMatrix::Zero(1, 1), values);  // reports inconsistent settings before a run
-  Json filled = to_json(values);
-  filled["of"] = settings.at("of");
-  filled["method"] = method.name;
-  return {.key = "rerank",
-          .settings = {{"rerank", std::move(filled)}},
-          .names = {settings.at("of")},
-          .compute = [&method, values](std::span<const DistanceMatrix> matrices) {
-            return method.rerank(matrices.front(), values);
-          }};
+  RerankSettings rerank{.method = &method, .values = read_parameters(method.parameters, settings)};
+  if (method.check != nullptr) method.check(rerank.values);
+  return {.names = {settings.at("of")}, .settings = std::move(rerank)};
 }
 
 }  // namespace
-
-SumSettings sum_settings(const DerivedDistances& sum) {
-  SumSettings settings{.weights = {}, .options = read_options(sum_table, sum.settings)};
-  for (const Json& term : sum.settings.at("sum")) settings.weights.push_back(term.at("weight"));
-  return settings;
-}
 
 std::span<const std::string_view> derived_keys() { return kinds_of_derived; }
 
@@ -118,7 +66,51 @@ DerivedDistances make_derived(const std::string& key, const Json& signature) {
     }
   }
   if (key == kinds_of_derived[0]) return sum_of(signature);
-  return key == kinds_of_derived[1] ? rank_fusion_of(signature) : reranking_of(signature);
+  if (key == kinds_of_derived[2]) return reranking_of(signature.at(key));
+  return {.names = signature.at(key), .settings = read_options(rank_fusion_table, signature)};
+}
+
+std::string_view key_of(const DerivedDistances& derived) { return kinds_of_derived.at(derived.settings.index()); }
+
+Json to_json(const DerivedDistances& derived) {
+  const std::string key(key_of(derived));
+  Json json;
+  if (const auto* const sum = std::get_if<SumSettings>(&derived.settings)) {
+    json = options_json(sum_table, sum->options);
+    for (std::size_t i = 0; i < sum->weights.size(); ++i) {
+      json[key].push_back({{"of", derived.names[i]}, {"weight", sum->weights[i]}});
+    }
+  } else if (const auto* const ranks = std::get_if<RankFusionOptions>(&derived.settings)) {
+    json = options_json(rank_fusion_table, *ranks);
+    json[key] = derived.names;
+  } else {
+    const auto& rerank = std::get<RerankSettings>(derived.settings);
+    json[key] = to_json(rerank.values);
+    json[key].update({{"of", derived.names.front()}, {"method", rerank.method->name}});
+  }
+  return json;
+}
+
+DistanceMatrix derive(const DerivedDistances& derived, std::span<const DistanceMatrix> matrices) {
+  if (const auto* const sum = std::get_if<SumSettings>(&derived.settings)) {
+    return sum_of_distances(matrices, sum_weights(matrices, sum->weights, sum->options.weights), sum->options.scale);
+  }
+  if (const auto* const ranks = std::get_if<RankFusionOptions>(&derived.settings)) {
+    return fusion_of_ranks(matrices, std::vector<double>(matrices.size(), 1), ranks->score);
+  }
+  const auto& rerank = std::get<RerankSettings>(derived.settings);
+  return rerank.method->rerank(matrices.front(), rerank.values);
+}
+
+std::string remark_on(const DerivedDistances& derived, std::span<const DistanceMatrix> matrices) {
+  const auto* const sum = std::get_if<SumSettings>(&derived.settings);
+  if (sum == nullptr || sum->options.weights != SumWeights::agreement) return {};
+  const std::optional<Disagreement> found = find_disagreement(matrices, sum->weights);
+  if (!found) return {};
+  return fmt::format(
+      "\"{}\" and \"{}\" find different groups: they share {:.0f} % of the nearest models, and the neighbours of a "
+      "model at least {:.0f} % of theirs. If poses do not count, use a method for articulated shapes",
+      derived.names[found->first], derived.names[found->second], 100 * found->agreement, 100 * found->cohesion);
 }
 
 }  // namespace shapegauge

@@ -63,19 +63,24 @@ DescriptorChoice make_descriptor(const Json& settings) {
   const Descriptor& chosen = descriptors().at(settings.at("type").get<std::string>());
   std::vector<Field> fields = fields_of(list_in(settings, "fields"), chosen);
   const std::size_t count = fields.size();
-  DescriptorChoice choice{.settings = {},
-                          .descriptor = chosen,
+  DescriptorChoice choice{.descriptor = chosen,
                           .values = {.values = read_parameters(chosen.parameters, settings),
                                      .axes = axes_of(list_in(settings, "axes"), chosen, count)},
                           .fields = std::move(fields)};
   if (chosen.check != nullptr) chosen.check(choice.values);
-  choice.settings = to_json(choice.values.values);
-  choice.settings["type"] = chosen.name;
-  for (const Field& field : choice.fields) choice.settings["fields"].push_back(to_json(field.settings));
-  if (chosen.axis_parameters.empty()) return choice;
-  for (const ParameterValues& axis : choice.values.axes) choice.settings["axes"].push_back(to_json(axis));
   return choice;
 }
+
+Json to_json(const DescriptorChoice& choice) {
+  Json settings = to_json(choice.values.values);
+  settings["type"] = choice.descriptor.name;
+  for (const Field& field : choice.fields) settings["fields"].push_back(to_json(field.settings));
+  if (choice.descriptor.axis_parameters.empty()) return settings;
+  for (const ParameterValues& axis : choice.values.axes) settings["axes"].push_back(to_json(axis));
+  return settings;
+}
+
+bool needs_learning(const DescriptorChoice& choice) { return needs_learning(choice.descriptor, choice.values); }
 
 DescriptorFields compute_fields(const DescriptorChoice& choice, FieldSource& source) {
   DescriptorFields result;
@@ -90,11 +95,9 @@ DescriptorFields compute_fields(const DescriptorChoice& choice, FieldSource& sou
     FieldValues computed = field.compute(source, samples, true);
     result.fields.push_back({.values = std::move(computed.values), .weights = samples.weights});
     for (const std::string& warning : outcome_warnings(computed.outcomes)) add(warning);
-    const Json settings = to_json(field.settings);
-    const auto offset = settings.find("offset");
-    if (offset == settings.end()) continue;
-    add(leak_warning(offset->is_number() ? choose_offset(offset->get<double>(), source.shape())
-                                         : chosen_automatically(source.automatic_offset())));
+    const std::optional<ChosenOffset> offset = offset_of(field.settings, source);
+    if (!offset) continue;
+    add(leak_warning(*offset));
     add(hollow_remark(source.shape(), true));
   }
   return result;

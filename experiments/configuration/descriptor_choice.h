@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -11,7 +11,6 @@ namespace shapegauge {
 
 /// Descriptor chosen by a configuration, with the fields that it is computed from.
 struct DescriptorChoice {
-  nlohmann::json settings;  ///< type and all settings, including those of fields and axes, with all defaults
   Descriptor descriptor;
   DescriptorSettings values;
   std::vector<Field> fields;  ///< all at the same samples
@@ -21,6 +20,12 @@ struct DescriptorChoice {
 /// settings for each field. Throws InputError for a type that is not in descriptors(), and ConfigurationError with the
 /// path for invalid settings: too few or too many fields, fields at different samples.
 DescriptorChoice make_descriptor(const nlohmann::json& settings);
+
+/// Formats the settings as make_descriptor() takes them, including those of fields and axes, with all defaults.
+nlohmann::json to_json(const DescriptorChoice& choice);
+
+/// Returns true if the descriptor must learn from all shapes before it can describe one.
+bool needs_learning(const DescriptorChoice& choice);
 
 /// Fields of a descriptor on a shape.
 struct DescriptorFields {

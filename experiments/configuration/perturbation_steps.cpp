@@ -6,8 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/nearest_word.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 
@@ -31,25 +30,41 @@ constexpr PerturbationType one_of_type{.name = "one_of",
                                        .parameters = one_of_parameters,
                                        .has_choices = true};
 
-Perturbation one_of(const Json& settings) {
-  const ParameterValues values = read_parameters(one_of_parameters, settings);
-  const bool in_turn = values.word("assign") == "in_turn";
-  std::vector<std::vector<Perturbation>> choices;
-  Perturbation step{.settings = to_json(values), .versions = {{one_of_type.name, 1}}, .apply = {}};
-  step.settings["type"] = one_of_type.name;
-  step.settings["choices"] = Json::array();
-  for (const Json& choice : settings.at("choices")) {
-    choices.push_back(make_perturbations(choice));
-    step.settings["choices"].push_back(to_json(choices.back()));
-    for (const Perturbation& chosen : choices.back()) step.versions.update(chosen.versions);
+std::string_view name_of(const Perturbation& step) { return step.type == nullptr ? one_of_type.name : step.type->name; }
+
+/// State of the steps of a model besides the shape.
+struct PerturbationContext {
+  RandomNumbers random;    ///< random stream of the steps
+  std::size_t model;       ///< the model's index in the data set
+  PerturbedShape* result;  ///< receives the choices and remarks
+};
+
+Shape apply_steps(Shape shape, const std::vector<Perturbation>& steps, PerturbationContext& context);
+
+Shape apply_one_of(Shape shape, const Perturbation& step, PerturbationContext& context) {
+  const std::size_t count = step.choices.size();
+  const auto drawn = static_cast<std::size_t>(context.random.uniform(0, static_cast<double>(count)));
+  const bool in_turn = step.values.word("assign") == "in_turn";
+  const std::size_t choice = in_turn ? context.model % count : std::min(drawn, count - 1);
+  context.result->chosen.push_back(choice);
+  return apply_steps(std::move(shape), step.choices[choice], context);
+}
+
+Shape apply_step(Shape shape, const Perturbation& step, PerturbationContext& context) {
+  if (step.type == nullptr) return apply_one_of(std::move(shape), step, context);
+  shape = step.type->apply(std::move(shape), step.values, context.random);
+  std::string remark = step.type->remark == nullptr ? "" : step.type->remark(shape, step.values);
+  if (!remark.empty()) context.result->remarks.push_back(std::move(remark));
+  return shape;
+}
+
+Shape apply_steps(Shape shape, const std::vector<Perturbation>& steps, PerturbationContext& context) {
+  for (const Perturbation& step : steps) {
+    PerturbationContext own{
+        .random = RandomNumbers(context.random.next()), .model = context.model, .result = context.result};
+    shape = apply_step(std::move(shape), step, own);
   }
-  step.apply = [in_turn, choices = std::move(choices)](Shape shape, PerturbationContext& context) {
-    const auto drawn = static_cast<std::size_t>(context.random.uniform(0, static_cast<double>(choices.size())));
-    const std::size_t choice = in_turn ? context.model % choices.size() : std::min(drawn, choices.size() - 1);
-    context.chosen->push_back(choice);
-    return apply_perturbations(std::move(shape), choices[choice], context);
-  };
-  return step;
+  return shape;
 }
 
 /// 64-bit FNV-1a hash, which is the same on every platform, unlike std::hash.
@@ -64,25 +79,11 @@ std::uint64_t stable_hash(std::string_view text) {
 
 }  // namespace
 
-Shape apply_perturbations(Shape shape, const std::vector<Perturbation>& steps, PerturbationContext& parent) {
-  for (const Perturbation& step : steps) {
-    PerturbationContext own{.random = RandomNumbers(parent.random.next()),
-                            .model = parent.model,
-                            .chosen = parent.chosen,
-                            .remarks = parent.remarks};
-    shape = step.apply(std::move(shape), own);
-  }
-  return shape;
-}
-
 PerturbedShape perturb_model(Shape shape, const std::vector<Perturbation>& steps, std::uint64_t seed,
                              std::string_view id, std::size_t model) {
   PerturbedShape perturbed;
-  PerturbationContext context{.random = RandomNumbers(seed, stable_hash(id)),
-                              .model = model,
-                              .chosen = &perturbed.chosen,
-                              .remarks = &perturbed.remarks};
-  perturbed.shape = apply_perturbations(std::move(shape), steps, context);
+  PerturbationContext context{.random = RandomNumbers(seed, stable_hash(id)), .model = model, .result = &perturbed};
+  perturbed.shape = apply_steps(std::move(shape), steps, context);
   return perturbed;
 }
 
@@ -95,40 +96,39 @@ std::vector<PerturbationType> perturbation_types() {
   return types;
 }
 
-Perturbation make_perturbation(const Json& settings) {
-  const std::string name = settings.at("type");
-  const ShapePerturbation* const type = shape_perturbations().find(name);
-  if (type == nullptr && name != one_of_type.name) {
-    std::vector<std::string> names;
-    for (const PerturbationType& any : perturbation_types()) names.emplace_back(any.name);
-    throw InputError(no_such_word("perturbation", name, names));
-  }
-  return type == nullptr ? one_of(settings) : make_perturbation(*type, read_parameters(type->parameters, settings));
-}
-
-Perturbation make_perturbation(const ShapePerturbation& type, const ParameterValues& values) {
-  Perturbation step{.settings = to_json(values),
-                    .versions = {{type.name, type.version}},
-                    .apply = [type, values](Shape shape, PerturbationContext& context) {
-                      Shape perturbed = type.apply(std::move(shape), values, context.random);
-                      std::string remark = type.remark == nullptr ? "" : type.remark(perturbed, values);
-                      if (!remark.empty() && context.remarks != nullptr) context.remarks->push_back(std::move(remark));
-                      return perturbed;
-                    }};
-  step.settings["type"] = type.name;
-  return step;
-}
-
 std::vector<Perturbation> make_perturbations(const Json& list) {
   std::vector<Perturbation> steps;
-  for (const Json& settings : list) steps.push_back(make_perturbation(settings));
+  for (const Json& settings : list) {
+    const std::string name = settings.at("type");
+    const ShapePerturbation* const type = name == one_of_type.name ? nullptr : &shape_perturbations().at(name);
+    const std::span<const Parameter> parameters = type == nullptr ? one_of_type.parameters : type->parameters;
+    Perturbation& step =
+        steps.emplace_back(Perturbation{.type = type, .values = read_parameters(parameters, settings)});
+    if (type != nullptr) continue;
+    for (const Json& choice : settings.at("choices")) step.choices.push_back(make_perturbations(choice));
+  }
   return steps;
 }
 
 Json to_json(const std::vector<Perturbation>& steps) {
   Json list = Json::array();
-  for (const Perturbation& step : steps) list.push_back(step.settings);
+  for (const Perturbation& step : steps) {
+    Json& settings = list.emplace_back(to_json(step.values));
+    settings["type"] = name_of(step);
+    if (step.type != nullptr) continue;
+    settings["choices"] = Json::array();
+    for (const std::vector<Perturbation>& choice : step.choices) settings["choices"].push_back(to_json(choice));
+  }
   return list;
+}
+
+std::map<std::string, int> versions_of(const std::vector<Perturbation>& steps) {
+  std::map<std::string, int> versions;
+  for (const Perturbation& step : steps) {
+    versions.emplace(name_of(step), step.type == nullptr ? 1 : step.type->version);
+    for (const std::vector<Perturbation>& choice : step.choices) versions.merge(versions_of(choice));
+  }
+  return versions;
 }
 
 }  // namespace shapegauge

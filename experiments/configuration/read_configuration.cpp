@@ -206,16 +206,16 @@ std::vector<Protocol> protocols_of(const Json& setting) {
   return protocols;
 }
 
-void read_evaluation(const Json& setting, Configuration& configuration) {
-  const EvaluationOptions options = read_options(evaluation_table, setting);
-  configuration.minimum_class_size = options.minimum_class_size;
-  configuration.ties = options.ties;
-  if (!setting.contains("measures")) return;
+EvaluationOptions read_evaluation(const Json& setting, const std::vector<Protocol>& protocols) {
+  EvaluationOptions options = read_options(evaluation_table, setting);
+  options.measures = default_measures(protocols);
+  if (!setting.contains("measures")) return options;
   try {
-    configuration.measures = measures_of(setting["measures"].get<std::vector<std::string>>());
+    options.measures = measures_of(setting["measures"].get<std::vector<std::string>>());
   } catch (const ArgumentError& error) {
     throw ConfigurationError{"measures", error.what()};
   }
+  return options;
 }
 
 /// Reads a document that the schema has accepted.
@@ -233,9 +233,9 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   if (document.contains("preparation")) configuration.preparation = read_preparation(document["preparation"]);
   if (document.contains("perturbations")) configuration.perturbations = make_perturbations(document["perturbations"]);
   if (document.contains("protocol")) configuration.protocols = protocols_of(document["protocol"]);
-  configuration.measures = default_measures(configuration.protocols);
-  if (document.contains("evaluation"))
-    at_key("evaluation", [&] { read_evaluation(document["evaluation"], configuration); });
+  configuration.evaluation = at_key("evaluation", [&] {
+    return read_evaluation(document.value("evaluation", Json::object()), configuration.protocols);
+  });
   configuration.on_error = read_on_error(document);
   configuration.distance = document.value("distance", configuration.distance);
   configuration.keep_distances = document.value("keep_distances", configuration.keep_distances);
@@ -255,7 +255,7 @@ std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
   }
   if (const auto cyclic = part_of_itself(signatures)) {
     const auto& derived = signatures[*cyclic].derived;
-    throw ConfigurationError{fmt::format("{}.{}", *cyclic, derived ? derived->key : "concatenate"),
+    throw ConfigurationError{fmt::format("{}.{}", *cyclic, derived ? key_of(*derived) : "concatenate"),
                              fmt::format("the signature \"{}\" is a part of itself", names[*cyclic])};
   }
   require_histograms(signatures);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
@@ -30,23 +31,20 @@ std::vector<std::string> main_results(const Experiment& experiment) {
 
 /// Writes the manifest and publishes all files. Throws InputError if one would overwrite an input.
 void publish(StagedResults& staged, const fs::path& destination, const Experiment& experiment,
-             const RunOutcome& outcome) {
-  check_results_are_no_inputs(destination, outcome.files, experiment.input_paths);
-  const fs::path& folder = staged.folder();
-  write_file_atomically(folder / manifest_name,
-                        json_text(manifest_of(experiment.configuration, outcome, folder), 2) + "\n");
-  staged.publish(outcome.files);
+             const RunResults& results, const std::vector<std::string>& files) {
+  check_results_are_no_inputs(destination, files, experiment.input_paths);
+  write_file_atomically(results.folder / manifest_name, json_text(manifest_of(experiment, results, files), 2) + "\n");
+  staged.publish(files);
 }
 
 }  // namespace
 
-nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const RunOutcome& outcome,
-                                   const fs::path& folder) {
+nlohmann::ordered_json manifest_of(const Experiment& experiment, const RunResults& results,
+                                   const std::vector<std::string>& files) {
   nlohmann::ordered_json json = program_json();
-  json["configuration"] = configuration;
-  json.update(outcome.manifest);
-  json.update(
-      {{"files", outcome.files}, {"outputs", outputs_json(folder, outcome.files)}, {"execution", outcome.execution}});
+  json["configuration"] = experiment.configuration();
+  json.update(results.manifest);
+  json.update({{"files", files}, {"outputs", outputs_json(results.folder, files)}, {"execution", results.execution}});
   return json;
 }
 
@@ -55,13 +53,14 @@ RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destina
   const std::uintmax_t limit = cache_limit();  // reports a wrong setting before the run
   check_results_are_no_inputs(destination, main_results(experiment), experiment.input_paths);
   const FolderLock lock(destination);
-  prepare_result_folder(destination, experiment.configuration, replace);
+  prepare_result_folder(destination, experiment.configuration(), replace);
   StagedResults staged(destination);
-  RunOutcome outcome = experiment.run({.control = control,
-                                       .cache = cache,
-                                       .generated = destination / "dataset",
-                                       .results = fs::absolute(staged.folder())});
-  with_threads(control.threads, [&] { publish(staged, destination, experiment, outcome); });
+  nlohmann::ordered_json manifest = nlohmann::ordered_json::object();
+  nlohmann::ordered_json execution;
+  const RunResults results{.folder = fs::absolute(staged.folder()), .manifest = manifest, .execution = execution};
+  RunOutcome outcome =
+      experiment.run({.control = control, .cache = cache, .generated = destination / "dataset"}, results);
+  with_threads(control.threads, [&] { publish(staged, destination, experiment, results, outcome.files); });
   if (!cache.folder().empty()) trim_cache(cache.folder(), limit);
   return outcome;
 }

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,17 +20,20 @@ struct RunContext {
   const RunControl& control;
   Cache& cache;
   std::filesystem::path generated = {};  ///< folder for a generated data set; it outlives the run
-  std::filesystem::path results = {};    ///< folder for result files
+};
+
+/// Where a run writes its results.
+struct RunResults {
+  std::filesystem::path folder;       ///< for result files
+  nlohmann::ordered_json& manifest;   ///< receives entries for the manifest: seed, inputs, counts, failures, fields
+  nlohmann::ordered_json& execution;  ///< receives entries that vary between runs: threads, seconds, use of the cache
 };
 
 /// Outcome of a run.
-// NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct RunOutcome {
-  std::vector<std::string> files = {};    ///< names of files written to RunContext::results, without the manifest
-  nlohmann::ordered_json manifest = {};   ///< entries for the manifest: seed, inputs, counts, failures, fields
-  nlohmann::ordered_json execution = {};  ///< entries that vary between runs: threads, seconds, use of the cache
-  std::string summary = {};               ///< for a terminal
-  std::vector<std::string> notes = {};    ///< remarks on the files for users
+  std::vector<std::string> files = {};  ///< names of files written to RunResults::folder, without the manifest
+  std::string summary = {};             ///< for a terminal
+  std::vector<std::string> notes = {};  ///< remarks on the files for users
   std::vector<std::string> warnings = {};
   std::vector<LeftOutShape> left_out = {};
   std::vector<std::string> incomplete = {};  ///< parts of the results without some of the shapes, a sentence each
@@ -49,17 +52,16 @@ struct PartOutcome {
 };
 
 /// Validated configuration of an experiment with the function that runs it.
-// NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct Experiment {
   std::string name;
-  nlohmann::json configuration;                         ///< with all defaults
+  std::function<nlohmann::json()> configuration;        ///< formats the configuration with all defaults
   std::vector<std::filesystem::path> input_paths = {};  ///< folders and files that results must not overwrite
   std::vector<std::string> result_folders = {};         ///< subfolders of the results that have a manifest of their own
   /// Reads the inputs with that many threads (0: all) as the manifest would record them; null if they are known only
   /// after the run.
   std::function<nlohmann::json(int threads)> inputs = {};
   /// Runs the experiment. Throws InputError for unusable data, and Interrupted.
-  std::function<RunOutcome(const RunContext&)> run;
+  std::function<RunOutcome(const RunContext&, const RunResults&)> run;
   /// Computes a part of what the run needs and stores it in the cache. Throws as run() does. Null if the kind of
   /// experiment has no parts.
   std::function<PartOutcome(const RunContext&, const Part&)> run_part = {};
@@ -81,11 +83,11 @@ struct ExperimentKind {
                      const std::filesystem::path& folder) = nullptr;
 };
 
-/// Makes the manifest of a run with result files in the folder, which documents the run and suffices to repeat it:
+/// Makes the manifest of a run with these result files, which documents the run and suffices to repeat it:
 /// program (program_json()), configuration, entries of the kind of experiment, SHA-256 of the result files. Only
 /// "execution" depends on the number of threads and the cache.
-nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const RunOutcome& outcome,
-                                   const std::filesystem::path& folder);
+nlohmann::ordered_json manifest_of(const Experiment& experiment, const RunResults& results,
+                                   const std::vector<std::string>& files);
 
 /// Runs an experiment and publishes its results in a folder, which is created if missing and locked meanwhile.
 /// Results of an earlier run are replaced when the new ones are complete, those of another configuration only with

@@ -16,6 +16,7 @@
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/experiments/engine/manifest.h"
+#include "shapegauge/experiments/evaluation/evaluation_warnings.h"
 #include "shapegauge/experiments/leaderboard/repetitions.h"
 
 namespace shapegauge {

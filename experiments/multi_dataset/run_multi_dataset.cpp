@@ -112,13 +112,13 @@ MultiDatasetExperiment read_parts(const Json& document, const std::string& sourc
 Json configuration_of(const MultiDatasetExperiment& experiment) {
   Json configuration;
   for (const DatasetPart& part : experiment.parts) {
-    if (part.error.empty() && configuration.is_null()) configuration = part.experiment.configuration;
+    if (part.error.empty() && configuration.is_null()) configuration = part.experiment.configuration();
   }
   configuration.erase("dataset");
   configuration["name"] = experiment.name;
   configuration["datasets"] = Json::array();
   for (const DatasetPart& part : experiment.parts) {
-    Json dataset = part.error.empty() ? part.experiment.configuration.at("dataset") : part.dataset;
+    Json dataset = part.error.empty() ? part.experiment.configuration().at("dataset") : part.dataset;
     dataset["name"] = part.name;
     configuration["datasets"].push_back(std::move(dataset));
   }
@@ -152,14 +152,14 @@ Json inputs_of_parts(const MultiDatasetExperiment& experiment, int threads) {
 // A run of the experiment.
 class MultiDatasetRun {
  public:
-  MultiDatasetRun(const MultiDatasetExperiment& experiment, const RunContext& context)
-      : experiment_(&experiment), context_(&context) {
+  MultiDatasetRun(const MultiDatasetExperiment& experiment, const RunContext& context, const RunResults& to)
+      : experiment_(&experiment), context_(&context), to_(&to) {
     results_.name = experiment.name;
     results_.description = experiment.description;
   }
 
   RunOutcome run() {
-    outcome_.manifest = {{"inputs", {{"models", Json::object()}}}, {"data_sets", Json::object()}};
+    to_->manifest = {{"inputs", {{"models", Json::object()}}}, {"data_sets", Json::object()}};
     outcome_.noun = "input";
     const Stopwatch stopwatch;
     for (const DatasetPart& part : experiment_->parts) run_part(part);
@@ -172,14 +172,15 @@ class MultiDatasetRun {
   // A failure leaves the data set out.
   void run_part(const DatasetPart& part) {
     if (!part.error.empty()) return leave_out(part, part.error);
-    const fs::path folder = context_->results / part.folder;
+    OrderedJson manifest;
+    OrderedJson execution;
+    const RunResults to{.folder = to_->folder / part.folder, .manifest = manifest, .execution = execution};
     try {
-      make_folder(folder);
-      const RunOutcome outcome = part.experiment.run({.control = context_->control,
-                                                      .cache = context_->cache,
-                                                      .generated = context_->generated / part.folder,
-                                                      .results = folder});
-      add(part, folder, outcome);
+      make_folder(to.folder);
+      add(part, to,
+          part.experiment.run(
+              {.control = context_->control, .cache = context_->cache, .generated = context_->generated / part.folder},
+              to));
     } catch (const InputError& error) {
       leave_out(part, error.what());
     }
@@ -190,15 +191,15 @@ class MultiDatasetRun {
     outcome_.left_out.push_back({.id = part.name, .message = reason});
   }
 
-  void add(const DatasetPart& part, const fs::path& folder, const RunOutcome& outcome) {
-    const auto manifest = manifest_of(part.experiment.configuration, outcome, folder);
-    write_file_atomically(folder / manifest_name, json_text(manifest, 2) + "\n");
+  void add(const DatasetPart& part, const RunResults& to, const RunOutcome& outcome) {
+    const OrderedJson manifest = manifest_of(part.experiment, to, outcome.files);
+    write_file_atomically(to.folder / manifest_name, json_text(manifest, 2) + "\n");
     const bool has_report = std::ranges::find(outcome.files, report_name) != outcome.files.end();
     results_.datasets.push_back({.name = part.name,
                                  .folder = part.folder,
                                  .page = has_report ? fmt::format("{}/{}", part.folder, report_name) : "",
                                  .models = outcome.used,
-                                 .scores = read_method_scores(folder / "per_query.csv")});
+                                 .scores = read_method_scores(to.folder / "per_query.csv")});
     for (const std::string& file : outcome.files) outcome_.files.push_back(part.folder + "/" + file);
     outcome_.files.push_back(fmt::format("{}/{}", part.folder, manifest_name));
     for (const std::string& note : outcome.notes) outcome_.notes.push_back(fmt::format("{}: {}", part.name, note));
@@ -213,11 +214,10 @@ class MultiDatasetRun {
     }
     outcome_.used += outcome.used;
     outcome_.cache = outcome.cache;  // counts all so far
-    add_inputs(outcome.manifest.at("inputs"), part.name, inputs_);
-    auto entries = outcome.manifest;
-    entries.erase("inputs");
-    outcome_.manifest["data_sets"][part.name] = std::move(entries);
-    outcome_.execution[part.name] = outcome.execution;
+    add_inputs(to.manifest.at("inputs"), part.name, inputs_);
+    to.manifest.erase("inputs");
+    to_->manifest["data_sets"][part.name] = std::move(to.manifest);
+    to_->execution[part.name] = std::move(to.execution);
   }
 
   [[nodiscard]] std::string no_data_set() const {
@@ -245,17 +245,18 @@ class MultiDatasetRun {
                                                              to_csv(multi_dataset_pairs_table(results_)),
                                                              multi_dataset_html(results_)};
     for (std::size_t i = 0; i < texts.size(); ++i) {
-      write_file_atomically(context_->results / result_files[i], texts[i]);
+      write_file_atomically(to_->folder / result_files[i], texts[i]);
       outcome_.files.emplace_back(result_files[i]);
     }
-    outcome_.manifest["inputs"] = inputs_;
-    outcome_.manifest["failed_models"] = failures_json(outcome_.left_out);
+    to_->manifest["inputs"] = inputs_;
+    to_->manifest["failed_models"] = failures_json(outcome_.left_out);
     outcome_.summary = fmt::format("{} ({}, {}), percent\n{}\n{}\n", main.measure, main.protocol, name_of(main.average),
                                    to_plain_text(summary), test_words(results_, main));
   }
 
   const MultiDatasetExperiment* experiment_;
   const RunContext* context_;
+  const RunResults* to_;
   MultiDatasetResults results_;
   RunOutcome outcome_;
   Json inputs_{{"models", Json::object()}};
@@ -321,11 +322,12 @@ Experiment read_multi_dataset(const Json& given, const std::string& source, cons
     result_folders.push_back(part.folder);
   }
   return {.name = experiment->name,
-          .configuration = configuration_of(*experiment),
+          .configuration = [experiment] { return configuration_of(*experiment); },
           .input_paths = std::move(input_paths),
           .result_folders = std::move(result_folders),
           .inputs = [experiment](int threads) { return inputs_of_parts(*experiment, threads); },
-          .run = [experiment](const RunContext& context) { return MultiDatasetRun(*experiment, context).run(); },
+          .run = [experiment](const RunContext& context,
+                              const RunResults& to) { return MultiDatasetRun(*experiment, context, to).run(); },
           .run_part = [experiment](const RunContext& context,
                                    const Part& part) { return run_part_of_each(*experiment, context, part); }};
 }

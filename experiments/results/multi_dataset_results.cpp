@@ -112,6 +112,20 @@ std::vector<std::string> letters_of(const RankComparison& ranks) {
   return compact_letters(ranks.order.size(), ranks.groups);
 }
 
+MultiDatasetJson pairs_json(const MultiDatasetResults& results, const RankComparison& ranks) {
+  MultiDatasetJson pairs = MultiDatasetJson::array();
+  for (const RankDifference& pair : ranks.pairs) {
+    pairs.push_back({{"first", results.methods[pair.first]},
+                     {"second", results.methods[pair.second]},
+                     {"difference_of_mean_ranks", pair.mean_ranks},
+                     {"p", pair.p},
+                     {"wins", pair.data_sets.wins},
+                     {"ties", pair.data_sets.ties},
+                     {"losses", pair.data_sets.losses}});
+  }
+  return pairs;
+}
+
 MultiDatasetJson table_json(const MultiDatasetResults& results, const MultiDatasetTable& table) {
   const std::vector<std::string> letters = letters_of(table.ranks);
   MultiDatasetJson methods = MultiDatasetJson::array();
@@ -134,16 +148,6 @@ MultiDatasetJson table_json(const MultiDatasetResults& results, const MultiDatas
     const auto& [best, worst] = table.rank_intervals[table.ranks.order[position]];
     methods.back()["rank_interval"] = {best, worst};
   }
-  MultiDatasetJson pairs = MultiDatasetJson::array();
-  for (const RankDifference& pair : table.ranks.pairs) {
-    pairs.push_back({{"first", results.methods[pair.first]},
-                     {"second", results.methods[pair.second]},
-                     {"difference_of_mean_ranks", pair.mean_ranks},
-                     {"p", pair.p},
-                     {"wins", pair.data_sets.wins},
-                     {"ties", pair.data_sets.ties},
-                     {"losses", pair.data_sets.losses}});
-  }
   const FriedmanTest& friedman = table.ranks.friedman;
   return {{"protocol", table.protocol},
           {"average", name_of(table.average)},
@@ -156,7 +160,7 @@ MultiDatasetJson table_json(const MultiDatasetResults& results, const MultiDatas
             {"f_p", friedman.f_p}}},
           {"critical_difference", finite_or_null(table.ranks.critical_difference)},
           {"methods", std::move(methods)},
-          {"pairs", std::move(pairs)}};
+          {"pairs", pairs_json(results, table.ranks)}};
 }
 
 }  // namespace

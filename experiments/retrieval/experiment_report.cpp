@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 
@@ -52,8 +53,8 @@ ReportSettings settings_of(const SignatureConfiguration& signature, const std::v
     settings.emplace_back("histogram", describe(signature.histogram));
     return settings;
   }
-  if (signature.descriptor) return settings_table(signature.descriptor->settings);
-  if (signature.derived) return settings_table(signature.derived->settings);
+  if (signature.descriptor) return settings_table(to_json(*signature.descriptor));
+  if (signature.derived) return settings_table(to_json(*signature.derived));
   std::vector<std::string> parts;
   for (const std::size_t part : signature.parts) parts.push_back(all[part].name);
   return {{"concatenate", fmt::format("{}", fmt::join(parts, " + "))}};
@@ -61,7 +62,7 @@ ReportSettings settings_of(const SignatureConfiguration& signature, const std::v
 
 /// Returns the registered name of the distance, or that of its descriptor.
 std::string distance_name(const SignatureConfiguration& signature, const Configuration& configuration) {
-  if (signature.derived) return signature.derived->key;
+  if (signature.derived) return std::string(key_of(*signature.derived));
   if (!signature.descriptor) return configuration.distance;
   const Descriptor& descriptor = signature.descriptor->descriptor;
   for (const NamedDistance& known : distances().entries()) {
@@ -83,12 +84,14 @@ std::vector<std::pair<std::string, ReportSettings>> perturbations_of(const Confi
 std::vector<ReportLeak> leaks_of(const ExperimentResults& results) {
   std::vector<ReportLeak> found;
   for (std::size_t i = 0; i < results.shapes.size(); ++i) {
-    const ShapeReport& shape = results.shapes[i];
+    const ModelDescription& shape = results.shapes[i];
     for (std::size_t field = 0; field < results.fields.size(); ++field) {
-      const std::optional<double> offset = shape.offsets[field] ? shape.offsets[field] : results.fields[field].offset;
+      const FieldSettings& settings = results.fields[field].settings;
+      const std::optional<double> offset =
+          shape.fields[field].offset ? shape.fields[field].offset : fixed_offset(settings);
       if (!offset_leaks(shape.diagnostics, offset)) continue;
       found.push_back({.id = results.models[i].id,
-                       .field = setting_text(results.fields[field].settings),
+                       .field = setting_text(to_json(settings)),
                        .offset = *offset,
                        .gap = shape.diagnostics.gap_size / shape.diagnostics.diagonal});
     }

@@ -49,7 +49,7 @@ std::vector<std::string> incomplete_methods(const ExperimentResults& results) {
 
 std::vector<std::string> run_warnings(const ExperimentResults& results) {
   std::vector<std::string> warnings = field_warnings(results.fields);
-  const auto has_outliers = [](const ShapeReport& shape) { return shape.diagnostics.outliers > 0; };
+  const auto has_outliers = [](const ModelDescription& shape) { return shape.diagnostics.outliers > 0; };
   const auto count = std::ranges::count_if(results.shapes, has_outliers);
   if (count > 0 && !results.configuration.preparation.remove_outliers) {
     warnings.push_back(fmt::format(

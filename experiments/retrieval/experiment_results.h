@@ -28,18 +28,18 @@ struct MethodResults {
   std::vector<ModelFailure> failures = {};
   Signatures signatures;                   ///< row i is of ExperimentResults::models[i]; empty for derived distances
   std::vector<Interval> histogram_ranges;  ///< of each row, if the signature is one histogram; otherwise empty
-  std::string remark = {};                 ///< DerivedDistances::remark
+  std::string remark = {};                 ///< remark_on() derived distances
 };
 
 /// Results of a run.
 struct ExperimentResults {
   Configuration configuration;
-  std::vector<std::string> classes;   ///< names, by label
-  std::vector<Model> models;          ///< models with signatures
-  std::vector<ShapeReport> shapes;    ///< by model
-  std::vector<std::string> pictures;  ///< by model, as PNG files; empty if not configured
-  std::vector<std::string> views;     ///< by model, interactive 3D views (model_view()); empty if not configured
-  std::vector<ViewedField> viewed;    ///< fields of the views
+  std::vector<std::string> classes;      ///< names, by label
+  std::vector<Model> models;             ///< models with signatures
+  std::vector<ModelDescription> shapes;  ///< by model, without_values()
+  std::vector<std::string> pictures;     ///< by model, as PNG files; empty if not configured
+  std::vector<std::string> views;        ///< by model, interactive 3D views (model_view()); empty if not configured
+  std::vector<ViewedField> viewed;       ///< fields of the views
   std::vector<LeftOutShape> failures;
   SkippedEntries skipped;  ///< in the folder of the data set
   std::vector<FieldReport> fields;

@@ -37,7 +37,7 @@ OrderedJson inputs_json(const Configuration& configuration, const std::vector<st
 OrderedJson inputs(const ExperimentResults& results) {
   std::vector<std::string> ids = ids_of(results.models);
   std::vector<std::string> hashes;
-  for (const ShapeReport& shape : results.shapes) hashes.push_back(shape.sha256);
+  for (const ModelDescription& shape : results.shapes) hashes.push_back(shape.sha256);
   for (const LeftOutShape& failure : results.failures) {
     ids.push_back(failure.id);
     hashes.push_back(sha256_if_readable(failure.file));
@@ -78,12 +78,6 @@ OrderedJson manifest_entries(const ExperimentResults& results) {
           {"failed_models", failures_json(results.failures)},
           {"method_failures", method_failures(results)},
           {"fields", fields_json(results.fields)}};
-}
-
-OrderedJson execution_entries(const ExperimentResults& results) {
-  OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
-  execution["cache"] = cache_json(results.cache);
-  return execution;
 }
 
 }  // namespace shapegauge

@@ -11,9 +11,6 @@ namespace shapegauge {
 /// SHA-256 of every input, models, failures, outcomes of samples.
 nlohmann::ordered_json manifest_entries(const ExperimentResults& results);
 
-/// Returns the manifest's "execution": threads, timings, and numbers of results from the cache by kind.
-nlohmann::ordered_json execution_entries(const ExperimentResults& results);
-
 /// Returns the inputs of a run on a data set on disk as its manifest would record them, without models whose file
 /// cannot be read. Runs in the calling TBB arena.
 nlohmann::ordered_json dataset_inputs(const Configuration& configuration, const std::vector<Model>& models);

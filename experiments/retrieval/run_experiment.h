@@ -12,7 +12,7 @@ namespace shapegauge {
 
 /// Runs a whole experiment: data set, signatures, distances and evaluation (run_methods.h). `distance_files` has a
 /// `.npy` file by signature, to which its distances are written by rows; if empty, the results contain the distances
-/// that the configuration keeps. RunContext::results is not used. Throws InputError for a model that fails with
+/// that the configuration keeps. Throws InputError for a model that fails with
 /// OnError::stop and for data that cannot be evaluated; throws Interrupted. Results are the same bytes whatever the
 /// state of the cache, for any number of threads.
 ExperimentResults run_experiment(const Configuration& configuration, const RunContext& context,

@@ -59,8 +59,8 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature, const 
     parts.push_back(holders.are_all() ? all : DistanceMatrix(all(holders.places(), holders.places())));
   }
   try {
-    if (signature.derived->remark) remark = signature.derived->remark(parts);
-    return signature.derived->compute(parts);
+    remark = remark_on(*signature.derived, parts);
+    return derive(*signature.derived, parts);
   } catch (const ArgumentError& error) {
     throw InputError(fmt::format("signature \"{}\": {}", signature.name, error.what()));
   }
@@ -94,10 +94,8 @@ class MethodsRun {
     task_.query_subclasses = task_.target_subclasses = subclasses_of(models);
     for (const std::vector<ModelFailure>& of_signature : without) holders_.emplace_back(of_signature, labels_.size());
     for (const Protocol protocol : configuration.protocols) {
-      evaluations_.push_back({.protocol = protocol,
-                              .ties = configuration.ties,
-                              .measures = configuration.measures,
-                              .minimum_class_size = configuration.minimum_class_size});
+      evaluations_.push_back(configuration.evaluation);
+      evaluations_.back().protocol = protocol;
     }
   }
 
@@ -209,17 +207,18 @@ class MethodsRun {
   }
 
   [[nodiscard]] std::string key_of_scores(const StreamedRows& streamed, const RowRange& rows) const {
+    const EvaluationOptions& evaluation = configuration_->evaluation;
     std::vector<std::string> measures;
-    for (const Measure& measure : configuration_->measures) measures.push_back(measure.name);
+    for (const Measure& measure : evaluation.measures) measures.push_back(measure.name);
     std::vector<std::string_view> protocols;
     for (const Protocol protocol : configuration_->protocols) protocols.push_back(name_of(protocol));
     return result_key(EntryKind::evaluation, {{"distances", streamed.key},
                                               {"labels", sha256(encode(labels_))},
                                               {"subclasses", sha256(encode(task_.query_subclasses))},
                                               {"protocols", protocols},
-                                              {"ties", name_of(configuration_->ties)},
+                                              {"ties", name_of(evaluation.ties)},
                                               {"measures", measures},
-                                              {"minimum_class_size", configuration_->minimum_class_size},
+                                              {"minimum_class_size", evaluation.minimum_class_size},
                                               {"rows", {rows.first, rows.last}},
                                               {"version", row_scores_version}});
   }
@@ -241,11 +240,24 @@ class MethodsRun {
     return scores;
   }
 
+  /// Returns the scores of a whole matrix. All its rows are passed to `also`, if there is one.
+  RowScores scores_of_whole(const DistanceMatrix& distances, const RowVisitor& also, double& seconds) {
+    const Eigen::Index all = distances.rows();
+    const auto visit_rows = [&](const RowVisitor& judge) {
+      constexpr Eigen::Index together = 1024;
+      for (Eigen::Index first = 0; first < all; first += together) {
+        const auto some = distances.middleRows(first, std::min(together, all - first));
+        judge(first, some);
+        if (also) also(first, some);
+      }
+    };
+    return judge_rows(task_, evaluations_, {.first = 0, .last = all}, visit_rows, seconds);
+  }
+
   /// Evaluates the distances of one signature; returns the seconds of evaluation.
   double judge(std::size_t i, const Signatures& rows, MethodResults& method) {
     const bool whole = is_whole(i);
     const StreamedRows streamed = whole ? StreamedRows{} : streamed_rows(i, rows);
-    const auto all = std::ssize(labels_);
     std::optional<MatrixFile> file;
     if (configuration_->keep_distances && !distance_files_->empty())
       file.emplace((*distance_files_)[i], labels_.size());
@@ -253,7 +265,7 @@ class MethodsRun {
     if (configuration_->report.wanted) {
       const double largest = whole ? largest_of_whole(whole_[i], holders_[i].places().front())
                                    : largest_of_first(streamed.distance, streamed.rows);
-      overview = begin_overview(labels_, largest, 0, all);
+      overview = begin_overview(labels_, largest, 0, std::ssize(labels_));
     }
     RowVisitor also;
     if (file || overview) {
@@ -265,15 +277,7 @@ class MethodsRun {
     double seconds = 0;
     std::vector<RowScores> scores;
     if (whole) {
-      const auto visit_whole = [&](const RowVisitor& judge) {
-        constexpr Eigen::Index together = 1024;
-        for (Eigen::Index first = 0; first < all; first += together) {
-          const auto some = whole_[i].middleRows(first, std::min(together, all - first));
-          judge(first, some);
-          if (also) also(first, some);
-        }
-      };
-      scores.push_back(judge_rows(task_, evaluations_, {.first = 0, .last = all}, visit_whole, seconds));
+      scores.push_back(scores_of_whole(whole_[i], also, seconds));
     } else {
       for (const RowRange& some : entries()) scores.push_back(scores_of(streamed, some, also, seconds));
     }

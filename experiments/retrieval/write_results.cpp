@@ -70,9 +70,12 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
       rows.push_back(std::move(row));
     }
   }
-  const OrderedJson json{{"name", results.configuration.name},          {"unit", "percent"},
-                         {"ties", name_of(results.configuration.ties)}, {"tied", ties_json(evaluations)},
-                         {"confidence", IntervalOptions().confidence},  {"rows", std::move(rows)}};
+  const OrderedJson json{{"name", results.configuration.name},
+                         {"unit", "percent"},
+                         {"ties", name_of(results.configuration.evaluation.ties)},
+                         {"tied", ties_json(evaluations)},
+                         {"confidence", IntervalOptions().confidence},
+                         {"rows", std::move(rows)}};
   return json_text(json, 2) + "\n";
 }
 
@@ -141,11 +144,11 @@ std::vector<std::string> distance_files(const Configuration& configuration) {
   return configuration.keep_distances ? method_files("distances", configuration) : std::vector<std::string>();
 }
 
-RunOutcome write_results(const fs::path& folder, const ExperimentResults& results) {
+RunOutcome write_results(const RunResults& to, const ExperimentResults& results) {
+  to.manifest = manifest_entries(results);
+  to.execution = execution_json(results.threads, results.timings, results.fields, results.cache);
   std::vector<NamedEvaluation> evaluations = all_evaluations(results);
-  RunOutcome outcome{.manifest = manifest_entries(results),
-                     .execution = execution_entries(results),
-                     .summary = printed_summary(evaluations),
+  RunOutcome outcome{.summary = printed_summary(evaluations),
                      .warnings = run_warnings(results),
                      .left_out = results.failures,
                      .incomplete = incomplete_methods(results),
@@ -154,21 +157,21 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
   std::vector<std::string> ids;
   std::vector<std::vector<std::string>> remarks;
   for (const Model& model : results.models) ids.push_back(model.id);
-  for (const ShapeReport& shape : results.shapes) remarks.push_back(shape.remarks);
+  for (const ModelDescription& shape : results.shapes) remarks.push_back(shape.remarks);
   for (std::string note : {skipped_text(results.skipped), perturbation_note(ids, remarks, outcome.noun)}) {
     if (!note.empty()) outcome.notes.push_back(std::move(note));
   }
   for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
   for (const auto& [name, text] : text_files(results, evaluations)) {
-    write_file_atomically(folder / name, text);
+    write_file_atomically(to.folder / name, text);
     outcome.files.push_back(name);
   }
   for (const std::vector<std::string>& more :
-       {distance_files(results.configuration), write_features(folder, results)}) {
+       {distance_files(results.configuration), write_features(to.folder, results)}) {
     outcome.files.insert(outcome.files.end(), more.begin(), more.end());
   }
   if (results.configuration.report.wanted) {
-    write_file_atomically(folder / report_name, report_page(experiment_report(results, evaluations)));
+    write_file_atomically(to.folder / report_name, report_page(experiment_report(results, evaluations)));
     outcome.files.emplace_back(report_name);
   }
   return outcome;
@@ -176,13 +179,13 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
 
 namespace {
 
-RunOutcome run_retrieval(const Configuration& configuration, const RunContext& context) {
+RunOutcome run_retrieval(const Configuration& configuration, const RunContext& context, const RunResults& to) {
   std::vector<fs::path> files;
-  for (const std::string& file : method_files("distances", configuration)) files.push_back(context.results / file);
-  if (configuration.keep_distances) make_folder(context.results / "distances");
+  for (const std::string& file : method_files("distances", configuration)) files.push_back(to.folder / file);
+  if (configuration.keep_distances) make_folder(to.folder / "distances");
   const ExperimentResults results = run_experiment(configuration, context, files);
   RunOutcome outcome;
-  with_threads(context.control.threads, [&] { outcome = write_results(context.results, results); });
+  with_threads(context.control.threads, [&] { outcome = write_results(to, results); });
   return outcome;
 }
 
@@ -200,7 +203,8 @@ Experiment read_retrieval(const nlohmann::json& document, const std::string& sou
 }  // namespace
 
 Experiment retrieval_experiment(Configuration configuration) {
-  Experiment experiment{.name = configuration.name, .configuration = to_json(configuration), .run = {}};
+  Experiment experiment{
+      .name = configuration.name, .configuration = [configuration] { return to_json(configuration); }, .run = {}};
   if (configuration.location) {
     experiment.input_paths = {configuration.location->root, configuration.location->classification};
     experiment.inputs = [configuration](int threads) { return inputs_of(configuration, threads); };
@@ -208,8 +212,8 @@ Experiment retrieval_experiment(Configuration configuration) {
   experiment.run_part = [configuration](const RunContext& context, const Part& part) {
     return run_part_of_experiment(configuration, context, part);
   };
-  experiment.run = [configuration = std::move(configuration)](const RunContext& context) {
-    return run_retrieval(configuration, context);
+  experiment.run = [configuration = std::move(configuration)](const RunContext& context, const RunResults& to) {
+    return run_retrieval(configuration, context, to);
   };
   return experiment;
 }

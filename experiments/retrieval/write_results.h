@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "shapegauge/experiments/engine/experiment.h"
@@ -15,9 +14,10 @@ Experiment retrieval_experiment(Configuration configuration);
 /// Returns the entry for experiment_kinds().
 ExperimentKind retrieval_kind();
 
-/// Writes all result files of a run (docs/reference/file_formats.md#results-of-a-run) into the folder, but the manifest
-/// and the distances, which run_experiment() writes by rows. Throws InputError if a file cannot be written.
-RunOutcome write_results(const std::filesystem::path& folder, const ExperimentResults& results);
+/// Writes all result files of a run (docs/reference/file_formats.md#results-of-a-run) but the manifest and the
+/// distances, which run_experiment() writes by rows, and sets the manifest's entries. Throws InputError if a file
+/// cannot be written.
+RunOutcome write_results(const RunResults& to, const ExperimentResults& results);
 
 /// Returns the names of the files of distances, by signature; empty if the configuration does not keep them.
 std::vector<std::string> distance_files(const Configuration& configuration);

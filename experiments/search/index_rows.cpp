@@ -69,7 +69,8 @@ CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const 
       return now->rows(first, count);
     });
   }
-  return collection_sum(static_cast<Eigen::Index>(models), terms, method.weights, method.weight_kind, method.scale);
+  const auto& [weights, options] = method.sum;
+  return collection_sum(static_cast<Eigen::Index>(models), terms, weights, options.weights, options.scale);
 }
 
 std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& distances, const ShapeIndex& index,

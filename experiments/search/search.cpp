@@ -42,12 +42,11 @@ std::multimap<std::string, std::size_t> models_by_contents(const ShapeIndex& ind
 }
 
 /// Describes a shape that is not in a file.
-ModelDescription description_of(const Shape& shape, const Configuration& configuration,
-                                std::span<const PlannedField> plan) {
+ModelDescription description_of(const Shape& shape, const Configuration& configuration, std::span<const Field> fields) {
   Cache none;
   Bench bench(
       "", [&] { return PerturbedShape{.shape = shape, .chosen = {}}; }, configuration.preparation, true, none);
-  return describe_shape(bench, configuration, plan, 0);
+  return describe_shape(bench, configuration, fields, 0);
 }
 
 /// Describes queries like the models of an index.
@@ -58,13 +57,12 @@ class QueryDescriber {
         cache_(&cache),
         by_contents_(models_by_contents(index.contents)),
         configuration_(index.method.configuration),
-        plan_(plan_fields(configuration_.signatures)),
-        descriptors_(plan_descriptors(configuration_.signatures, plan_)) {
+        fields_(distinct_fields(configuration_.signatures)) {
     configuration_.on_error = OnError::stop;  // a query needs all signatures
   }
 
   [[nodiscard]] DescribedQuery described(const SearchQuery& query, bool alone) const {
-    if (query.shape) return from(description_of(*query.shape, configuration_, plan_));
+    if (query.shape) return from(description_of(*query.shape, configuration_, fields_));
     const auto [first, last] = by_contents_.equal_range(contents_key(sha256_of_file(query.file), query.file));
     if (first != last) {
       const auto itself =
@@ -73,7 +71,7 @@ class QueryDescriber {
       return {.signatures = rows_of_model(itself->second), .member = itself->second};
     }
     const Dataset one{.models = {{.id = query.name, .file = query.file, .label = 0}}, .classes = {"query"}};
-    return from(describe_model(one, 0, configuration_, plan_, alone, *cache_));
+    return from(describe_model(one, 0, configuration_, fields_, alone, *cache_));
   }
 
  private:
@@ -92,15 +90,18 @@ class QueryDescriber {
 
   [[nodiscard]] DescribedQuery from(ModelDescription description) const {
     static const Shape none;
-    for (std::size_t d = 0; d < descriptors_.size(); ++d) {
-      if (!descriptors_[d].learns) continue;
+    for (std::size_t i = 0; i < configuration_.signatures.size(); ++i) {
+      const std::optional<DescriptorChoice>& choice = configuration_.signatures[i].descriptor;
+      if (!choice || !needs_learning(*choice)) continue;
       std::vector<ScalarField> fields;
-      for (const std::size_t field : descriptors_[d].fields) fields.push_back(kept_field(description.fields[field]));
-      description.features[d] = describe_features(*configuration_.signatures[descriptors_[d].signature].descriptor,
-                                                  {.shape = none, .fields = fields}, index_->contents.learnt[d]);
+      for (const Field& field : choice->fields) {
+        fields.push_back(kept_field(description.fields[index_of(fields_, field)]));
+      }
+      description.features[i] =
+          describe_features(*choice, {.shape = none, .fields = fields}, index_->contents.learnt[i]);
     }
     const std::vector<Signatures> tables =
-        assemble_signatures({&description}, plan_, configuration_.signatures, index_->contents.field_ranges);
+        assemble_signatures({&description}, fields_, configuration_.signatures, index_->contents.field_ranges);
     DescribedQuery query;
     for (const std::size_t term : index_->method.terms) query.signatures.emplace_back(tables[term].row(0));
     return query;
@@ -110,8 +111,7 @@ class QueryDescriber {
   Cache* cache_;
   std::multimap<std::string, std::size_t> by_contents_;
   Configuration configuration_;
-  std::vector<PlannedField> plan_;
-  std::vector<PlannedDescriptor> descriptors_;
+  std::vector<Field> fields_;
 };
 
 std::vector<RankedModel> nearest_by(const Eigen::VectorXd& distances, std::optional<std::size_t> without,

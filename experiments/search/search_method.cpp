@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/configuration/json_document.h"
-#include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/signatures/cache_keys.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
-#include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {
 
@@ -25,10 +25,10 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// Version of the index format; increment when an index changes.
-constexpr int index_version = 5;
+constexpr int index_version = 6;
 
 bool is_reranked(const SignatureConfiguration& signature) {
-  return signature.derived && signature.derived->key == "rerank";
+  return signature.derived && std::holds_alternative<RerankSettings>(signature.derived->settings);
 }
 
 /// Returns why the signature is unsuitable for searches; empty if it is suitable.
@@ -36,7 +36,7 @@ std::string why_not_searchable(const std::vector<SignatureConfiguration>& signat
   const SignatureConfiguration& signature = signatures[chosen];
   if (!signature.derived) return "";
   if (is_reranked(signature)) return "it is re-ranked; use the signature that it re-ranks, and re-rank the answers";
-  if (signature.derived->key != "sum") return "it is a fusion of ranks";
+  if (!std::holds_alternative<SumSettings>(signature.derived->settings)) return "it is a fusion of ranks";
   for (const std::size_t part : signature.parts) {
     if (!signatures[part].derived) continue;
     return fmt::format("its term \"{}\" is not computed from each shape", signatures[part].name);
@@ -79,26 +79,10 @@ void add_with_parts(const std::vector<SignatureConfiguration>& signatures, std::
 DiffusionOptions diffusion_of(const std::vector<SignatureConfiguration>& signatures, std::size_t chosen) {
   for (const SignatureConfiguration& one : signatures) {
     if (!is_reranked(one) || one.parts.front() != chosen) continue;
-    Json settings = one.derived->settings.at("rerank");
-    if (settings.at("method") != "diffusion") continue;
-    settings.erase("of");
-    settings.erase("method");
-    return diffusion_options(read_parameters(rerank_methods().at("diffusion").parameters, settings));
+    const auto& rerank = std::get<RerankSettings>(one.derived->settings);
+    if (rerank.method->name == "diffusion") return diffusion_options(rerank.values);
   }
   return {.neighbours = {}};
-}
-
-void take_terms(const SignatureConfiguration& signature, std::size_t index, SearchMethod& method) {
-  if (!signature.derived) {
-    method.terms = {index};
-    method.weights = {1};
-    return;
-  }
-  method.terms = signature.parts;
-  const SumSettings settings = sum_settings(*signature.derived);
-  method.weights = settings.weights;
-  method.weight_kind = settings.options.weights;
-  method.scale = settings.options.scale;
 }
 
 }  // namespace
@@ -134,21 +118,32 @@ SearchMethod search_method(Json document, const std::string& source, const std::
     document["report"] = false;
     document["on_error"] = "skip";
   }
-  const Configuration all = configuration_from_json(document, source, ".");
-  const std::size_t chosen = chosen_signature(all.signatures, wanted, source);
-  std::set<std::size_t> needed;
-  add_with_parts(all.signatures, chosen, needed);
-  Json signatures = Json::array();
-  for (const std::size_t i : needed) signatures.push_back(document.at("signatures")[i]);
-  document["signatures"] = std::move(signatures);
-
   SearchMethod method;
-  method.name = all.signatures[chosen].name;
   method.configuration = configuration_from_json(document, source, ".");
-  const auto& kept = method.configuration.signatures;
-  const auto place = std::ranges::find(kept, method.name, &SignatureConfiguration::name) - kept.begin();
-  take_terms(kept[static_cast<std::size_t>(place)], static_cast<std::size_t>(place), method);
-  method.diffusion = diffusion_of(all.signatures, chosen);
+  std::vector<SignatureConfiguration>& signatures = method.configuration.signatures;
+  const std::size_t chosen = chosen_signature(signatures, wanted, source);
+  method.name = signatures[chosen].name;
+  method.diffusion = diffusion_of(signatures, chosen);
+
+  std::set<std::size_t> needed;
+  add_with_parts(signatures, chosen, needed);
+  const auto new_index = [&](std::size_t signature) {
+    return static_cast<std::size_t>(std::distance(needed.begin(), needed.find(signature)));
+  };
+  std::vector<SignatureConfiguration> kept;
+  for (const std::size_t i : needed) {
+    SignatureConfiguration& signature = kept.emplace_back(std::move(signatures[i]));
+    for (std::size_t& part : signature.parts) part = new_index(part);
+  }
+  signatures = std::move(kept);
+  const std::size_t index = new_index(chosen);
+  if (const auto& derived = signatures[index].derived) {
+    method.terms = signatures[index].parts;
+    method.sum = std::get<SumSettings>(derived->settings);
+  } else {
+    method.terms = {index};
+    method.sum = {.weights = {1}, .options = {.scale = DistanceScale::none}};
+  }
   return method;
 }
 

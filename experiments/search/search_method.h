@@ -11,7 +11,6 @@
 
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/retrieval/diffusion.h"
-#include "shapegauge/retrieval/fusion.h"
 
 namespace shapegauge {
 
@@ -20,10 +19,8 @@ struct SearchMethod {
   std::string name;                ///< of the signature
   Configuration configuration;     ///< its preparation and the compared signatures; the rest is ignored
   std::vector<std::size_t> terms;  ///< indices of the compared signatures: one, or the terms of a sum
-  std::vector<double> weights;     ///< by term, as given
-  SumWeights weight_kind = SumWeights::given;
-  DistanceScale scale = DistanceScale::none;
-  DiffusionOptions diffusion;  ///< for re-ranked answers
+  SumSettings sum;                 ///< of the terms
+  DiffusionOptions diffusion;      ///< for re-ranked answers
 
   /// Returns a key of the method and the program; an index with another key cannot be used.
   [[nodiscard]] std::string key() const;

@@ -121,7 +121,7 @@ Json manifest_entries(const SegmentationResults& results) {
 }
 
 Json execution_entries(const SegmentationResults& results) {
-  Json execution = execution_json(results.threads, results.timings, {});
+  Json execution = execution_json(results.threads, results.timings, {}, results.cache);
   const CacheUse& use = results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation));
   execution["cache"] = {{"from_cache", use.hits}, {"computed", use.computed}};
   return execution;
@@ -162,36 +162,34 @@ std::vector<std::string> notes_of(const SegmentationResults& results) {
 
 }  // namespace
 
-RunOutcome write_segmentation(const std::filesystem::path& folder, const SegmentationResults& results) {
-  RunOutcome outcome{.manifest = manifest_entries(results),
-                     .execution = execution_entries(results),
-                     .summary = summary(results, to_plain_text),
+RunOutcome write_segmentation(const RunResults& to, const SegmentationResults& results) {
+  to.manifest = manifest_entries(results);
+  to.execution = execution_entries(results);
+  RunOutcome outcome{.summary = summary(results, to_plain_text),
                      .notes = notes_of(results),
                      .left_out = results.failures,
                      .used = results.shapes.size(),
                      .noun = "shape",
                      .cache = results.cache};
   for (const auto& [name, text] : text_files(results)) {
-    write_file_atomically(folder / name, text);
+    write_file_atomically(to.folder / name, text);
     outcome.files.push_back(name);
   }
-  std::ranges::move(write_parts(folder, results), std::back_inserter(outcome.files));
+  std::ranges::move(write_parts(to.folder, results), std::back_inserter(outcome.files));
   return outcome;
 }
 
 namespace {
-
-RunOutcome run_and_write(const SegmentationExperiment& experiment, const RunContext& context) {
-  return write_segmentation(context.results, run_segmentation(experiment, context));
-}
 
 Experiment read_segmentation(const nlohmann::json& document, const std::string& source,
                              const std::filesystem::path& folder) {
   const SegmentationExperiment experiment = segmentation_from_json(document, source, folder);
   Experiment read{
       .name = experiment.name,
-      .configuration = to_json(experiment),
-      .run = [experiment](const RunContext& context) { return run_and_write(experiment, context); },
+      .configuration = [experiment] { return to_json(experiment); },
+      .run = [experiment](
+                 const RunContext& context,
+                 const RunResults& to) { return write_segmentation(to, run_segmentation(experiment, context)); },
       .run_part = [experiment](const RunContext& context,
                                const Part& part) { return run_part_of_segmentation(experiment, context, part); }};
   if (experiment.generator) return read;

@@ -47,9 +47,8 @@ FieldMeasurement measure_field(const PreparedShape& prepared, const Samples& sam
 
 /// Measures a perturbed shape. `own` is given for the reference itself: it becomes MeasuredShape::reference, with
 /// values.
-MeasuredShape measure_shape(const ShapeComparison& comparison, PerturbedShape perturbed,
-                            std::span<const PlannedField> plan, const GroundTruth* truth,
-                            std::optional<ReferenceShape> own, const RunControl& control) {
+MeasuredShape measure_shape(const ShapeComparison& comparison, PerturbedShape perturbed, std::span<const Field> fields,
+                            const GroundTruth* truth, std::optional<ReferenceShape> own, const RunControl& control) {
   MeasuredShape measured;
   measured.reference = std::move(own);
   std::optional<GroundTruth> itself;
@@ -59,16 +58,16 @@ MeasuredShape measure_shape(const ShapeComparison& comparison, PerturbedShape pe
       "", [&] { return std::move(perturbed); }, comparison.preparation, true, none);
   ModelDescription& description = measured.description;
   static_cast<ShapeFacts&>(description) = bench.facts();
-  description.histograms.resize(comparison.signatures.size());
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    const Field& field = plan[i].field;
+  description.features.resize(comparison.signatures.size());
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const Field& field = fields[i];
     const Samples& samples = bench.samples(field.settings.samples);
     FieldValues computed = bench.compute(field);
     if (control.interrupted()) throw Interrupted();
     measured.fields.push_back(measure_field(bench.prepared(), samples, field, i, computed, truth,
                                             measured.reference ? &*measured.reference : nullptr));
     description.fields.push_back(describe_field(stored_field(field, std::move(computed), samples), samples.weights,
-                                                plan[i], comparison.signatures, description.histograms));
+                                                field, comparison.signatures, description.features));
   }
   return measured;
 }
@@ -80,14 +79,14 @@ std::string source_hash(const ComparedShape& shape, const std::optional<ShapeSou
 }
 
 /// Returns the key of what is measured on the shape of that key.
-std::string key_of_measurement(const ShapeComparison& comparison, std::span<const PlannedField> plan,
-                               const std::string& shape, const std::string& compared_with, int threads) {
-  std::vector<std::string> fields(comparison.signatures.size());
+std::string key_of_measurement(const ShapeComparison& comparison, const std::string& shape,
+                               const std::string& compared_with, int threads) {
+  std::vector<std::string> fields;
   std::vector<HistogramConfiguration> histograms;
-  for (const PlannedField& planned : plan) {
-    for (const std::size_t i : planned.signatures) fields[i] = field_key(shape, planned.field);
+  for (const SignatureConfiguration& signature : comparison.signatures) {
+    fields.push_back(field_key(shape, signature.field.value()));
+    histograms.push_back(signature.histogram);
   }
-  for (const SignatureConfiguration& signature : comparison.signatures) histograms.push_back(signature.histogram);
   return comparison_key(fields, histograms, compared_with, field_errors_version, threads);
 }
 
@@ -99,9 +98,8 @@ GroundTruth::GroundTruth(const ReferenceShape& of) : reference(&of) {
   if (!is_cloud(shape)) normals.emplace(shape);
 }
 
-MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size_t index,
-                                    std::span<const PlannedField> plan, const GroundTruth* truth,
-                                    const RunControl& control, Cache& cache) {
+MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size_t index, std::span<const Field> fields,
+                                    const GroundTruth* truth, const RunControl& control, Cache& cache) {
   const ComparedShape& source = comparison.shapes[index];
   const bool is_compared_with = comparison.reference == index && comparison.registered;
   const Stopwatch reading;
@@ -114,8 +112,8 @@ MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size
                                       comparison.preparation, source.perturbations, comparison.seed);
   std::string compared_with = truth != nullptr ? truth->reference->key : "";
   if (is_compared_with) compared_with = "itself";  // its record has more contents than that of an equal shape
-  const std::string key = key_of_measurement(comparison, plan, shape, compared_with, thread_count(control));
-  return cache.get(EntryKind::comparison, key, [&] {
+  const std::string key = key_of_measurement(comparison, shape, compared_with, thread_count(control));
+  MeasuredShape measured = cache.get(EntryKind::comparison, key, [&] {
     const Stopwatch parsing;
     Shape read = file ? read_shape(*file) : generate_model(*source.generated);
     const double read_seconds = file_seconds + parsing.seconds();
@@ -126,10 +124,12 @@ MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size
       own.emplace(ReferenceShape{
           .key = shape, .vertices = perturbed.shape.vertices, .triangles = perturbed.shape.triangles, .values = {}});
     }
-    MeasuredShape measured = measure_shape(comparison, std::move(perturbed), plan, truth, std::move(own), control);
-    measured.read_seconds = read_seconds;
-    return measured;
+    MeasuredShape computed = measure_shape(comparison, std::move(perturbed), fields, truth, std::move(own), control);
+    computed.read_seconds = read_seconds;
+    return computed;
   });
+  measured.name = source.name;
+  return measured;
 }
 
 }  // namespace shapegauge

@@ -46,19 +46,19 @@ struct GroundTruth {
 
 /// Everything that a comparison measures on one shape.
 struct MeasuredShape {
+  std::string name = {};                 ///< in the comparison; not in the cache
   double read_seconds = 0;               ///< reading or generating the shape
   std::vector<FieldMeasurement> fields;  ///< by field
   ModelDescription description;
   std::optional<ReferenceShape> reference;  ///< if other shapes are compared with this one
 };
 
-/// Reads, perturbs and prepares the shape of that index, and computes the planned fields on it with all threads of the
+/// Reads, perturbs and prepares the shape of that index, and computes the fields on it with all threads of the
 /// calling TBB arena, through the cache. Run times from the cache are those of the run that computed the shape.
 /// `truth` is that of the reference to compare with, if any; null for the reference itself. Throws InputError for an
 /// unusable shape, and for a field that it does not have, and Interrupted between fields.
-MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size_t index,
-                                    std::span<const PlannedField> plan, const GroundTruth* truth,
-                                    const RunControl& control, Cache& cache);
+MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size_t index, std::span<const Field> fields,
+                                    const GroundTruth* truth, const RunControl& control, Cache& cache);
 
 inline auto members(ValueErrors& errors) {
   auto& [median, percentile_90, relative_median, relative_percentile_90] = errors;
@@ -81,7 +81,7 @@ inline auto members(ReferenceShape& reference) {
   return std::tie(key, vertices, triangles, values);
 }
 inline auto members(MeasuredShape& measured) {
-  auto& [read_seconds, fields, description, reference] = measured;
+  auto& [name, read_seconds, fields, description, reference] = measured;
   return std::tie(read_seconds, fields, description, reference);
 }
 

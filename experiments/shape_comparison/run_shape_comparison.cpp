@@ -54,8 +54,8 @@ void check_failures(const ShapeComparison& comparison, const std::vector<ModelFa
 /// Measurement of the shapes of a comparison.
 class Measuring {
  public:
-  Measuring(const ShapeComparison& comparison, std::span<const PlannedField> plan, const RunContext& context)
-      : comparison_(&comparison), plan_(plan), context_(&context) {}
+  Measuring(const ShapeComparison& comparison, std::span<const Field> fields, const RunContext& context)
+      : comparison_(&comparison), fields_(fields), context_(&context) {}
 
   /// Measures the shapes of the part and, first, the reference if shapes are compared with it. Throws as
   /// run_shape_comparison() does.
@@ -88,12 +88,12 @@ class Measuring {
   void measure(const std::vector<std::size_t>& indices, std::string_view stage, const GroundTruth* truth) {
     const bool stop = comparison_->on_error == OnError::stop;
     add_failures(for_each_model_in_turn(indices, stage, stop, context_->control, [&](std::size_t i) {
-      shapes.emplace(i, measure_through_cache(*comparison_, i, plan_, truth, context_->control, context_->cache));
+      shapes.emplace(i, measure_through_cache(*comparison_, i, fields_, truth, context_->control, context_->cache));
     }));
   }
 
   const ShapeComparison* comparison_;
-  std::span<const PlannedField> plan_;
+  std::span<const Field> fields_;
   const RunContext* context_;
 };
 
@@ -104,28 +104,27 @@ std::vector<double> distances_from(std::size_t row, const Signatures& histograms
   return {distances.begin(), distances.end()};
 }
 
-std::vector<SignatureResults> signature_results(const ShapeComparison& comparison, std::span<const PlannedField> plan,
+std::vector<SignatureResults> signature_results(const ShapeComparison& comparison, std::span<const Field> fields,
                                                 const std::vector<const ModelDescription*>& models,
                                                 std::optional<std::size_t> reference_row) {
   std::vector<Signatures> tables =
-      assemble_signatures(models, plan, comparison.signatures, field_ranges(models, plan.size()));
+      assemble_signatures(models, fields, comparison.signatures, field_ranges(models, fields.size()));
   std::vector<SignatureResults> results(tables.size());
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    for (const std::size_t i : plan[field].signatures) {
-      results[i].field = field;
-      results[i].ranges = histogram_ranges(models, comparison.signatures[i].histogram, field);
-      if (reference_row) results[i].distances = distances_from(*reference_row, tables[i], comparison.distance);
-      results[i].histograms = std::move(tables[i]);
-    }
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const SignatureConfiguration& signature = comparison.signatures[i];
+    results[i].field = index_of(fields, signature.field.value());
+    results[i].ranges = histogram_ranges(models, signature.histogram, results[i].field);
+    if (reference_row) results[i].distances = distances_from(*reference_row, tables[i], comparison.distance);
+    results[i].histograms = std::move(tables[i]);
   }
   return results;
 }
 
 void run_stages(const RunContext& context, ShapeComparisonResults& results) {
   const ShapeComparison& comparison = results.comparison;
-  const std::vector<PlannedField> plan = plan_fields(comparison.signatures);
+  const std::vector<Field> fields = distinct_fields(comparison.signatures);
   const Stopwatch stopwatch;
-  Measuring measured(comparison, plan, context);
+  Measuring measured(comparison, fields, context);
   measured.run({});
   results.timings.emplace_back("shapes", stopwatch.seconds());
 
@@ -135,16 +134,17 @@ void run_stages(const RunContext& context, ShapeComparisonResults& results) {
   }
   std::vector<const ModelDescription*> models;
   std::optional<std::size_t> reference_row;
-  for (auto& [index, shape] : measured.shapes) {
+  for (const auto& [index, shape] : measured.shapes) {
     if (comparison.reference == index) reference_row = models.size();
     models.push_back(&shape.description);
-    results.shapes.push_back({.name = comparison.shapes[index].name,
-                              .report = report_shape(shape.description),
-                              .read_seconds = shape.read_seconds,
-                              .fields = std::move(shape.fields)});
   }
-  results.fields = report_fields(models, plan);
-  results.signatures = signature_results(comparison, plan, models, reference_row);
+  results.fields = report_fields(models, fields);
+  results.signatures = signature_results(comparison, fields, models, reference_row);
+  for (auto& [index, shape] : measured.shapes) {
+    shape.description = without_values(std::move(shape.description));
+    shape.reference.reset();
+    results.shapes.push_back(std::move(shape));
+  }
   results.timings.emplace_back("histograms", second_stage.seconds());
 }
 
@@ -160,10 +160,10 @@ ShapeComparisonResults run_shape_comparison(const ShapeComparison& comparison, c
 }
 
 PartOutcome run_part_of_comparison(const ShapeComparison& comparison, const RunContext& context, const Part& part) {
-  const std::vector<PlannedField> plan = plan_fields(comparison.signatures);
+  const std::vector<Field> fields = distinct_fields(comparison.signatures);
   PartOutcome outcome{.all = comparison.shapes.size(), .noun = "shape"};
   with_threads(context.control, [&] {
-    Measuring measured(comparison, plan, context);
+    Measuring measured(comparison, fields, context);
     measured.run(part);
     outcome.shapes = measured.shapes.size();
     for (const ModelFailure& failure : measured.failures) {

@@ -14,14 +14,6 @@
 
 namespace shapegauge {
 
-/// Results of a comparison for one shape.
-struct ShapeMeasurement {
-  std::string name;
-  ShapeReport report;
-  double read_seconds = 0;               ///< reading or generating the shape
-  std::vector<FieldMeasurement> fields;  ///< by field
-};
-
 /// Results of a comparison for one signature.
 struct SignatureResults {
   std::size_t field = 0;          ///< index of the signature's field
@@ -33,7 +25,7 @@ struct SignatureResults {
 /// Results of a comparison.
 struct ShapeComparisonResults {
   ShapeComparison comparison;
-  std::vector<ShapeMeasurement> shapes;  ///< usable shapes
+  std::vector<MeasuredShape> shapes;  ///< usable shapes, without_values()
   std::vector<LeftOutShape> failures;
   std::vector<FieldReport> fields;
   std::vector<SignatureResults> signatures;  ///< by signature of the comparison

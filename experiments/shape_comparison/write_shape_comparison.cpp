@@ -134,21 +134,21 @@ TextTable timings_table(const ShapeComparisonResults& results) {
 
 TextTable shapes_table(const ShapeComparisonResults& results) {
   TextTable table{.header = {"shape"}, .rows = {}};
-  std::vector<ShapeReport> reports;
-  for (const ShapeMeasurement& shape : results.shapes) {
+  std::vector<ModelDescription> descriptions;
+  for (const MeasuredShape& shape : results.shapes) {
     table.rows.push_back({shape.name});
-    reports.push_back(shape.report);
+    descriptions.push_back(shape.description);
   }
-  return with_shape_reports(std::move(table), reports, results.comparison.preparation, results.fields);
+  return with_shape_reports(std::move(table), descriptions, results.comparison.preparation, results.fields);
 }
 
 /// Returns a note on shapes that could not be perturbed as requested.
 std::vector<std::string> notes_of(const ShapeComparisonResults& results) {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> remarks;
-  for (const ShapeMeasurement& shape : results.shapes) {
+  for (const MeasuredShape& shape : results.shapes) {
     names.push_back(shape.name);
-    remarks.push_back(shape.report.remarks);
+    remarks.push_back(shape.description.remarks);
   }
   const std::string note = perturbation_note(names, remarks, "shape");
   return note.empty() ? std::vector<std::string>() : std::vector{note};
@@ -206,12 +206,6 @@ OrderedJson manifest_entries(const ShapeComparisonResults& results) {
           {"fields", fields_json(results.fields)}};
 }
 
-OrderedJson execution_entries(const ShapeComparisonResults& results) {
-  OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
-  execution["cache"] = cache_json(results.cache);
-  return execution;
-}
-
 /// Formats the summary for a terminal: distances, errors, normals, timings.
 std::string summary_text(const ShapeComparisonResults& results) {
   std::string text;
@@ -223,10 +217,10 @@ std::string summary_text(const ShapeComparisonResults& results) {
 
 }  // namespace
 
-RunOutcome write_shape_comparison(const std::filesystem::path& folder, const ShapeComparisonResults& results) {
-  RunOutcome outcome{.manifest = manifest_entries(results),
-                     .execution = execution_entries(results),
-                     .summary = summary_text(results),
+RunOutcome write_shape_comparison(const RunResults& to, const ShapeComparisonResults& results) {
+  to.manifest = manifest_entries(results);
+  to.execution = execution_json(results.threads, results.timings, results.fields, results.cache);
+  RunOutcome outcome{.summary = summary_text(results),
                      .notes = notes_of(results),
                      .warnings = field_warnings(results.fields),
                      .left_out = results.failures,
@@ -234,7 +228,7 @@ RunOutcome write_shape_comparison(const std::filesystem::path& folder, const Sha
                      .noun = "shape",
                      .cache = results.cache};
   for (const auto& [name, text] : comparison_files(results)) {
-    write_file_atomically(folder / name, text);
+    write_file_atomically(to.folder / name, text);
     outcome.files.push_back(name);
   }
   return outcome;
@@ -242,20 +236,19 @@ RunOutcome write_shape_comparison(const std::filesystem::path& folder, const Sha
 
 namespace {
 
-RunOutcome run_and_write(const ShapeComparison& comparison, const RunContext& context) {
-  return write_shape_comparison(context.results, run_shape_comparison(comparison, context));
-}
-
 Experiment read_comparison(const nlohmann::json& document, const std::string& source,
                            const std::filesystem::path& folder) {
   const ShapeComparison comparison = comparison_from_json(document, source, folder);
   std::vector<std::filesystem::path> files;
   for (const ComparedShape& shape : comparison.shapes) files.push_back(shape.file);
   return {.name = comparison.name,
-          .configuration = to_json(comparison),
+          .configuration = [comparison] { return to_json(comparison); },
           .input_paths = std::move(files),
           .inputs = [comparison](int) { return inputs_of(comparison); },
-          .run = [comparison](const RunContext& context) { return run_and_write(comparison, context); },
+          .run =
+              [comparison](const RunContext& context, const RunResults& to) {
+                return write_shape_comparison(to, run_shape_comparison(comparison, context));
+              },
           .run_part = [comparison](const RunContext& context,
                                    const Part& part) { return run_part_of_comparison(comparison, context, part); }};
 }

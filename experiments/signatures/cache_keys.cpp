@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Cache version of the entries' contents; see docs/manual/cache.md.
-constexpr int entry_version = 2;
+constexpr int entry_version = 3;
 
 /// Returns the program that computes results.
 const Json& program() {
@@ -32,12 +32,6 @@ const Json& program() {
                             {"build_type", build_type()}, {"libraries", Json::parse(library_versions())},
                             {"processor", processor()},   {"entry_version", entry_version}};
   return program;
-}
-
-Json versions_of(const std::vector<Perturbation>& steps) {
-  Json versions = Json::object();
-  for (const Perturbation& step : steps) versions.update(step.versions);
-  return versions;
 }
 
 }  // namespace
@@ -107,13 +101,13 @@ std::string features_key(const std::string& shape, const DescriptorChoice& choic
   return result_key(EntryKind::features, {{"shape", shape},
                                           {"fields", fields},
                                           {"learnt", learnt},
-                                          {"settings", choice.settings},
+                                          {"settings", to_json(choice)},
                                           {"versions", {choice.descriptor.version, samples_version}}});
 }
 
 std::string learnt_key(const DescriptorChoice& choice, const std::vector<std::vector<std::string>>& fields) {
   return result_key(EntryKind::learnt,
-                    {{"fields", fields}, {"settings", choice.settings}, {"version", choice.descriptor.version}});
+                    {{"fields", fields}, {"settings", to_json(choice)}, {"version", choice.descriptor.version}});
 }
 
 std::string distance_of(const Descriptor& descriptor) {

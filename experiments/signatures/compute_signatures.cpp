@@ -22,7 +22,7 @@ namespace {
 struct Described {
   DescribedModels models;
   std::vector<ModelFailure> failures;
-  std::vector<LearntFeatures> learnt;              ///< by planned descriptor
+  std::vector<LearntFeatures> learnt;              ///< by signature
   std::vector<std::vector<ModelFailure>> without;  ///< by signature: the models without it
 };
 
@@ -62,10 +62,10 @@ std::vector<std::size_t> models_without(const std::vector<ModelFailure>& failure
 /// Returns the models without any signature.
 std::vector<ModelFailure> without_signatures(const DescribedModels& models,
                                              const std::vector<SignatureConfiguration>& signatures,
-                                             std::span<const PlannedField> plan) {
+                                             std::span<const Field> fields) {
   std::vector<ModelFailure> failures;
   for (const auto& [index, model] : models) {
-    const std::vector<std::string> errors = signature_errors(model, signatures, plan);
+    const std::vector<std::string> errors = signature_errors(model, signatures, fields);
     if (std::ranges::none_of(errors, &std::string::empty)) failures.push_back({index, errors.front()});
   }
   return failures;
@@ -73,10 +73,10 @@ std::vector<ModelFailure> without_signatures(const DescribedModels& models,
 
 /// Finds the models without each signature; throws if none has one of them.
 void check_signatures_exist(const Dataset& dataset, const std::vector<SignatureConfiguration>& signatures,
-                            Described& described, std::span<const PlannedField> plan) {
+                            Described& described, std::span<const Field> fields) {
   described.without.assign(signatures.size(), {});
   for (const auto& [index, model] : described.models) {
-    std::vector<std::string> errors = signature_errors(model, signatures, plan);
+    std::vector<std::string> errors = signature_errors(model, signatures, fields);
     for (std::size_t i = 0; i < signatures.size(); ++i) {
       if (!errors[i].empty()) described.without[i].push_back({index, std::move(errors[i])});
     }
@@ -94,7 +94,7 @@ void check_signatures_exist(const Dataset& dataset, const std::vector<SignatureC
 /// Describes these models through the cache and passes the descriptions to `keep`, which is called by one thread at a
 /// time. Returns the failures.
 std::vector<ModelFailure> describe_each(const Dataset& dataset, const std::vector<std::size_t>& models,
-                                        const Configuration& configuration, std::span<const PlannedField> plan,
+                                        const Configuration& configuration, std::span<const Field> fields,
                                         const RunContext& context,
                                         const std::function<void(std::size_t, ModelDescription)>& keep) {
   // Processing shapes in parallel needs no synchronisation, but a few shapes do not occupy all threads.
@@ -103,14 +103,14 @@ std::vector<ModelFailure> describe_each(const Dataset& dataset, const std::vecto
   return for_each_model(models, "signatures", configuration.on_error == OnError::stop, context.control,
                         [&](std::size_t model) {
                           ModelDescription description =
-                              describe_model(dataset, model, configuration, plan, parallel_within, context.cache);
+                              describe_model(dataset, model, configuration, fields, parallel_within, context.cache);
                           const std::scoped_lock lock(mutex);
                           keep(model, std::move(description));
                         });
 }
 
-Described describe_models(const Dataset& dataset, const Configuration& configuration,
-                          std::span<const PlannedField> plan, const RunContext& context) {
+Described describe_models(const Dataset& dataset, const Configuration& configuration, std::span<const Field> fields,
+                          const RunContext& context) {
   Described described;
   described.failures = check_models(dataset);
   stop_on_failures(dataset, described.failures, configuration.on_error);
@@ -119,26 +119,27 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
     std::ranges::sort(described.failures, {}, &ModelFailure::model);
     stop_on_failures(dataset, described.failures, configuration.on_error);
   };
-  add(describe_each(dataset, models_without(described.failures, dataset.models.size()), configuration, plan, context,
+  add(describe_each(dataset, models_without(described.failures, dataset.models.size()), configuration, fields, context,
                     [&](std::size_t model, ModelDescription description) {
                       described.models.emplace(model, std::move(description));
                     }));
-  check_signatures_exist(dataset, configuration.signatures, described, plan);
-  add(describe_learnt(described.models, configuration, plan, context, described.learnt));
-  const std::vector<ModelFailure> useless = without_signatures(described.models, configuration.signatures, plan);
+  check_signatures_exist(dataset, configuration.signatures, described, fields);
+  add(describe_learnt(described.models, configuration, fields, context, described.learnt));
+  const std::vector<ModelFailure> useless = without_signatures(described.models, configuration.signatures, fields);
   for (const ModelFailure& failure : useless) described.models.erase(failure.model);
   add(useless);
-  check_signatures_exist(dataset, configuration.signatures, described, plan);
+  check_signatures_exist(dataset, configuration.signatures, described, fields);
   return described;
 }
 
 /// Returns the fields of the views, with the scales of pictures and histograms.
-std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, std::span<const PlannedField> plan,
+std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, std::span<const Field> fields,
                                           const Configuration& configuration) {
   std::vector<ViewedField> viewed;
-  for (const std::size_t i : viewed_fields(plan, configuration)) {
-    const bool pictured = is_pictured(plan[i], configuration);
-    const std::size_t signature = pictured ? configuration.report.pictured_signature : plan[i].signatures.front();
+  for (const std::size_t i : viewed_fields(fields, configuration)) {
+    const bool pictured = is_pictured(fields[i], configuration);
+    const std::size_t signature = pictured ? configuration.report.pictured_signature
+                                           : first_histogram_of(fields[i], configuration.signatures).value();
     ViewedField& field =
         viewed.emplace_back(ViewedField{.name = configuration.signatures[signature].name, .colours = {}});
     if (pictured)
@@ -151,33 +152,33 @@ std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, st
 }
 
 /// Adds the reports on models to the results.
-void report(std::vector<ModelDescription*> models, const Configuration& configuration,
-            std::span<const PlannedField> plan, ComputedSignatures& computed) {
+void report(std::vector<ModelDescription*> models, const Configuration& configuration, std::span<const Field> fields,
+            ComputedSignatures& computed) {
   const std::vector<const ModelDescription*> all(models.begin(), models.end());
   computed.histogram_ranges.resize(configuration.signatures.size());
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    for (const std::size_t i : plan[field].signatures) {
-      computed.histogram_ranges[i] = histogram_ranges(all, configuration.signatures[i].histogram, field);
-    }
+  for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {
+    const SignatureConfiguration& signature = configuration.signatures[i];
+    if (!signature.field) continue;
+    computed.histogram_ranges[i] = histogram_ranges(all, signature.histogram, index_of(fields, *signature.field));
   }
-  computed.fields = report_fields(all, plan);
+  computed.fields = report_fields(all, fields);
   for (ModelDescription* const model : models) {
-    computed.shapes.push_back(report_shape(*model));
     computed.pictures.push_back(std::move(model->picture));
     computed.views.push_back(std::move(model->view));
+    computed.shapes.push_back(without_values(std::move(*model)));
   }
   for (std::vector<std::string>* drawings : {&computed.pictures, &computed.views}) {
     if (std::ranges::all_of(*drawings, &std::string::empty)) drawings->clear();
   }
-  if (!computed.views.empty()) computed.viewed = viewed_fields_of(computed, plan, configuration);
+  if (!computed.views.empty()) computed.viewed = viewed_fields_of(computed, fields, configuration);
 }
 
 }  // namespace
 
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunContext& context) {
-  const std::vector<PlannedField> plan = plan_fields(configuration.signatures);
-  Described described = describe_models(dataset, configuration, plan, context);
+  const std::vector<Field> fields = distinct_fields(configuration.signatures);
+  Described described = describe_models(dataset, configuration, fields, context);
   ComputedSignatures computed;
   computed.models = models_without(described.failures, dataset.models.size());
   computed.failures = std::move(described.failures);
@@ -191,20 +192,20 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
   std::vector<ModelDescription*> models;
   for (auto& [index, model] : described.models) models.push_back(&model);
   const std::vector<const ModelDescription*> all(models.begin(), models.end());
-  computed.field_ranges = field_ranges(all, plan.size());
-  computed.signatures = assemble_signatures(all, plan, configuration.signatures, computed.field_ranges);
+  computed.field_ranges = field_ranges(all, fields.size());
+  computed.signatures = assemble_signatures(all, fields, configuration.signatures, computed.field_ranges);
   computed.learnt = std::move(described.learnt);
-  report(std::move(models), configuration, plan, computed);
+  report(std::move(models), configuration, fields, computed);
   return computed;
 }
 
 PartOutcome describe_part(const Dataset& dataset, const Configuration& configuration, const RunContext& context,
                           const Part& part) {
-  const std::vector<PlannedField> plan = plan_fields(configuration.signatures);
+  const std::vector<Field> fields = distinct_fields(configuration.signatures);
   std::vector<ModelFailure> failures = check_models(dataset);
   stop_on_failures(dataset, failures, configuration.on_error);
   const std::vector<std::size_t> own = part.of(models_without(failures, dataset.models.size()));
-  failures = describe_each(dataset, own, configuration, plan, context, [](std::size_t, const ModelDescription&) {});
+  failures = describe_each(dataset, own, configuration, fields, context, [](std::size_t, const ModelDescription&) {});
   stop_on_failures(dataset, failures, configuration.on_error);
   PartOutcome outcome{.shapes = own.size() - failures.size(), .all = dataset.models.size()};
   for (const ModelFailure& failure : failures) {
@@ -215,13 +216,13 @@ PartOutcome describe_part(const Dataset& dataset, const Configuration& configura
 }
 
 bool are_described(const Dataset& dataset, const Configuration& configuration, const RunContext& context) {
-  const std::vector<PlannedField> plan = plan_fields(configuration.signatures);
+  const std::vector<Field> fields = distinct_fields(configuration.signatures);
   // The last shapes are described last.
   std::vector<std::size_t> models(dataset.models.size());
   std::iota(models.rbegin(), models.rend(), std::size_t{0});
   return for_each_model(models, "shapes of other parts", true, context.control,
                         [&](std::size_t model) {
-                          if (!is_described(dataset, model, configuration, plan, context.cache))
+                          if (!is_described(dataset, model, configuration, fields, context.cache))
                             throw InputError("missing");
                         })
       .empty();

@@ -26,15 +26,14 @@ struct Learnt {
   LearntFeatures features;
 };
 
-Lessons lessons_of(const DescribedModels& models, const PlannedDescriptor& planned, const DescriptorChoice& choice) {
+Lessons lessons_of(const DescribedModels& models, std::span<const Field> fields, const DescriptorChoice& choice) {
   Lessons lessons;
   for (const auto& [index, model] : models) {
-    const auto is_missing = [&fields = model.fields](std::size_t field) { return !fields[field].error.empty(); };
-    if (std::ranges::any_of(planned.fields, is_missing)) continue;
+    if (!error_of_fields(model, fields, choice).empty()) continue;
     Lesson& lesson = lessons[index];
-    for (std::size_t k = 0; k < planned.fields.size(); ++k) {
-      lesson.fields.push_back(kept_field(model.fields[planned.fields[k]]));
-      lesson.keys.push_back(field_key(model.shape_key, choice.fields[k]));
+    for (const Field& field : choice.fields) {
+      lesson.fields.push_back(kept_field(model.fields[index_of(fields, field)]));
+      lesson.keys.push_back(field_key(model.shape_key, field));
     }
   }
   return lessons;
@@ -69,16 +68,15 @@ FeatureDescription describe(const Lesson& lesson, const std::string& shape_key, 
 }  // namespace
 
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
-                                          std::span<const PlannedField> plan, const RunContext& context,
+                                          std::span<const Field> fields, const RunContext& context,
                                           std::vector<LearntFeatures>& learnt_features) {
-  const std::vector<PlannedDescriptor> descriptors = plan_descriptors(configuration.signatures, plan);
-  learnt_features.assign(descriptors.size(), {});
+  learnt_features.assign(configuration.signatures.size(), {});
   const bool stops = configuration.on_error == OnError::stop;
-  for (std::size_t d = 0; d < descriptors.size(); ++d) {
-    if (!descriptors[d].learns) continue;
-    const SignatureConfiguration& signature = configuration.signatures[descriptors[d].signature];
+  for (std::size_t s = 0; s < configuration.signatures.size(); ++s) {
+    const SignatureConfiguration& signature = configuration.signatures[s];
+    if (!signature.descriptor || !needs_learning(*signature.descriptor)) continue;
     const DescriptorChoice& choice = *signature.descriptor;
-    Lessons lessons = lessons_of(models, descriptors[d], choice);
+    Lessons lessons = lessons_of(models, fields, choice);
     for (;;) {
       if (context.control.interrupted()) throw Interrupted();
       const Learnt learnt = learn(lessons, choice, context.cache);
@@ -86,16 +84,16 @@ std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configu
       for (const auto& [index, lesson] : lessons) indices.push_back(index);
       const auto job = [&](std::size_t i) {
         ModelDescription& model = models.at(i);
-        model.features[d] = describe(lessons.at(i), model.shape_key, choice, learnt, context.cache);
+        model.features[s] = describe(lessons.at(i), model.shape_key, choice, learnt, context.cache);
       };
       std::vector<ModelFailure> failures = for_each_model(indices, signature.name, stops, context.control, job);
-      learnt_features[d] = learnt.features;
+      learnt_features[s] = learnt.features;
       if (stops && !failures.empty()) return failures;
       if (failures.empty()) break;
       // They affect what is learnt: once more without them.
       for (const ModelFailure& failure : failures) {
         lessons.erase(failure.model);
-        models.at(failure.model).features[d] = {{}, 0, failure.message};
+        models.at(failure.model).features[s] = {{}, 0, failure.message};
       }
     }
   }

@@ -22,7 +22,7 @@ using DescribedModels = std::map<std::size_t, ModelDescription>;
 /// learnt features by planned descriptor, empty for those that do not learn. Throws InputError if nothing can be
 /// learnt, and Interrupted. Runs in the calling TBB arena.
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
-                                          std::span<const PlannedField> plan, const RunContext& context,
+                                          std::span<const Field> fields, const RunContext& context,
                                           std::vector<LearntFeatures>& learnt);
 
 }  // namespace shapegauge

@@ -13,70 +13,48 @@
 
 namespace shapegauge {
 
-namespace {
-
-/// Returns the index of the field in the plan; the plan's size if missing.
-std::size_t place_in(std::span<const PlannedField> plan, const Field& field) {
-  const auto same = [&](const PlannedField& known) { return known.field.settings == field.settings; };
-  return static_cast<std::size_t>(std::ranges::find_if(plan, same) - plan.begin());
+std::size_t index_of(std::span<const Field> fields, const Field& field) {
+  return static_cast<std::size_t>(std::ranges::find(fields, field.settings, &Field::settings) - fields.begin());
 }
 
-/// Returns the plan's entry for the field, adding it if it is new.
-PlannedField& planned(std::vector<PlannedField>& plan, const Field& field) {
-  const std::size_t place = place_in(plan, field);
-  if (place == plan.size()) plan.push_back({.field = field, .signatures = {}});
-  return plan[place];
-}
-
-}  // namespace
-
-std::vector<PlannedField> plan_fields(const std::vector<SignatureConfiguration>& signatures) {
-  std::vector<PlannedField> plan;
-  for (std::size_t i = 0; i < signatures.size(); ++i) {
-    const SignatureConfiguration& signature = signatures[i];
-    if (signature.field) {
-      PlannedField& field = planned(plan, *signature.field);
-      field.signatures.push_back(i);
-      if (signature.histogram.range == HistogramRange::dataset) field.keep_values = true;
-    } else if (signature.descriptor) {
-      const DescriptorChoice& choice = *signature.descriptor;
-      for (const Field& of_descriptor : choice.fields) {
-        PlannedField& field = planned(plan, of_descriptor);
-        if (needs_learning(choice.descriptor, choice.values)) field.keep_values = true;
-      }
-    }
+std::vector<Field> distinct_fields(const std::vector<SignatureConfiguration>& signatures) {
+  std::vector<Field> fields;
+  const auto add = [&](const Field& field) {
+    if (index_of(fields, field) == fields.size()) fields.push_back(field);
+  };
+  for (const SignatureConfiguration& signature : signatures) {
+    if (signature.field) add(*signature.field);
+    if (signature.descriptor) std::ranges::for_each(signature.descriptor->fields, add);
   }
-  return plan;
+  return fields;
 }
 
-std::vector<PlannedDescriptor> plan_descriptors(const std::vector<SignatureConfiguration>& signatures,
-                                                std::span<const PlannedField> plan) {
-  std::vector<PlannedDescriptor> descriptors;
+std::optional<std::size_t> first_histogram_of(const Field& field,
+                                              const std::vector<SignatureConfiguration>& signatures) {
   for (std::size_t i = 0; i < signatures.size(); ++i) {
-    if (!signatures[i].descriptor) continue;
-    const DescriptorChoice& choice = *signatures[i].descriptor;
-    PlannedDescriptor& added = descriptors.emplace_back();
-    added.signature = i;
-    added.learns = needs_learning(choice.descriptor, choice.values);
-    for (const Field& field : choice.fields) added.fields.push_back(place_in(plan, field));
+    if (signatures[i].field && signatures[i].field->settings == field.settings) return i;
   }
-  return descriptors;
+  return std::nullopt;
+}
+
+std::string error_of_fields(const ModelDescription& model, std::span<const Field> fields,
+                            const DescriptorChoice& descriptor) {
+  for (const Field& field : descriptor.fields) {
+    const std::string& error = model.fields[index_of(fields, field)].error;
+    if (!error.empty()) return error;
+  }
+  return {};
 }
 
 std::vector<std::string> signature_errors(const ModelDescription& model,
                                           const std::vector<SignatureConfiguration>& signatures,
-                                          std::span<const PlannedField> plan) {
+                                          std::span<const Field> fields) {
   std::vector<std::string> errors(signatures.size());
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    for (const std::size_t i : plan[field].signatures) errors[i] = model.fields[field].error;
-  }
-  const std::vector<PlannedDescriptor> descriptors = plan_descriptors(signatures, plan);
-  for (std::size_t d = 0; d < model.features.size(); ++d) {
-    std::string& error = errors[descriptors[d].signature];
-    for (const std::size_t field : descriptors[d].fields) {
-      if (error.empty()) error = model.fields[field].error;
-    }
-    if (error.empty()) error = model.features[d].error;
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    if (signatures[i].field) errors[i] = model.fields[index_of(fields, *signatures[i].field)].error;
+    if (!signatures[i].descriptor) continue;
+    errors[i] = error_of_fields(model, fields, *signatures[i].descriptor);
+    if (errors[i].empty()) errors[i] = model.features[i].error;
   }
   for (const std::size_t i : computation_order(signatures)) {
     for (const std::size_t part : signatures[i].parts) {
@@ -86,41 +64,61 @@ std::vector<std::string> signature_errors(const ModelDescription& model,
   return errors;
 }
 
-bool is_pictured(const PlannedField& planned, const Configuration& configuration) {
+bool is_pictured(const Field& field, const Configuration& configuration) {
   const ReportConfiguration& report = configuration.report;
   if (!report.wanted || !report.pictures) return false;
-  return planned.field.settings == pictured_field(configuration.signatures[report.pictured_signature])->settings;
+  return field.settings == pictured_field(configuration.signatures[report.pictured_signature])->settings;
 }
 
-std::vector<std::size_t> viewed_fields(std::span<const PlannedField> plan, const Configuration& configuration) {
-  std::vector<std::size_t> fields;
+std::vector<std::size_t> viewed_fields(std::span<const Field> fields, const Configuration& configuration) {
+  std::vector<std::size_t> viewed;
   const ReportConfiguration& report = configuration.report;
-  if (!report.wanted || !report.pictures || !report.views) return fields;
+  if (!report.wanted || !report.pictures || !report.views) return viewed;
   for (const bool pictured : {true, false}) {
-    for (std::size_t i = 0; i < plan.size(); ++i) {
-      if (is_pictured(plan[i], configuration) != pictured || (!pictured && plan[i].signatures.empty())) continue;
-      if (fields.size() < most_viewed_fields) fields.push_back(i);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (is_pictured(fields[i], configuration) != pictured) continue;
+      if (!pictured && !first_histogram_of(fields[i], configuration.signatures)) continue;
+      if (viewed.size() < most_viewed_fields) viewed.push_back(i);
     }
   }
-  return fields;
+  return viewed;
 }
 
-FieldDescription describe_field(const StoredField& field, const Eigen::VectorXd& weights, const PlannedField& planned,
+namespace {
+
+/// Returns true if a signature depends on the values of the field on all shapes: a histogram over their range, or a
+/// descriptor that learns.
+bool is_for_all_shapes(const Field& field, const std::vector<SignatureConfiguration>& signatures) {
+  return std::ranges::any_of(signatures, [&](const SignatureConfiguration& signature) {
+    if (signature.field && signature.histogram.range == HistogramRange::dataset) {
+      return signature.field->settings == field.settings;
+    }
+    if (!signature.descriptor || !needs_learning(*signature.descriptor)) return false;
+    const std::vector<Field>& fields = signature.descriptor->fields;
+    return index_of(fields, field) < fields.size();
+  });
+}
+
+}  // namespace
+
+FieldDescription describe_field(const StoredField& values, const Eigen::VectorXd& weights, const Field& field,
                                 const std::vector<SignatureConfiguration>& signatures,
-                                std::vector<Eigen::VectorXf>& histograms) {
-  FieldDescription description;
-  description.range = field.range;
-  description.outcomes = field.outcomes;
-  description.offset = field.offset;
-  description.seconds = field.seconds;
-  for (const std::size_t i : planned.signatures) {
+                                std::vector<FeatureDescription>& features) {
+  FieldDescription description{.range = values.range,
+                               .values = {},
+                               .weights = {},
+                               .outcomes = values.outcomes,
+                               .offset = values.offset,
+                               .seconds = values.seconds};
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    if (!signatures[i].field || signatures[i].field->settings != field.settings) continue;
     const HistogramConfiguration& wanted = signatures[i].histogram;
     if (wanted.range == HistogramRange::dataset) continue;
-    const Interval& range = wanted.range == HistogramRange::fixed ? wanted.fixed : field.range;
-    histograms[i] = histogram({.values = field.values, .weights = weights}, range, wanted.options);
+    const Interval& range = wanted.range == HistogramRange::fixed ? wanted.fixed : values.range;
+    features[i].features = histogram({.values = values.values, .weights = weights}, range, wanted.options);
   }
-  if (planned.keep_values) {
-    description.values = field.values.cast<float>();
+  if (is_for_all_shapes(field, signatures)) {
+    description.values = values.values.cast<float>();
     description.weights = weights.cast<float>();
   }
   return description;
@@ -140,31 +138,29 @@ std::string error_of(OnError on_error, const Work& work) {
   }
 }
 
-FeatureDescription describe_descriptor(Bench& bench, const PlannedDescriptor& planned,
-                                       const ModelDescription& description, const Configuration& configuration) {
+FeatureDescription describe_descriptor(Bench& bench, const DescriptorChoice& choice,
+                                       const ModelDescription& description, std::span<const Field> fields,
+                                       OnError on_error) {
   FeatureDescription features;
-  if (planned.learns) return features;  // completed after all shapes
-  for (const std::size_t field : planned.fields) {
-    features.error = description.fields[field].error;
-    if (!features.error.empty()) return features;
-  }
-  const DescriptorChoice& choice = *configuration.signatures[planned.signature].descriptor;
-  const std::string error = error_of(configuration.on_error, [&] { features = bench.features(choice); });
+  if (needs_learning(choice)) return features;  // completed after all shapes
+  features.error = error_of_fields(description, fields, choice);
+  if (!features.error.empty()) return features;
+  const std::string error = error_of(on_error, [&] { features = bench.features(choice); });
   if (!error.empty()) features.error = error;
   return features;
 }
 
 /// Adds the picture and the view.
-void draw(Bench& bench, const Configuration& configuration, std::span<const PlannedField> plan, Eigen::Index view_faces,
+void draw(Bench& bench, const Configuration& configuration, std::span<const Field> fields, Eigen::Index view_faces,
           ModelDescription& description) {
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    if (!is_pictured(plan[i], configuration) || !description.fields[i].error.empty()) continue;
-    description.picture = bench.picture(plan[i].field, configuration.report.picture_options);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!is_pictured(fields[i], configuration) || !description.fields[i].error.empty()) continue;
+    description.picture = bench.picture(fields[i], configuration.report.picture_options);
   }
   std::vector<Field> viewed;
   std::vector<bool> has_field;
-  for (const std::size_t i : viewed_fields(plan, configuration)) {
-    viewed.push_back(plan[i].field);
+  for (const std::size_t i : viewed_fields(fields, configuration)) {
+    viewed.push_back(fields[i]);
     has_field.push_back(description.fields[i].error.empty());
   }
   if (view_faces > 0 && !viewed.empty()) description.view = bench.view(viewed, has_field, view_faces);
@@ -172,25 +168,28 @@ void draw(Bench& bench, const Configuration& configuration, std::span<const Plan
 
 }  // namespace
 
-ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const PlannedField> plan,
+ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const Field> fields,
                                 Eigen::Index view_faces) {
+  const std::vector<SignatureConfiguration>& signatures = configuration.signatures;
   ModelDescription description;
   static_cast<ShapeFacts&>(description) = bench.facts();
   description.shape_key = bench.key();
-  description.histograms.resize(configuration.signatures.size());
-  for (const PlannedField& planned : plan) {
-    FieldDescription field;
+  description.features.resize(signatures.size());
+  for (const Field& field : fields) {
+    FieldDescription described;
     const std::string error = error_of(configuration.on_error, [&] {
-      field = describe_field(bench.field(planned.field), bench.weights(planned.field.settings.samples), planned,
-                             configuration.signatures, description.histograms);
+      described = describe_field(bench.field(field), bench.weights(field.settings.samples), field, signatures,
+                                 description.features);
     });
-    if (!error.empty()) field.error = error;
-    description.fields.push_back(std::move(field));
+    if (!error.empty()) described.error = error;
+    description.fields.push_back(std::move(described));
   }
-  for (const PlannedDescriptor& planned : plan_descriptors(configuration.signatures, plan)) {
-    description.features.push_back(describe_descriptor(bench, planned, description, configuration));
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    if (!signatures[i].descriptor) continue;
+    description.features[i] =
+        describe_descriptor(bench, *signatures[i].descriptor, description, fields, configuration.on_error);
   }
-  draw(bench, configuration, plan, view_faces, description);
+  draw(bench, configuration, fields, view_faces, description);
   return description;
 }
 
@@ -201,7 +200,7 @@ struct NotStored {};
 
 /// Describes a model; `read` returns the shape of its file.
 ModelDescription describe_source(const Dataset& dataset, std::size_t model, const Configuration& configuration,
-                                 std::span<const PlannedField> plan, bool parallel, Cache& cache,
+                                 std::span<const Field> fields, bool parallel, Cache& cache,
                                  const std::function<Shape(const ShapeSource&)>& read) {
   const Model& source = dataset.models[model];
   const ShapeSource file = read_shape_source(source.file);
@@ -214,7 +213,7 @@ ModelDescription describe_source(const Dataset& dataset, std::size_t model, cons
               perturbed, configuration.preparation, parallel, cache);
   const bool viewed = configuration.report.views && dataset.models.size() <= most_models_with_views;
   ModelDescription description =
-      describe_shape(bench, configuration, plan, viewed ? faces_of_views(dataset.models.size()) : 0);
+      describe_shape(bench, configuration, fields, viewed ? faces_of_views(dataset.models.size()) : 0);
   description.sha256 = hash;
   return description;
 }
@@ -222,20 +221,26 @@ ModelDescription describe_source(const Dataset& dataset, std::size_t model, cons
 }  // namespace
 
 ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
-                                std::span<const PlannedField> plan, bool parallel, Cache& cache) {
-  return describe_source(dataset, model, configuration, plan, parallel, cache,
+                                std::span<const Field> fields, bool parallel, Cache& cache) {
+  return describe_source(dataset, model, configuration, fields, parallel, cache,
                          [](const ShapeSource& file) { return read_shape(file); });
 }
 
 bool is_described(const Dataset& dataset, std::size_t model, const Configuration& configuration,
-                  std::span<const PlannedField> plan, Cache& cache) {
+                  std::span<const Field> fields, Cache& cache) {
   try {
-    (void)describe_source(dataset, model, configuration, plan, false, cache,
+    (void)describe_source(dataset, model, configuration, fields, false, cache,
                           [](const ShapeSource&) -> Shape { throw NotStored(); });
     return true;
   } catch (const NotStored&) {
     return false;
   }
+}
+
+ModelDescription without_values(ModelDescription model) {
+  for (FieldDescription& field : model.fields) field.values = field.weights = Eigen::VectorXf();
+  for (FeatureDescription& features : model.features) features.features = Eigen::VectorXf();
+  return model;
 }
 
 ScalarField kept_field(const FieldDescription& field) {

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/experiments/engine/manifest.h"
 
 namespace shapegauge {
 
@@ -18,44 +20,21 @@ bool offset_leaks(const ShapeDiagnostics& model, std::optional<double> offset) {
 }
 
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
-                                       std::span<const PlannedField> plan) {
+                                       std::span<const Field> fields) {
   std::vector<FieldReport> reports;
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    FieldReport& report = reports.emplace_back();
-    report.settings = to_json(plan[field].field.settings);
-    const auto given = report.settings.find("offset");
-    if (given != report.settings.end() && given->is_number()) report.offset = given->get<double>();
+  for (std::size_t field = 0; field < fields.size(); ++field) {
+    FieldReport& report = reports.emplace_back(FieldReport{.settings = fields[field].settings});
+    const std::optional<double> fixed = fixed_offset(report.settings);
     for (const ModelDescription* model : models) {
       if (!model->fields[field].error.empty()) continue;
       ++report.models;
       report.seconds += model->fields[field].seconds;
       const std::optional<double> chosen = model->fields[field].offset;
-      if (offset_leaks(model->diagnostics, chosen ? chosen : report.offset)) ++report.leaking;
+      if (offset_leaks(model->diagnostics, chosen ? chosen : fixed)) ++report.leaking;
       for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
     }
   }
   return reports;
-}
-
-ShapeReport report_shape(const ModelDescription& model) {
-  ShapeReport report{.sha256 = model.sha256,
-                     .diagnostics = model.diagnostics,
-                     .chosen = model.chosen,
-                     .remarks = model.remarks,
-                     .area = model.area,
-                     .noise = model.noise,
-                     .pass_band = model.pass_band,
-                     .outcomes = {},
-                     .offsets = {},
-                     .seconds = {},
-                     .descriptor_seconds = {}};
-  for (const FieldDescription& field : model.fields) {
-    report.outcomes.push_back(field.outcomes);
-    report.offsets.push_back(field.offset);
-    report.seconds.push_back(field.seconds);
-  }
-  for (const FeatureDescription& descriptor : model.features) report.descriptor_seconds.push_back(descriptor.seconds);
-  return report;
 }
 
 std::string perturbation_note(std::span<const std::string> names, std::span<const std::vector<std::string>> remarks,
@@ -75,10 +54,11 @@ std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
       warnings.push_back(fmt::format(
           "{} of {} shapes have gaps wider than the offset of the field {}: the offset surface leaks into them; use a "
           "larger offset{}",
-          field.leaking, field.models, field.settings.dump(), field.offset ? R"( or "auto")" : ""));
+          field.leaking, field.models, to_json(field.settings).dump(),
+          fixed_offset(field.settings) ? R"( or "auto")" : ""));
     }
     for (const std::string& warning : outcome_warnings(field.outcomes)) {
-      warnings.push_back(fmt::format("{} in the field {}", warning, field.settings.dump()));
+      warnings.push_back(fmt::format("{} in the field {}", warning, to_json(field.settings).dump()));
     }
   }
   return warnings;
@@ -115,14 +95,15 @@ namespace {
 
 /// Returns a field's name for headers: its type and other settings, such as "offset_sdf at=faces offset=0.05".
 std::string name_of(const FieldReport& field) {
-  std::string name = field.settings.at("type");
-  for (const auto& [key, value] : field.settings.items()) {
+  std::string name = field.settings.type;
+  const nlohmann::json settings = to_json(field.settings);
+  for (const auto& [key, value] : settings.items()) {
     if (key != "type") name += fmt::format(" {}={}", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
   return name;
 }
 
-bool chooses_offset(const FieldReport& field) { return field.settings.value("offset", nlohmann::json()).is_string(); }
+bool has_offset(const FieldReport& field) { return field.settings.values.find("offset") != nullptr; }
 
 void append_header(std::vector<std::string>& header, const PreparationOptions& preparation,
                    std::span<const FieldReport> fields) {
@@ -131,14 +112,15 @@ void append_header(std::vector<std::string>& header, const PreparationOptions& p
   header.emplace_back("area scaled to 1");
   if (preparation.denoise) header.insert(header.end(), {"noise", "smoothing pass band"});
   for (const FieldReport& field : fields) {
-    if (chooses_offset(field)) header.push_back(fmt::format("{}: chosen offset", name_of(field)));
+    if (has_offset(field) && !fixed_offset(field.settings))
+      header.push_back(fmt::format("{}: chosen offset", name_of(field)));
     for (const auto& [outcome, count] : field.outcomes) {
       header.push_back(fmt::format("{}: {}", name_of(field), outcome));
     }
   }
 }
 
-void append_report(std::vector<std::string>& row, const ShapeReport& shape, const PreparationOptions& preparation,
+void append_report(std::vector<std::string>& row, const ModelDescription& shape, const PreparationOptions& preparation,
                    std::span<const FieldReport> fields) {
   row.push_back(fmt::format("{}", fmt::join(shape.chosen, " ")));
   const nlohmann::ordered_json diagnostics = diagnostics_json(shape.diagnostics);
@@ -149,17 +131,18 @@ void append_report(std::vector<std::string>& row, const ShapeReport& shape, cons
     row.push_back(fmt::format("{:.4g}", shape.pass_band));
   }
   for (std::size_t field = 0; field < fields.size(); ++field) {
-    if (const auto& offset = shape.offsets[field]) row.push_back(fmt::format("{:.6g}", *offset));
+    if (const auto& offset = shape.fields[field].offset) row.push_back(fmt::format("{:.6g}", *offset));
     for (const auto& [outcome, sum] : fields[field].outcomes) {
-      const auto count = shape.outcomes[field].find(outcome);
-      row.push_back(std::to_string(count == shape.outcomes[field].end() ? 0 : count->second));
+      const FieldOutcomes& of_shape = shape.fields[field].outcomes;
+      const auto count = of_shape.find(outcome);
+      row.push_back(std::to_string(count == of_shape.end() ? 0 : count->second));
     }
   }
 }
 
 }  // namespace
 
-TextTable with_shape_reports(TextTable table, std::span<const ShapeReport> shapes,
+TextTable with_shape_reports(TextTable table, std::span<const ModelDescription> shapes,
                              const PreparationOptions& preparation, std::span<const FieldReport> fields) {
   table.text_columns = table.header.size() + 1;
   table.header.emplace_back("choices");
@@ -169,14 +152,14 @@ TextTable with_shape_reports(TextTable table, std::span<const ShapeReport> shape
 }
 
 TextTable shapes_table(std::span<const Model> models, std::span<const std::string> classes,
-                       std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
+                       std::span<const ModelDescription> shapes, const PreparationOptions& preparation,
                        std::span<const FieldReport> fields) {
   TextTable table{.header = {"id", "class"}, .rows = {}};
   for (const Model& model : models) table.rows.push_back({model.id, classes[static_cast<std::size_t>(model.label)]});
   return with_shape_reports(std::move(table), shapes, preparation, fields);
 }
 
-TextTable shape_seconds_table(std::span<const Model> models, std::span<const ShapeReport> shapes,
+TextTable shape_seconds_table(std::span<const Model> models, std::span<const ModelDescription> shapes,
                               std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures) {
   TextTable table{.header = {"id"}, .rows = {}, .text_columns = 1};
   for (const FieldReport& field : fields) table.header.push_back(name_of(field));
@@ -186,8 +169,10 @@ TextTable shape_seconds_table(std::span<const Model> models, std::span<const Sha
   for (std::size_t i = 0; i < models.size(); ++i) {
     auto& row = table.rows.emplace_back();
     row.push_back(models[i].id);
-    for (const double seconds : shapes[i].seconds) row.push_back(fmt::format("{:.6f}", seconds));
-    for (const double seconds : shapes[i].descriptor_seconds) row.push_back(fmt::format("{:.6f}", seconds));
+    for (const FieldDescription& field : shapes[i].fields) row.push_back(fmt::format("{:.6f}", field.seconds));
+    for (std::size_t s = 0; s < signatures.size(); ++s) {
+      if (signatures[s].descriptor) row.push_back(fmt::format("{:.6f}", shapes[i].features[s].seconds));
+    }
   }
   return table;
 }
@@ -195,22 +180,25 @@ TextTable shape_seconds_table(std::span<const Model> models, std::span<const Sha
 nlohmann::ordered_json fields_json(std::span<const FieldReport> fields) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const FieldReport& field : fields) {
-    nlohmann::ordered_json entry{{"field", field.settings}, {"samples", field.outcomes}};
-    if (field.settings.contains("offset")) entry["shapes_with_gaps_wider_than_offset"] = field.leaking;
+    nlohmann::ordered_json entry{{"field", to_json(field.settings)}, {"samples", field.outcomes}};
+    if (has_offset(field)) entry["shapes_with_gaps_wider_than_offset"] = field.leaking;
     list.push_back(std::move(entry));
   }
   return list;
 }
 
 nlohmann::ordered_json execution_json(int threads, std::span<const std::pair<std::string, double>> timings,
-                                      std::span<const FieldReport> fields) {
+                                      std::span<const FieldReport> fields, const CacheReport& cache) {
   nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
   for (const auto& [stage, time] : timings) seconds[stage] = time;
   nlohmann::ordered_json by_field = nlohmann::ordered_json::array();
   for (const FieldReport& field : fields) {
-    by_field.push_back({{"field", field.settings}, {"seconds", field.seconds}});
+    by_field.push_back({{"field", to_json(field.settings)}, {"seconds", field.seconds}});
   }
-  return {{"threads", threads}, {"seconds", std::move(seconds)}, {"field_seconds", std::move(by_field)}};
+  return {{"threads", threads},
+          {"seconds", std::move(seconds)},
+          {"field_seconds", std::move(by_field)},
+          {"cache", cache_json(cache)}};
 }
 
 }  // namespace shapegauge

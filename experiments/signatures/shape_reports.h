@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,42 +20,22 @@
 
 namespace shapegauge {
 
-/// Report on one model, after the perturbations, in the file's units.
-struct ShapeReport {
-  std::string sha256 = {};  ///< of the file; empty without a file
-  ShapeDiagnostics diagnostics;
-  std::vector<std::size_t> chosen;             ///< choices of perturbations that choose, in order
-  std::vector<std::string> remarks = {};       ///< how perturbations fell short of their settings
-  double area = 0;                             ///< area that was scaled to 1, in the file's units squared
-  double noise = 0;                            ///< NoiseLevel::relative(), if the preparation estimates noise
-  double pass_band = 0;                        ///< of the preparation's smoothing; 0 if not smoothed
-  std::vector<FieldOutcomes> outcomes;         ///< by field
-  std::vector<std::optional<double>> offsets;  ///< by field: the offset, if it chose one
-  std::vector<double> seconds;                 ///< by field
-  std::vector<double> descriptor_seconds;      ///< by signature that is a descriptor, without its fields
-};
-
 /// Returns true if the model's gaps are wider than an offset, a fraction of the diagonal: the offset surface then leaks
 /// into the model. False without an offset.
 bool offset_leaks(const ShapeDiagnostics& model, std::optional<double> offset);
 
 /// Report on a field over all models used.
-// NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct FieldReport {
-  nlohmann::json settings;            ///< as in a configuration
-  std::optional<double> offset = {};  ///< of the settings; absent if the field has none or chooses it for each shape
-  FieldOutcomes outcomes;             ///< totals
-  double seconds = 0;                 ///< total over the models, including concurrent work
-  std::size_t models = 0;             ///< with values of it
-  std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_sizes()), into which it leaks
+  FieldSettings settings;
+  FieldOutcomes outcomes = {};  ///< totals
+  double seconds = 0;           ///< total over the models, including concurrent work
+  std::size_t models = 0;       ///< with values of it
+  std::size_t leaking = 0;      ///< models with gaps wider than the field's offset (gap_sizes()), into which it leaks
 };
 
-/// Returns the reports on the plan's fields over all models.
+/// Returns the reports on the fields over all models.
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
-                                       std::span<const PlannedField> plan);
-
-/// Returns the report on a model.
-ShapeReport report_shape(const ModelDescription& model);
+                                       std::span<const Field> fields);
 
 /// Returns a note on the shapes whose perturbations fell short of their settings; empty if there are none. `remarks`
 /// are those of each shape, `noun` is that for a shape.
@@ -71,24 +51,25 @@ nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics);
 
 /// Adds columns to a table whose rows are shapes: the choices of perturbations, the diagnostics, and for each field the
 /// number of samples by outcome.
-TextTable with_shape_reports(TextTable table, std::span<const ShapeReport> shapes,
+TextTable with_shape_reports(TextTable table, std::span<const ModelDescription> shapes,
                              const PreparationOptions& preparation, std::span<const FieldReport> fields);
 
 /// Makes a table with a row for each model: id, class, choices of perturbations, diagnostics, and for each field the
 /// number of samples by outcome. The same for any number of threads.
 TextTable shapes_table(std::span<const Model> models, std::span<const std::string> classes,
-                       std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
+                       std::span<const ModelDescription> shapes, const PreparationOptions& preparation,
                        std::span<const FieldReport> fields);
 
 /// Makes a table with a row for each model: id, and the seconds of each field and each descriptor.
-TextTable shape_seconds_table(std::span<const Model> models, std::span<const ShapeReport> shapes,
+TextTable shape_seconds_table(std::span<const Model> models, std::span<const ModelDescription> shapes,
                               std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures);
 
 /// Formats for each field its settings, its samples by outcome, and the number of shapes that its offset leaks into.
 nlohmann::ordered_json fields_json(std::span<const FieldReport> fields);
 
-/// Formats the run-dependent data: threads, seconds by stage, and seconds by field.
+/// Formats the manifest's "execution": threads, seconds by stage and by field, and numbers of results from the cache by
+/// kind.
 nlohmann::ordered_json execution_json(int threads, std::span<const std::pair<std::string, double>> timings,
-                                      std::span<const FieldReport> fields);
+                                      std::span<const FieldReport> fields, const CacheReport& cache);
 
 }  // namespace shapegauge

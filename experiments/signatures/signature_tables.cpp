@@ -16,25 +16,22 @@ Interval common_range(const std::vector<const ModelDescription*>& models, std::s
   return enclosing_interval(model_ranges(models, field));
 }
 
-/// Returns one histogram signature of models that have it.
-Signatures histograms_of(const std::vector<const ModelDescription*>& models, const HistogramConfiguration& wanted,
-                         std::size_t signature, std::size_t field, std::span<const Interval> data_set_ranges) {
-  Signatures table(static_cast<Eigen::Index>(models.size()), wanted.options.bins);
-  const bool of_dataset = wanted.range == HistogramRange::dataset;
+/// Returns the histograms over this range of the field, one row per model.
+Signatures histograms_of(const std::vector<const ModelDescription*>& models, std::size_t field, const Interval& range,
+                         const HistogramOptions& options) {
+  Signatures table(std::ssize(models), options.bins);
   parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
-    table.row(static_cast<Eigen::Index>(i)) =
-        of_dataset ? kept_histogram(models[i]->fields[field], data_set_ranges[field], wanted.options)
-                   : models[i]->histograms[signature];
+    table.row(static_cast<Eigen::Index>(i)) = kept_histogram(models[i]->fields[field], range, options);
   });
   return table;
 }
 
-/// Returns the features of one descriptor of models that have them.
-Signatures features_of(const std::vector<const ModelDescription*>& models, std::size_t descriptor) {
-  const Eigen::Index length = models.front()->features[descriptor].features.size();
+/// Returns the features of a signature that does not depend on other shapes, one row per model.
+Signatures features_of(const std::vector<const ModelDescription*>& models, std::size_t signature) {
+  const Eigen::Index length = models.front()->features[signature].features.size();
   Signatures table(std::ssize(models), length);
   for (std::size_t i = 0; i < models.size(); ++i) {
-    const Eigen::VectorXf& features = models[i]->features[descriptor].features;
+    const Eigen::VectorXf& features = models[i]->features[signature].features;
     if (features.size() != length) {
       throw different_feature_counts(length, features.size());
     }
@@ -56,10 +53,10 @@ Signatures rows_at_places(const Signatures& some, std::span<const Eigen::Index> 
 /// Positions of the models with each signature.
 std::vector<std::vector<Eigen::Index>> places_with(const std::vector<const ModelDescription*>& models,
                                                    const std::vector<SignatureConfiguration>& signatures,
-                                                   std::span<const PlannedField> plan) {
+                                                   std::span<const Field> fields) {
   std::vector<std::vector<Eigen::Index>> places(signatures.size());
   for (std::size_t model = 0; model < models.size(); ++model) {
-    const std::vector<std::string> errors = signature_errors(*models[model], signatures, plan);
+    const std::vector<std::string> errors = signature_errors(*models[model], signatures, fields);
     for (std::size_t i = 0; i < signatures.size(); ++i) {
       if (errors[i].empty()) places[i].push_back(static_cast<Eigen::Index>(model));
     }
@@ -94,34 +91,28 @@ std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& m
 }
 
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
-                                            std::span<const PlannedField> plan,
+                                            std::span<const Field> fields,
                                             const std::vector<SignatureConfiguration>& signatures,
                                             std::span<const Interval> data_set_ranges) {
   std::vector<Signatures> tables(signatures.size());
   if (models.empty()) return tables;
-  const std::vector<std::vector<Eigen::Index>> places = places_with(models, signatures, plan);
-  const auto set_table = [&](std::size_t i, const auto& table_of) {
+  const std::vector<std::vector<Eigen::Index>> places = places_with(models, signatures, fields);
+  const auto table_of = [&](std::size_t i) {
+    const SignatureConfiguration& signature = signatures[i];
+    if (!signature.field && !signature.descriptor) {
+      std::vector<Signatures> parts;
+      for (const std::size_t part : signature.parts) parts.push_back(tables[part](places[i], Eigen::all));
+      return concatenate(parts);
+    }
     std::vector<const ModelDescription*> with;
     for (const Eigen::Index place : places[i]) with.push_back(models[static_cast<std::size_t>(place)]);
-    tables[i] = rows_at_places(with.empty() ? Signatures() : table_of(with), places[i], models.size());
+    if (!signature.field || signature.histogram.range != HistogramRange::dataset) return features_of(with, i);
+    const std::size_t field = index_of(fields, *signature.field);
+    return histograms_of(with, field, data_set_ranges[field], signature.histogram.options);
   };
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    for (const std::size_t i : plan[field].signatures) {
-      set_table(
-          i, [&](const auto& with) { return histograms_of(with, signatures[i].histogram, i, field, data_set_ranges); });
-    }
-  }
-  const std::vector<PlannedDescriptor> descriptors = plan_descriptors(signatures, plan);
-  for (std::size_t d = 0; d < descriptors.size(); ++d) {
-    set_table(descriptors[d].signature, [&](const auto& with) { return features_of(with, d); });
-  }
   for (const std::size_t i : computation_order(signatures)) {
-    if (signatures[i].field || signatures[i].descriptor || signatures[i].derived) continue;
-    set_table(i, [&](const auto&) {
-      std::vector<Signatures> parts;
-      for (const std::size_t part : signatures[i].parts) parts.push_back(tables[part](places[i], Eigen::all));
-      return concatenate(parts);
-    });
+    if (signatures[i].derived) continue;
+    tables[i] = rows_at_places(places[i].empty() ? Signatures() : table_of(i), places[i], models.size());
   }
   return tables;
 }

@@ -17,19 +17,19 @@ namespace shapegauge {
 /// Returns the distance between signatures of a kind that is not derived: a descriptor's own, or the configuration's.
 NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration);
 
-/// Returns the ranges of a field of the plan on the models that have values of it.
+/// Returns the ranges of a field on the models that have values of it.
 std::vector<Interval> model_ranges(const std::vector<const ModelDescription*>& models, std::size_t field);
 
-/// Returns the range of each field of the plan over the models that have values of it. Throws ArgumentError if none
+/// Returns the range of each field over the models that have values of it. Throws ArgumentError if none
 /// has.
 std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields);
 
 /// Assembles the signatures, in the configuration's order, of all models: row i is of models[i], NaN for a model
 /// without the signature. A signature that no model has is without columns. Signatures derived from distances are
-/// empty. `data_set_ranges` are the ranges of the plan's fields over the whole data set, if a histogram needs them.
+/// empty. `data_set_ranges` are the ranges of the fields over the whole data set, if a histogram needs them.
 /// Runs in the calling TBB arena. Throws ArgumentError if a descriptor returns features of different lengths.
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
-                                            std::span<const PlannedField> plan,
+                                            std::span<const Field> fields,
                                             const std::vector<SignatureConfiguration>& signatures,
                                             std::span<const Interval> data_set_ranges);
 

@@ -34,22 +34,14 @@ BOUNDS = {
     "metrics/evaluation.h": 105_000,
     "datasets/files/table.h": 27_000,
     "datasets/layouts/dataset.h": 50_000,
-    "experiments/configuration/configuration.h": 144_000,
+    "experiments/configuration/configuration.h": 121_000,
     "experiments/configuration/json_document.h": 56_000,
-    "experiments/engine/experiment.h": 144_000,
-    "experiments/signatures/compute_signatures.h": 144_000,
+    "experiments/engine/experiment.h": 121_000,
+    "experiments/signatures/compute_signatures.h": 123_000,
 }
 # Lines of <functional> with GCC 12, by which the bounds are scaled for standard libraries with longer headers.
 FUNCTIONAL = 28_600
 FOLDERS_OF_SOURCES = ["app", "core", "datasets", "experiments", "metrics", "pages", "retrieval", "segmentation"]
-# Headers with members of type JSON, the only ones that include it in full.
-JSON_MEMBERS = {
-    "experiments/configuration/derived_distances.h",
-    "experiments/configuration/descriptor_choice.h",
-    "experiments/configuration/perturbation_steps.h",
-    "experiments/engine/experiment.h",
-    "experiments/signatures/shape_reports.h",
-}
 
 
 def lines_of(compiler, folders, header):
@@ -74,13 +66,11 @@ def long_headers(compiler, folders):
 
 
 def json_headers(sources):
-    """Returns an error for each header that includes JSON in full, unless it has to, and for each that no longer does."""
+    """Returns an error for each header that includes JSON in full."""
     found = {header.relative_to(sources).as_posix() for folder in FOLDERS_OF_SOURCES
              for header in (sources / folder).rglob("*.h") if "<nlohmann/json.hpp>" in header.read_text()}
-    return ([f"{header} includes nlohmann/json.hpp: include nlohmann/json_fwd.hpp there, and the rest in sources"
-             for header in sorted(found - JSON_MEMBERS)] +
-            [f"{header} no longer includes nlohmann/json.hpp: remove it from JSON_MEMBERS"
-             for header in sorted(JSON_MEMBERS - found)])
+    return [f"{header} includes nlohmann/json.hpp: include nlohmann/json_fwd.hpp there, and the rest in sources"
+            for header in sorted(found)]
 
 
 def main():

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "shapegauge/experiments/configuration/read_configuration.h"
@@ -44,12 +45,12 @@ const std::vector<DistanceMatrix> two_matrices = {DistanceMatrix{{0, 1, 2}, {1, 
 TEST(Derived, SumIsOfScaledAndWeightedDistances) {
   const auto sum = derived_signature({{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}});
   EXPECT_THAT(sum.parts, ElementsAre(0, 1));
-  const DistanceMatrix distances = sum.derived->compute(two_matrices);
+  const DistanceMatrix distances = derive(*sum.derived, two_matrices);
   EXPECT_NEAR(distances(0, 1), 1 / 2.0 + 0.5 * 20 / 20.0, 1e-15);
   EXPECT_NEAR(distances(1, 2), 4 / 2.0 + 0.5 * 30 / 20.0, 1e-15);
   const auto plain = derived_signature({{"sum", {{{"of", "b"}, {"weight", 2}}}}, {"scale", "none"}});
   EXPECT_THAT(plain.parts, ElementsAre(1));
-  EXPECT_EQ(plain.derived->compute({&two_matrices[1], 1})(0, 1), 40);
+  EXPECT_EQ(derive(*plain.derived, {&two_matrices[1], 1})(0, 1), 40);
 }
 
 TEST(Derived, ScaleAndWeightsOfSumsAreThoseOfTheLibrary) {
@@ -58,7 +59,7 @@ TEST(Derived, ScaleAndWeightsOfSumsAreThoseOfTheLibrary) {
        {std::pair("given", SumWeights::given), std::pair("agreement", SumWeights::agreement)}) {
     const auto sum = derived_signature(
         {{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}, {"scale", "local"}, {"weights", word}});
-    EXPECT_EQ(sum.derived->compute(two_matrices),
+    EXPECT_EQ(derive(*sum.derived, two_matrices),
               sum_of_distances(two_matrices, sum_weights(two_matrices, given, kind), DistanceScale::local));
   }
   for (const auto& [word, scale] : {std::pair("none", DistanceScale::none),
@@ -68,8 +69,7 @@ TEST(Derived, ScaleAndWeightsOfSumsAreThoseOfTheLibrary) {
                                     {"ranks", DistanceScale::ranks},
                                     {"local_spread", DistanceScale::local_spread}}) {
     const auto sum = derived_signature({{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}, {"scale", word}});
-    EXPECT_EQ(sum.derived->compute(two_matrices), sum_of_distances(two_matrices, given, scale)) << word;
-    EXPECT_EQ(sum_settings(*sum.derived).options.scale, scale) << word;
+    EXPECT_EQ(derive(*sum.derived, two_matrices), sum_of_distances(two_matrices, given, scale)) << word;
   }
 }
 
@@ -82,16 +82,15 @@ TEST(Derived, SumsByAgreementNameTermsThatFindDifferentGroups) {
   const std::vector<DistanceMatrix> matrices{groups, groups(order, order)};
   const Json terms{{{"of", "a"}}, {{"of", "b"}}};
   const auto sum = derived_signature({{"sum", terms}, {"weights", "agreement"}});
-  EXPECT_THAT(sum.derived->remark(matrices), HasSubstr("\"a\" and \"b\" find different groups"));
-  EXPECT_EQ(sum.derived->remark(std::vector<DistanceMatrix>{groups, groups}), "");
-  EXPECT_FALSE(derived_signature({{"sum", terms}}).derived->remark);
+  EXPECT_THAT(remark_on(*sum.derived, matrices), HasSubstr("\"a\" and \"b\" find different groups"));
+  EXPECT_EQ(remark_on(*sum.derived, std::vector<DistanceMatrix>{groups, groups}), "");
+  EXPECT_EQ(remark_on(*derived_signature({{"sum", terms}}).derived, matrices), "");
 }
 
 TEST(Derived, AnUnknownWordIsNoDefault) {
-  const auto read = [](const Json& changed) {
-    DerivedDistances sum{.key = "sum", .settings = {{"sum", Json::array()}}, .names = {}, .compute = {}};
-    sum.settings.update(changed);
-    return test::input_error_of([&] { sum_settings(sum); });
+  const auto read = [](Json settings) {
+    settings["sum"] = {{{"of", "a"}}};
+    return test::input_error_of([&] { make_derived("sum", settings); });
   };
   EXPECT_THAT(read({{"scale", "locally"}}), HasSubstr("scale is \"locally\""));
   EXPECT_THAT(read({{"weights", "agree"}}), HasSubstr("weights is \"agree\""));
@@ -100,7 +99,7 @@ TEST(Derived, AnUnknownWordIsNoDefault) {
 TEST(Derived, NeighboursAreANumberAListOrAuto) {
   const auto reranked = [](const Json& neighbours) {
     const Json last{{"rerank", {{"of", "b"}, {"method", "diffusion"}, {"neighbours", neighbours}}}};
-    return derived_signature(last).derived->compute({&two_matrices[1], 1});
+    return derive(*derived_signature(last).derived, {&two_matrices[1], 1});
   };
   EXPECT_EQ(reranked({1, 2}), diffused(two_matrices[1], {.neighbours = {1, 2}}));
   EXPECT_EQ(reranked("auto"), diffused(two_matrices[1], {.neighbours = {}}));
@@ -116,15 +115,15 @@ TEST(Derived, NeighboursAreANumberAListOrAuto) {
 
 TEST(Derived, RanksAndRerankingAreThoseOfTheLibrary) {
   const std::vector<double> equal{1, 1};
-  EXPECT_EQ(derived_signature({{"fuse_ranks", {"a", "b"}}}).derived->compute(two_matrices),
+  EXPECT_EQ(derive(*derived_signature({{"fuse_ranks", {"a", "b"}}}).derived, two_matrices),
             fusion_of_ranks(two_matrices, equal));
-  EXPECT_EQ(derived_signature({{"fuse_ranks", {"a", "b"}}, {"score", "borda"}}).derived->compute(two_matrices),
+  EXPECT_EQ(derive(*derived_signature({{"fuse_ranks", {"a", "b"}}, {"score", "borda"}}).derived, two_matrices),
             fusion_of_ranks(two_matrices, equal, RankScore::borda));
   const Json diffusion{{"rerank", {{"of", "b"}, {"method", "diffusion"}, {"neighbours", 2}, {"damping", 0.9}}}};
-  EXPECT_EQ(derived_signature(diffusion).derived->compute({&two_matrices[1], 1}),
+  EXPECT_EQ(derive(*derived_signature(diffusion).derived, {&two_matrices[1], 1}),
             diffused(two_matrices[1], {.neighbours = 2, .damping = 0.9}));
   const Json expansion{{"rerank", {{"of", "b"}, {"method", "query_expansion"}, {"neighbours", 1}}}};
-  EXPECT_EQ(derived_signature(expansion).derived->compute({&two_matrices[1], 1}),
+  EXPECT_EQ(derive(*derived_signature(expansion).derived, {&two_matrices[1], 1}),
             query_expansion(two_matrices[1], {.neighbours = 1}));
 }
 

@@ -2,8 +2,11 @@
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/perturbation/decimate.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/perturbation/sample_points.h"
@@ -106,7 +109,7 @@ TEST(OneOf, MayHoldAnother) {
 }
 
 TEST(OneOf, FillsInTheDefaultsOfItsChoices) {
-  const Json settings = make_perturbation({{"type", "one_of"}, {"choices", choices()}}).settings;
+  const Json settings = to_json(make_perturbations({{{"type", "one_of"}, {"choices", choices()}}})).front();
   EXPECT_EQ(settings["assign"], "random");
   EXPECT_EQ(settings["choices"][0], Json::array());
   EXPECT_EQ(settings["choices"][2][0]["with_normals"], false);
@@ -118,16 +121,16 @@ using testing::HasSubstr;
 template <typename OfTheCore>
 void expect_step(const Json& settings, const OfTheCore& of_the_core) {
   const Shape sphere = test::sphere(1, 3);
-  RandomNumbers random(5);
+  RandomNumbers model(5, 0xcbf29ce484222325ULL);  // 64-bit FNV-1a hash of the empty id
+  RandomNumbers random(model.next());
   const Shape expected = of_the_core(sphere, random);
-  for (const Perturbation& step :
-       {make_perturbation(settings), make_perturbation(make_perturbation(settings).settings)}) {
-    PerturbationContext context{.random = RandomNumbers(5)};
-    const Shape shape = step.apply(sphere, context);
+  const std::vector<Perturbation> read = make_perturbations(Json::array({settings}));
+  for (const std::vector<Perturbation>& steps : {read, make_perturbations(to_json(read))}) {
+    const Shape shape = perturb_model(sphere, steps, 5, "", 0).shape;
     EXPECT_EQ(shape.vertices, expected.vertices) << settings;
     EXPECT_EQ(shape.triangles, expected.triangles) << settings;
     EXPECT_EQ(shape.normals, expected.normals) << settings;
-    EXPECT_EQ(step.settings.at("type"), settings.at("type"));
+    EXPECT_EQ(to_json(steps)[0].at("type"), settings.at("type"));
   }
 }
 
@@ -159,17 +162,21 @@ TEST(MakePerturbation, FillsInDefaults) {
 }
 
 TEST(MakePerturbation, SettingsOutOfBoundsAreErrors) {
-  const auto message = [](const Json& settings) { return test::input_error_of([&] { make_perturbation(settings); }); };
+  const auto message = [](const Json& settings) {
+    return test::input_error_of([&] { make_perturbations(Json::array({settings})); });
+  };
   EXPECT_THAT(message({{"type", "vertex_noise"}, {"amplitude", 2}}), HasSubstr("amplitude is 2"));
   EXPECT_THAT(message({{"type", "remove_faces"}}), HasSubstr("fraction is missing"));
   EXPECT_THAT(message({{"type", "motion"}, {"scale", 0.5}}), HasSubstr("scale is 0.5"));
 }
 
 TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
-  EXPECT_EQ(make_perturbation({{"type", "holes"}}).versions, (Json{{"holes", 1}}));
+  using Versions = std::map<std::string, int>;
+  EXPECT_EQ(versions_of(steps_of(R"([{"type": "holes"}])")), (Versions{{"holes", 1}}));
   const Json inner{{"type", "one_of"}, {"choices", {Json::array({{{"type", "motion"}}})}}};
   const Json outer{{"type", "one_of"}, {"choices", {Json::array({{{"type", "holes"}}}), Json::array({inner})}}};
-  EXPECT_EQ(make_perturbation(outer).versions, (Json{{"one_of", 1}, {"holes", 1}, {"motion", 1}}));
+  EXPECT_EQ(versions_of(make_perturbations(Json::array({outer}))),
+            (Versions{{"one_of", 1}, {"holes", 1}, {"motion", 1}}));
 }
 
 TEST(MakePerturbation, KnowsATypeThatWasRegistered) {
@@ -190,15 +197,13 @@ TEST(MakePerturbation, KnowsATypeThatWasRegistered) {
   const Points shifted = vertices_of(R"([{"type": "test_shift", "by": 3}])", 1, "T1", 0);
   EXPECT_EQ(shifted.col(0), (box.vertices.col(0).array() + 3).matrix());
   EXPECT_EQ(shifted.col(1), box.vertices.col(1));
-  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).settings, (Json{{"type", "test_shift"}, {"by", 1.0}}));
-  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).versions, (Json{{"test_shift", 4}}));
+  const std::vector<Perturbation> steps = steps_of(R"([{"type": "test_shift"}])");
+  EXPECT_EQ(to_json(steps), Json::parse(R"([{"type": "test_shift", "by": 1.0}])"));
+  EXPECT_EQ(versions_of(steps), (std::map<std::string, int>{{"test_shift", 4}}));
 }
 
 TEST(MakePerturbation, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(test::input_error_of([] {
-                make_perturbation({{"type", "melt"}});
-              }),
-              HasSubstr("no perturbation \"melt\""));
+  EXPECT_THAT(test::input_error_of([] { steps_of(R"([{"type": "melt"}])"); }), HasSubstr("no perturbation \"melt\""));
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ std::string experiment_error_with(const std::string& pointer, const Json& value)
 TEST(Configuration, MeasuresAreThoseOfItsProtocols) {
   const auto names_under = [](const char* protocol) {
     std::vector<std::string> names;
-    for (const Measure& measure : configuration_with("/protocol", protocol).measures) names.push_back(measure.name);
+    for (const Measure& measure : configuration_with("/protocol", protocol).evaluation.measures)
+      names.push_back(measure.name);
     return names;
   };
   EXPECT_THAT(names_under("psb"), testing::Contains("FT"));
@@ -65,9 +66,9 @@ TEST(Configuration, SmoothingMayBeAsWideAsAllBins) {
 TEST(Configuration, FillsInDefaults) {
   const Configuration configuration = configuration_from_json(experiment_document(), "x.json", "/configs");
   EXPECT_EQ(configuration.protocols, std::vector{Protocol::psb});
-  EXPECT_EQ(configuration.minimum_class_size, 2);
-  EXPECT_EQ(configuration.ties, Ties::index);
-  EXPECT_EQ(configuration.measures.size(), 6U);
+  EXPECT_EQ(configuration.evaluation.minimum_class_size, 2);
+  EXPECT_EQ(configuration.evaluation.ties, Ties::index);
+  EXPECT_EQ(configuration.evaluation.measures.size(), 6U);
   EXPECT_EQ(configuration.on_error, OnError::stop);
   EXPECT_EQ(configuration.distance, "l1");
   EXPECT_EQ(configuration.seed, 1U);

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/replay.h"

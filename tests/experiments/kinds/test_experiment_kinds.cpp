@@ -94,9 +94,9 @@ class ExperimentKinds : public testing::Test {
 TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
   EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation", "multi_dataset"));
   EXPECT_TRUE(read_experiment(retrieval(), "test.json", at("")).inputs);
-  EXPECT_EQ(read_experiment(comparison(), "test.json", at("")).configuration["shapes"].size(), 4U);
+  EXPECT_EQ(read_experiment(comparison(), "test.json", at("")).configuration()["shapes"].size(), 4U);
   EXPECT_EQ(read_experiment(segmentation(), "test.json", at("")).name, "parts");
-  EXPECT_EQ(read_experiment(multi_dataset(), "test.json", at("")).configuration["datasets"].size(), 3U);
+  EXPECT_EQ(read_experiment(multi_dataset(), "test.json", at("")).configuration()["datasets"].size(), 3U);
   EXPECT_THAT(test::input_error_of([&] {
                 read_experiment(Json{{"nmae", "x"}}, "test.json", at(""));
               }),
@@ -137,10 +137,10 @@ TEST_F(ExperimentKinds, FindFilesOfDataSetsByThemselves) {
   test::write_text(at("set.json"), R"({"layout": "shrec11", "root": "data"})");
   Json document = retrieval();
   document["dataset"] = "set.json";
-  EXPECT_EQ(read_experiment(document, "test.json", at("")).configuration["dataset"]["root"], at("data").string());
+  EXPECT_EQ(read_experiment(document, "test.json", at("")).configuration()["dataset"]["root"], at("data").string());
   document.erase("dataset");
   document["datasets"] = {"set.json"};
-  const Json datasets = read_experiment(document, "test.json", at("")).configuration["datasets"];
+  const Json datasets = read_experiment(document, "test.json", at("")).configuration()["datasets"];
   EXPECT_EQ(datasets[0]["root"], at("data").string());
   EXPECT_EQ(datasets[0]["name"], "set");
 }
@@ -288,15 +288,15 @@ TEST_F(ExperimentKinds, ASegmentationKeepsItsGeneratedShapes) {
 /// A kind defined outside the library: counts the characters of a file.
 Experiment read_count(const Json& document, const std::string& /*source*/, const fs::path& folder) {
   const std::string text = read_file_bytes(folder / document.at("count").at("file").get<std::string>());
-  return {.name = "count", .configuration = document, .run = [text](const RunContext& context) {
-            write_file_atomically(context.results / "count.txt", std::to_string(text.size()) + "\n");
-            return RunOutcome{.files = {"count.txt"},
-                              .manifest = {{"inputs", Json::object()}},
-                              .execution = Json::object(),
-                              .summary = std::to_string(text.size()),
-                              .used = 1,
-                              .noun = "text"};
-          }};
+  return {.name = "count",
+          .configuration = [document] { return document; },
+          .run =
+              [text](const RunContext&, const RunResults& to) {
+                write_file_atomically(to.folder / "count.txt", std::to_string(text.size()) + "\n");
+                to.manifest["inputs"] = Json::object();
+                return RunOutcome{
+                    .files = {"count.txt"}, .summary = std::to_string(text.size()), .used = 1, .noun = "text"};
+              }};
 }
 
 nlohmann::ordered_json count_schema() {

@@ -12,14 +12,14 @@
 namespace shapegauge::test {
 
 /// Publishes the results of a retrieval run, whose distances are in memory.
-inline void publish(const std::filesystem::path& destination, const ExperimentResults& results) {
-  publish_results(destination, to_json(results.configuration), [&](const std::filesystem::path& folder) {
+inline RunOutcome publish(const std::filesystem::path& destination, const ExperimentResults& results) {
+  return publish_results(destination, to_json(results.configuration), [&](const RunResults& to) {
     const std::vector<std::string> files = distance_files(results.configuration);
     for (std::size_t i = 0; i < files.size(); ++i) {
-      make_folder(folder / "distances");
-      write_npy(folder / files[i], results.methods[i].distances);
+      make_folder(to.folder / "distances");
+      write_npy(to.folder / files[i], results.methods[i].distances);
     }
-    return write_results(folder, results);
+    return write_results(to, results);
   });
 }
 

@@ -14,7 +14,7 @@ using test::write_text;
 // SHA-256 of "abc" and of the empty text: FIPS 180-4.
 constexpr const char* hash_of_abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
 
-TEST(Manifest, HoldsInputsFailuresAndWhatDiffersFromRunToRunApart) {
+TEST(ManifestEntries, HoldInputsAndFailures) {
   const test::TemporaryFolder folder;
   write_text(folder.path() / "failed.off", "abc");
   ExperimentResults results;
@@ -28,8 +28,6 @@ TEST(Manifest, HoldsInputsFailuresAndWhatDiffersFromRunToRunApart) {
   results.shapes[1].sha256 = "bb";
   results.failures = {{.id = "7", .message = "broken", .file = folder.path() / "failed.off"},
                       {.id = "8", .message = "absent", .file = folder.path() / "absent.off"}};
-  results.threads = 3;
-  results.timings = {{"dataset", 0.5}, {"signatures", 2.0}};
   const OrderedJson json = manifest_entries(results);
   EXPECT_EQ(json["inputs"]["models"], (OrderedJson{{"3", "aa"}, {"5", "bb"}, {"7", hash_of_abc}}));
   EXPECT_EQ(json["inputs"]["classification"], hash_of_abc);
@@ -37,10 +35,6 @@ TEST(Manifest, HoldsInputsFailuresAndWhatDiffersFromRunToRunApart) {
   EXPECT_EQ(json["models"], 2);
   EXPECT_EQ(json["failed_models"],
             (OrderedJson::array({{{"model", "7"}, {"error", "broken"}}, {{"model", "8"}, {"error", "absent"}}})));
-  const OrderedJson execution = execution_entries(results);
-  EXPECT_EQ(execution["threads"], 3);
-  EXPECT_EQ(execution["seconds"], (OrderedJson{{"dataset", 0.5}, {"signatures", 2.0}}));
-  EXPECT_EQ(execution["cache"], nullptr) << "there was none";
 }
 
 }  // namespace

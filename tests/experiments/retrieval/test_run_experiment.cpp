@@ -321,8 +321,7 @@ TEST_F(RunExperiment, APerturbationThatFailsIsThatModelsFailure) {
 TEST_F(RunExperiment, NotesModelsThatAreNotPerturbedAsRequested) {
   const Json changes = Json::parse(R"({"perturbations": [
     {"type": "one_of", "assign": "in_turn", "choices": [[], [{"type": "decimate", "faces": 1}], []]}]})");
-  fs::create_directories(folder("notes"));
-  const auto notes_of = [&](const Json& with) { return write_results(folder("notes"), run(with)).notes; };
+  const auto notes_of = [&](const Json& with) { return test::publish(folder("notes"), run(with)).notes; };
   EXPECT_THAT(notes_of(changes), testing::ElementsAre(testing::MatchesRegex(
                                      "3 of 9 models were not perturbed as requested; the first, 1: decimated to "
                                      "[0-9]+ faces instead of 1: no valid collapse is left")));

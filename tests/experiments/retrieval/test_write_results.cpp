@@ -46,10 +46,9 @@ class WriteResults : public testing::Test {
     }
     for (std::size_t i = 0; i < names_.size(); ++i) {
       results_.models.push_back({.id = names_[i], .file = path("T" + names_[i] + ".off"), .label = labels_[i]});
-      ShapeReport report;
-      report.area = 2.0 + static_cast<double>(i);
-      report.descriptor_seconds = {0.25 * static_cast<double>(i)};
-      results_.shapes.push_back(report);
+      ModelDescription& shape = results_.shapes.emplace_back();
+      shape.area = 2.0 + static_cast<double>(i);
+      shape.features = {{}, {.features = {}, .seconds = 0.25 * static_cast<double>(i)}};
     }
     add("line", line_);
     add("perfect/2", perfect);
@@ -58,7 +57,7 @@ class WriteResults : public testing::Test {
 
   void add(const std::string& name, const DistanceMatrix& distances) {
     EvaluationOptions options;
-    options.measures = results_.configuration.measures;
+    options.measures = results_.configuration.evaluation.measures;
     MethodResults& method = results_.methods.emplace_back();
     method.name = name;
     method.distances = distances;

@@ -34,8 +34,8 @@ std::vector<DistanceMatrix> pairwise_distances(const OpenIndex& index) {
 /// The sum over the models, computed from whole matrices.
 DistanceMatrix whole_sum(const OpenIndex& index) {
   const std::vector<DistanceMatrix> matrices = pairwise_distances(index);
-  const SearchMethod& method = index.method;
-  return sum_of_distances(matrices, sum_weights(matrices, method.weights, method.weight_kind), method.scale);
+  const auto& [weights, options] = index.method.sum;
+  return sum_of_distances(matrices, sum_weights(matrices, weights, options.weights), options.scale);
 }
 
 std::vector<Eigen::RowVectorXf> rows_of_tables(const ShapeIndex& index, Eigen::Index row) {

@@ -22,8 +22,8 @@ TEST(SearchMethodOf, TheRecommendedConfigurationsAreTheirSums) {
     const SearchMethod of_file = search_method(read_json(SHAPEGAUGE_CONFIGS_FOLDER "/" + file), file);
     EXPECT_EQ(method.key(), of_file.key());
     EXPECT_EQ(method.terms.size(), terms);
-    EXPECT_EQ(method.scale, DistanceScale::ranks);
-    EXPECT_EQ(method.weight_kind, SumWeights::agreement);
+    EXPECT_EQ(method.sum.options.scale, DistanceScale::ranks);
+    EXPECT_EQ(method.sum.options.weights, SumWeights::agreement);
     EXPECT_TRUE(method.diffusion.keep_nearest);
     EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing unneeded
   }
@@ -76,21 +76,21 @@ TEST(SearchMethodOf, ASignatureIsKeptWithWhatItIsMadeOf) {
   const SearchMethod alone = folder.method("d2");
   EXPECT_THAT(kept_signatures(alone), ElementsAre("d2"));
   EXPECT_THAT(term_names(alone), ElementsAre("d2"));
-  EXPECT_THAT(alone.weights, ElementsAre(1));
+  EXPECT_THAT(alone.sum.weights, ElementsAre(1));
   const SearchMethod concatenated = folder.method("both");
   EXPECT_THAT(kept_signatures(concatenated), ElementsAre("own range", "range of all", "both"));
   EXPECT_THAT(term_names(concatenated), ElementsAre("both"));
   const SearchMethod sum = folder.method("median");
   EXPECT_THAT(kept_signatures(sum), ElementsAre("own range", "range of all", "both", "d2", "median"));
   EXPECT_THAT(term_names(sum), ElementsAre("both", "d2"));
-  EXPECT_THAT(sum.weights, ElementsAre(1, 0.5));
-  EXPECT_EQ(sum.scale, DistanceScale::median);
-  EXPECT_EQ(sum.weight_kind, SumWeights::given);
+  EXPECT_THAT(sum.sum.weights, ElementsAre(1, 0.5));
+  EXPECT_EQ(sum.sum.options.scale, DistanceScale::median);
+  EXPECT_EQ(sum.sum.options.weights, SumWeights::given);
   const SearchMethod local = folder.method("local");
   EXPECT_THAT(term_names(local), ElementsAre("range of all", "bag", "d2"));
-  EXPECT_THAT(local.weights, ElementsAre(1, 1, 1));
-  EXPECT_EQ(local.scale, DistanceScale::local);
-  EXPECT_EQ(local.weight_kind, SumWeights::agreement);
+  EXPECT_THAT(local.sum.weights, ElementsAre(1, 1, 1));
+  EXPECT_EQ(local.sum.options.scale, DistanceScale::local);
+  EXPECT_EQ(local.sum.options.weights, SumWeights::agreement);
 }
 
 TEST(SearchMethodOf, ASumOfDerivedDistancesIsAnError) {

@@ -9,9 +9,9 @@
 namespace shapegauge::test {
 
 /// Publishes the results of a segmentation experiment.
-inline void publish(const std::filesystem::path& destination, const SegmentationResults& results) {
-  publish_results(destination, to_json(results.experiment),
-                  [&](const std::filesystem::path& folder) { return write_segmentation(folder, results); });
+inline RunOutcome publish(const std::filesystem::path& destination, const SegmentationResults& results) {
+  return publish_results(destination, to_json(results.experiment),
+                         [&](const RunResults& to) { return write_segmentation(to, results); });
 }
 
 }  // namespace shapegauge::test

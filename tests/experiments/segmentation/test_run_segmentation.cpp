@@ -89,7 +89,7 @@ TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
   EXPECT_DOUBLE_EQ(results.scores.errors[0][2].rand_index, apart / 2);
   EXPECT_DOUBLE_EQ(results.scores.errors[2][2].rand_index, apart);
   EXPECT_DOUBLE_EQ(results.scores.mean(2, &SegmentationErrors::rand_index, 1), apart / 2);
-  EXPECT_THAT(write_segmentation(folder_.path(), results).summary, HasSubstr("the paper"));
+  EXPECT_THAT(test::publish(folder_.path() / "results", results).summary, HasSubstr("the paper"));
 }
 
 TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
@@ -282,7 +282,7 @@ TEST_F(SegmentationRun, NotesShapesThatAreNotPerturbedAsRequestedFromTheCacheToo
   for (const char* const again : {"computed", "cached"}) {
     Cache cache(folder_.path() / "cache");
     const SegmentationResults results = cut(run, folder_.path() / "none", {.threads = 1}, cache);
-    EXPECT_THAT(write_segmentation(folder_.path(), results).notes,
+    EXPECT_THAT(test::publish(folder_.path() / "results", results).notes,
                 testing::ElementsAre(testing::StartsWith(
                     "3 of 3 shapes were not perturbed as requested; the first, 1: coarse: decimated to ")))
         << again;

@@ -67,7 +67,7 @@ TEST(WriteSegmentation, TheManifestListsWhatWasWrittenAndWhatWasRead) {
 
 TEST(WriteSegmentation, TheSummaryHasARowForEachMethodAndClass) {
   const test::TemporaryFolder folder;
-  const std::string summary = write_segmentation(folder.path(), found()).summary;
+  const std::string summary = test::publish(folder.path(), found()).summary;
   for (const char* const word : {"best", "of/the paper", "2.000", "3.000"}) {
     EXPECT_THAT(summary, testing::HasSubstr(word));
   }

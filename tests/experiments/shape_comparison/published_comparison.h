@@ -42,9 +42,9 @@ inline nlohmann::json three_spheres() {
 }
 
 /// Publishes the results of a comparison.
-inline void publish(const std::filesystem::path& destination, const ShapeComparisonResults& results) {
-  publish_results(destination, to_json(results.comparison),
-                  [&](const std::filesystem::path& folder) { return write_shape_comparison(folder, results); });
+inline RunOutcome publish(const std::filesystem::path& destination, const ShapeComparisonResults& results) {
+  return publish_results(destination, to_json(results.comparison),
+                         [&](const RunResults& to) { return write_shape_comparison(to, results); });
 }
 
 /// Returns the published files by name, without run times; of the manifest only what is reproducible.

@@ -45,11 +45,10 @@ class RunComparison : public testing::Test {
 TEST_F(RunComparison, NotesShapesThatAreNotPerturbedAsRequested) {
   Json changed = document();
   changed["shapes"][2]["perturbations"] = {{{"type", "decimate"}, {"faces", 1}}};
-  fs::create_directories(path("notes"));
-  EXPECT_THAT(write_shape_comparison(path("notes"), run(changed)).notes,
+  EXPECT_THAT(test::publish(path("notes"), run(changed)).notes,
               testing::ElementsAre(testing::StartsWith(
                   "1 of 3 shapes were not perturbed as requested; the first, again: decimated to ")));
-  EXPECT_THAT(write_shape_comparison(path("notes"), run()).notes, testing::IsEmpty());
+  EXPECT_THAT(test::publish(path("notes"), run()).notes, testing::IsEmpty());
 }
 
 TEST_F(RunComparison, AShapeIsNoDistanceFromItself) {
@@ -90,7 +89,7 @@ TEST_F(RunComparison, AFieldWithoutADimensionIsNoFurtherOffForNoiseInTheArea) {
     {"name": "heat", "field": {"type": "heat_kernel", "time": 100, "eigenvalues": 10, "at": "vertices"},
      "histogram": {"range": "dataset"}}])");
   const ShapeComparisonResults results = run(changed);
-  EXPECT_GT(results.shapes[0].report.area, 1.1 * results.shapes[1].report.area);
+  EXPECT_GT(results.shapes[0].description.area, 1.1 * results.shapes[1].description.area);
   EXPECT_NEAR(results.shapes[0].fields[0].errors->relative_percentile_90, 0, 1e-6);
   EXPECT_NEAR(results.shapes[0].fields[0].errors->percentile_90, 0, 1e-6);
 }

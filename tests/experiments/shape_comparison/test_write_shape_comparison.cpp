@@ -31,7 +31,7 @@ class WriteShapeComparison : public testing::Test {
             {"histogram", {{"range", "per-shape"}}}}}}},
         "test.json", folder_.path());
     for (const char* name : {"true", "other"}) {
-      ShapeMeasurement& shape = results_.shapes.emplace_back();
+      MeasuredShape& shape = results_.shapes.emplace_back();
       shape.name = name;
       shape.read_seconds = 1.5;
       shape.fields.resize(2);

@@ -181,7 +181,7 @@ TEST_F(DescribeThroughCache, AChosenOffsetIsReportedFromTheCacheToo) {
   run(chosen);
   const ExperimentResults warm = run(chosen);
   EXPECT_EQ(uses_of(warm), all_taken);
-  EXPECT_TRUE(warm.shapes[0].offsets[1].has_value());
+  EXPECT_TRUE(warm.shapes[0].fields[1].offset.has_value());
   EXPECT_EQ(files_of(warm), fresh_files(chosen));
 }
 

@@ -82,7 +82,7 @@ struct Outcome {
 
 Outcome described(DescribedModels& models, const Configuration& configuration, Cache& cache) {
   Outcome outcome;
-  outcome.failures = describe_learnt(models, configuration, plan_fields(configuration.signatures),
+  outcome.failures = describe_learnt(models, configuration, distinct_fields(configuration.signatures),
                                      {.control = {}, .cache = cache}, outcome.learnt);
   return outcome;
 }
@@ -174,7 +174,7 @@ TEST(DescribeLearnt, StopsWhenInterrupted) {
   Cache none;
   std::vector<LearntFeatures> learnt;
   const RunControl control{.interrupted = [] { return true; }};
-  EXPECT_THROW(describe_learnt(models, configuration, plan_fields(configuration.signatures),
+  EXPECT_THROW(describe_learnt(models, configuration, distinct_fields(configuration.signatures),
                                {.control = control, .cache = none}, learnt),
                Interrupted);
 }

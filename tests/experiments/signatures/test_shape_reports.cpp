@@ -53,22 +53,13 @@ ModelDescription model_with_gaps(double gap_size, double chosen_offset) {
   return model;
 }
 
-SignatureConfiguration signature_of(const char* name, const nlohmann::json& field) {
-  SignatureConfiguration signature;
-  signature.name = name;
-  signature.field = read_field(field);
-  return signature;
-}
-
 TEST(ReportFields, CountsAndAddsOverTheModels) {
   const ModelDescription closed = model_with_gaps(0.4, 0.05);  // narrower than 0.05 of the diagonal
   const ModelDescription open = model_with_gaps(0.6, 0.05);
   const ModelDescription wide = model_with_gaps(0.6, 0.07);
-  const std::vector<PlannedField> plan =
-      plan_fields({signature_of("fixed", {{"type", "offset_sdf"}, {"offset", 0.05}}),
-                   signature_of("auto", {{"type", "offset_sdf"}, {"offset", "auto"}})});
-  ASSERT_EQ(plan.size(), 2U);
-  const std::vector<FieldReport> reports = report_fields({&closed, &open, &wide}, plan);
+  const std::vector<Field> fields{read_field({{"type", "offset_sdf"}, {"offset", 0.05}}),
+                                  read_field({{"type", "offset_sdf"}, {"offset", "auto"}})};
+  const std::vector<FieldReport> reports = report_fields({&closed, &open, &wide}, fields);
   ASSERT_EQ(reports.size(), 2U);
   EXPECT_EQ(reports[0].models, 3U);
   EXPECT_EQ(reports[0].leaking, 2U);  // both with gaps wider than half a unit
@@ -81,7 +72,7 @@ struct Results {
   std::vector<std::string> classes;
   std::vector<Model> models;
   std::vector<FieldReport> fields;
-  std::vector<ShapeReport> shapes;
+  std::vector<ModelDescription> shapes;
   std::vector<SignatureConfiguration> signatures;
 };
 
@@ -89,21 +80,17 @@ Results two_models() {
   Results results;
   results.classes = {"ant", "bird"};
   results.models = {{.id = "3", .file = "", .label = 1}, {.id = "5", .file = "", .label = 0}};
-  results.fields = {{.settings = {{"type", "offset_sdf"}, {"at", "faces"}, {"offset", 0.05}},
+  results.fields = {{.settings = read_field({{"type", "offset_sdf"}, {"offset", 0.05}}).settings,
                      .outcomes = {{"total", 9}, {"undecided", 1}}}};
   results.shapes.resize(2);
-  results.shapes[0] = {.diagnostics = {.triangles = 4, .closed = true},
-                       .chosen = {2, 0},
-                       .outcomes = {{{"total", 4}}},
-                       .offsets = {std::nullopt},
-                       .seconds = {0.25},
-                       .descriptor_seconds = {}};
-  results.shapes[1] = {.diagnostics = {.triangles = 5},
-                       .chosen = {},
-                       .outcomes = {{{"total", 5}, {"undecided", 1}}},
-                       .offsets = {std::nullopt},
-                       .seconds = {1.5},
-                       .descriptor_seconds = {}};
+  for (ModelDescription& shape : results.shapes) shape.fields.resize(1);
+  results.shapes[0].diagnostics = {.triangles = 4, .closed = true};
+  results.shapes[0].chosen = {2, 0};
+  results.shapes[0].fields[0].outcomes = {{"total", 4}};
+  results.shapes[0].fields[0].seconds = 0.25;
+  results.shapes[1].diagnostics = {.triangles = 5};
+  results.shapes[1].fields[0].outcomes = {{"total", 5}, {"undecided", 1}};
+  results.shapes[1].fields[0].seconds = 1.5;
   return results;
 }
 
@@ -123,16 +110,16 @@ TEST(ShapesTable, HasTheDiagnosticsAndTheOutcomesOfEachModel) {
   EXPECT_EQ(cell(table, 0, "choices"), "2 0");
   EXPECT_EQ(cell(table, 0, "closed"), "true");
   EXPECT_EQ(cell(table, 0, "triangles"), "4");
-  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: total"), "4");
-  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: undecided"), "0");
+  EXPECT_EQ(cell(table, 0, "offset_sdf accuracy=standard at=faces offset=0.05: total"), "4");
+  EXPECT_EQ(cell(table, 0, "offset_sdf accuracy=standard at=faces offset=0.05: undecided"), "0");
   EXPECT_EQ(cell(table, 1, "choices"), "");
-  EXPECT_EQ(cell(table, 1, "offset_sdf at=faces offset=0.05: undecided"), "1");
+  EXPECT_EQ(cell(table, 1, "offset_sdf accuracy=standard at=faces offset=0.05: undecided"), "1");
 }
 
 TEST(ShapeSecondsTable, HasTheTimeOfEachField) {
   const Results results = two_models();
   const TextTable table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
-  EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf at=faces offset=0.05"}));
+  EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf accuracy=standard at=faces offset=0.05"}));
   EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"3", "0.250000"}, {"5", "1.500000"}}));
 }
 
@@ -141,8 +128,8 @@ TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
   SignatureConfiguration& signature = results.signatures.emplace_back();
   signature.name = "SH";
   signature.descriptor = make_descriptor({{"type", "spherical_harmonics"}});
-  results.shapes[0].descriptor_seconds = {0.5};
-  results.shapes[1].descriptor_seconds = {2};
+  results.shapes[0].features = {{.features = {}, .seconds = 0.5}};
+  results.shapes[1].features = {{.features = {}, .seconds = 2}};
   const TextTable table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
   EXPECT_EQ(table.header.back(), "SH");
   EXPECT_EQ(table.rows[0].back(), "0.500000");
@@ -150,17 +137,27 @@ TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
 }
 
 TEST(FieldsJson, HasOutcomesAndOfThoseWithAnOffsetItsLeaks) {
-  const std::vector<FieldReport> fields{{.settings = {{"type", "offset_sdf"}, {"offset", 0.01}},
-                                         .outcomes = {{"total", 7}, {"missing", 2}},
-                                         .seconds = 3,
-                                         .models = 5,
-                                         .leaking = 4},
-                                        {.settings = {{"type", "cone_sdf"}}, .outcomes = {{"total", 8}}, .seconds = 1}};
+  const std::vector<FieldReport> fields{
+      {.settings = read_field({{"type", "offset_sdf"}, {"offset", 0.01}}).settings,
+       .outcomes = {{"total", 7}, {"missing", 2}},
+       .seconds = 3,
+       .models = 5,
+       .leaking = 4},
+      {.settings = read_field({{"type", "cone_sdf"}}).settings, .outcomes = {{"total", 8}}, .seconds = 1}};
   const nlohmann::ordered_json json = fields_json(fields);
   ASSERT_EQ(json.size(), 2U);
   EXPECT_EQ(json[0]["samples"], (nlohmann::ordered_json{{"missing", 2}, {"total", 7}}));
   EXPECT_EQ(json[0]["shapes_with_gaps_wider_than_offset"], 4);
-  EXPECT_EQ(json[1], (nlohmann::ordered_json{{"field", {{"type", "cone_sdf"}}}, {"samples", {{"total", 8}}}}));
+  EXPECT_EQ(json[1], (nlohmann::ordered_json{{"field", to_json(fields[1].settings)}, {"samples", {{"total", 8}}}}));
+}
+
+TEST(ExecutionJson, HasThreadsTimesAndTheUseOfTheCache) {
+  const std::vector<std::pair<std::string, double>> timings{{"dataset", 0.5}, {"signatures", 2.0}};
+  const nlohmann::ordered_json execution = execution_json(3, timings, two_models().fields, {});
+  EXPECT_EQ(execution["threads"], 3);
+  EXPECT_EQ(execution["seconds"], (nlohmann::ordered_json{{"dataset", 0.5}, {"signatures", 2.0}}));
+  EXPECT_EQ(execution["field_seconds"][0]["field"]["type"], "offset_sdf");
+  EXPECT_EQ(execution["cache"], nullptr) << "there was none";
 }
 
 }  // namespace

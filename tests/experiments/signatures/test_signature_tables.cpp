@@ -37,12 +37,12 @@ ModelDescription model_without_field() {
 TEST(AssembleSignatures, PartsStandInTheOrderOfTheirNames) {
   ModelDescription model;
   model.fields.resize(1);
-  model.histograms = {Eigen::VectorXf{{0.25F, 0.75F}}, Eigen::VectorXf{{1.0F}}, {}};
+  model.features = {{.features = Eigen::VectorXf{{0.25F, 0.75F}}}, {.features = Eigen::VectorXf{{1.0F}}}, {}};
   SignatureConfiguration both;
   both.parts = {1, 0};
   const std::vector<SignatureConfiguration> signatures{histogram_of("two", {{"type", "cone_sdf"}}, 2),
                                                        histogram_of("one", {{"type", "cone_sdf"}}, 1), both};
-  const std::vector<Signatures> tables = assemble_signatures({&model}, plan_fields(signatures), signatures, {});
+  const std::vector<Signatures> tables = assemble_signatures({&model}, distinct_fields(signatures), signatures, {});
   EXPECT_EQ(tables[2], (Signatures{{0.5F, 0.125F, 0.375F}}));
 }
 
@@ -50,15 +50,15 @@ TEST(AssembleSignatures, AModelWithoutASignatureHasARowOfNotANumber) {
   const std::vector<SignatureConfiguration> signatures{histogram_of("two", {{"type", "cone_sdf"}}, 2)};
   ModelDescription with;
   with.fields.resize(1);
-  with.histograms = {Eigen::VectorXf{{0.25F, 0.75F}}};
+  with.features = {{.features = Eigen::VectorXf{{0.25F, 0.75F}}}};
   ModelDescription without = model_without_field();
-  without.histograms.resize(1);
-  const std::vector<PlannedField> plan = plan_fields(signatures);
-  const Signatures table = assemble_signatures({&without, &with}, plan, signatures, {})[0];
+  without.features.resize(1);
+  const std::vector<Field> fields = distinct_fields(signatures);
+  const Signatures table = assemble_signatures({&without, &with}, fields, signatures, {})[0];
   ASSERT_EQ(table.rows(), 2);
   EXPECT_TRUE(std::isnan(table(0, 0)) && std::isnan(table(0, 1)));
   EXPECT_EQ(table.row(1), (Signatures{{0.25F, 0.75F}}));
-  EXPECT_EQ(assemble_signatures({&without}, plan, signatures, {})[0].cols(), 0);
+  EXPECT_EQ(assemble_signatures({&without}, fields, signatures, {})[0].cols(), 0);
 }
 
 TEST(FieldRanges, EncloseTheModelsThatHaveTheField) {

@@ -152,16 +152,19 @@ void add_experiment_kind() {
        .read =
            [](const nlohmann::json& document, const std::string& /*source*/, const std::filesystem::path& folder) {
              const shapegauge::DatasetLocation place{.layout = "flat", .root = folder / document.at("count")};
-             const auto run = [place](const shapegauge::RunContext& context) {
-               shapegauge::RunOutcome outcome{.manifest = {{"inputs", nlohmann::json::object()}}, .noun = "model"};
+             const auto run = [place](const shapegauge::RunContext& /*context*/, const shapegauge::RunResults& to) {
+               shapegauge::RunOutcome outcome{.noun = "model"};
                outcome.used = shapegauge::find_dataset(place).models.size();
                outcome.summary = std::to_string(outcome.used) + " models";
                outcome.files = {"count.txt"};
-               shapegauge::write_file_atomically(context.results / "count.txt", outcome.summary + "\n");
+               shapegauge::write_file_atomically(to.folder / "count.txt", outcome.summary + "\n");
+               to.manifest["inputs"] = nlohmann::json::object();
                return outcome;
              };
-             return shapegauge::Experiment{
-                 .name = "count", .configuration = document, .input_paths = {place.root}, .run = run};
+             return shapegauge::Experiment{.name = "count",
+                                           .configuration = [document] { return document; },
+                                           .input_paths = {place.root},
+                                           .run = run};
            }});
 }
 
