@@ -45,14 +45,14 @@ EvaluationOptions options_of(const std::string& protocol, const std::string& tie
                              const std::string& evaluator) {
   if (!evaluator.empty()) return options_of_evaluator(evaluator);
   EvaluationOptions options;
-  const auto known_protocol = protocol_of(protocol);
+  const auto known_protocol = value_of_word<Protocol>(protocol);
   if (!known_protocol) throw InputError("unknown protocol \"" + protocol + "\"; known are psb, paper and trec");
-  const auto known_ties = ties_of(ties);
+  const auto known_ties = value_of_word<Ties>(ties);
   if (!known_ties) {
     throw InputError("unknown ties \"" + ties + "\"; known are index, optimistic, pessimistic and expected");
   }
   if (!curve.empty()) {
-    options.curve = curve_kind_of(curve);
+    options.curve = value_of_word<CurveKind>(curve);
     if (!options.curve)
       throw InputError("unknown curve \"" + curve + "\"; known are psb, paper, trec, raw and trec_eval");
   }
@@ -131,7 +131,7 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
 /// Returns low and high ends by measure, of the averages over queries and over classes; empty for too few units.
 py::tuple intervals(const Evaluation& evaluation, double confidence, const std::string& blocks, int resamples,
                     std::uint64_t seed, int threads) {
-  const auto known_blocks = resampling_unit_of(blocks);
+  const auto known_blocks = value_of_word<ResamplingUnit>(blocks);
   if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
   const EvaluationIntervals found = compute(threads, [&] {
     return intervals_of(
@@ -170,9 +170,9 @@ Evaluation evaluation_of(const py::tuple& state) {
   const auto take = [&](auto& value) { value = state[next++].cast<std::decay_t<decltype(value)>>(); };
   const auto word = [&] { return state[next++].cast<std::string>(); };
   Evaluation evaluation;
-  evaluation.protocol = protocol_of(word()).value();
-  evaluation.ties = ties_of(word()).value();
-  evaluation.curve = curve_kind_of(word()).value();
+  evaluation.protocol = value_of_word<Protocol>(word()).value();
+  evaluation.ties = value_of_word<Ties>(word()).value();
+  evaluation.curve = value_of_word<CurveKind>(word()).value();
   take(evaluation.measures);
   take(evaluation.queries);
   take(evaluation.query_classes);
@@ -222,9 +222,9 @@ ComparedMethods compare_evaluations(const std::vector<std::string>& names,
                         .measures = first.measures,
                         .classes = first.query_classes,
                         .values = {}};
-    const auto known = pair_test_of(test);
+    const auto known = value_of_word<PairTest>(test);
     if (!known) throw InputError("unknown test \"" + test + "\"; known are randomization, t and bootstrap");
-    const auto known_blocks = resampling_unit_of(blocks);
+    const auto known_blocks = value_of_word<ResamplingUnit>(blocks);
     if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
     compared.options.test = *known;
     compared.options.blocks = *known_blocks;
