@@ -1,7 +1,6 @@
 #include "shapegauge/metrics/bootstrap.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "shapegauge/metrics/method_comparison.h"
 
-#include <algorithm>
-#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>

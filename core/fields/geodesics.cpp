@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fmt/format.h>
 #include <limits>
 #include <memory>
 #include <numeric>
 #include <queue>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 

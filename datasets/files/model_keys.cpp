@@ -1,7 +1,6 @@
 #include "shapegauge/datasets/files/model_keys.h"
 
 #include <unordered_map>
-#include <utility>
 
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/datasets/files/model_ids.h"

@@ -2,9 +2,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "shapegauge/experiments/cache/cache.h"

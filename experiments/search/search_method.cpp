@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <string_view>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
