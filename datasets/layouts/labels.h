@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "shapegauge/datasets/files/classification.h"
-#include "shapegauge/datasets/files/model_keys.h"
+#include "shapegauge/datasets/files/model_ids.h"
 
 namespace shapegauge {
 

@@ -13,7 +13,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/compressed_files.h"
-#include "shapegauge/datasets/files/model_keys.h"
+#include "shapegauge/datasets/files/model_ids.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/metrics/chance.h"

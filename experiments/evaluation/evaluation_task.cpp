@@ -12,7 +12,6 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/model_ids.h"
-#include "shapegauge/datasets/files/model_keys.h"
 
 namespace shapegauge {
 

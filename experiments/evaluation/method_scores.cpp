@@ -14,7 +14,6 @@
 #include "shapegauge/datasets/files/compressed_files.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
-#include "shapegauge/datasets/files/model_keys.h"
 
 namespace shapegauge {
 
