@@ -179,8 +179,7 @@ ComparedMethods compare_evaluations(const std::vector<std::string>& names,
     compared.methods = {.methods = names,
                         .protocol = name_of(first.protocol),
                         .measures = first.measures,
-                        .classes = first.query_classes,
-                        .values = {}};
+                        .classes = first.query_classes};
     const auto known = value_of_word<PairTest>(test);
     if (!known) throw InputError("unknown test \"" + test + "\"; known are randomization, t and bootstrap");
     const auto known_blocks = value_of_word<ResamplingUnit>(blocks);

@@ -128,11 +128,7 @@ void check_size(const OpenMatrix& matrix, const MatrixIds& ids, const ModelSourc
 }
 
 EvaluationData data_of(const RankedAnswers& answers, RankedTask ranked) {
-  return {.distances = {},
-          .answers = std::move(ranked.answers),
-          .symmetric = false,
-          .name = answers.name,
-          .task = std::move(ranked.task)};
+  return {.distances = {}, .answers = std::move(ranked.answers), .name = answers.name, .task = std::move(ranked.task)};
 }
 
 // Gives models of a list without ids those of the matrix, in order.
