@@ -25,7 +25,7 @@ struct AuditArguments {
 };
 
 StandingOptions standing_options(const ResamplingArguments& arguments) {
-  return {.blocks = resampling_unit_of(arguments.blocks).value(),
+  return {.blocks = value_of_word<ResamplingUnit>(arguments.blocks).value(),
           .average = Average::micro,
           .confidence = arguments.confidence,
           .resampling = arguments.resampling};

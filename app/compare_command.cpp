@@ -89,7 +89,7 @@ bool wants_curves(const CompareArguments& arguments) { return !arguments.plot.em
 void add_curves_of_run(const fs::path& folder, const CompareArguments& arguments, const std::string& protocol,
                        ComparedInputs& compared) {
   if (!wants_curves(arguments)) return;
-  for (NamedCurve& curve : read_curves(folder / curves_name, average_of(arguments.average).value())) {
+  for (NamedCurve& curve : read_curves(folder / curves_name, value_of_word<Average>(arguments.average).value())) {
     if (curve.protocol == protocol) compared.curves.push_back(std::move(curve));
   }
 }
@@ -135,8 +135,8 @@ void add_methods(const fs::path& path, const CompareArguments& arguments, Compar
   }
   const std::string name = method_name(path, evaluated.data);
   add({method_scores(name, path.string(), evaluated.data.task, evaluated.evaluation)});
-  compared.curves.push_back(
-      named_curve({.method = name, .evaluation = &evaluated.evaluation}, average_of(arguments.average).value()));
+  compared.curves.push_back(named_curve({.method = name, .evaluation = &evaluated.evaluation},
+                                        value_of_word<Average>(arguments.average).value()));
   if (arguments.report.empty()) return;
   if (!is_fit_for_report(evaluated.data.task)) {
     throw InputError(fmt::format(
@@ -216,9 +216,9 @@ void write_compared(const CompareArguments& arguments, ComparedInputs& compared,
 
 ComparisonOptions options_of(const CompareArguments& arguments, const std::vector<std::string>& methods) {
   ComparisonOptions options;
-  options.test = pair_test_of(arguments.test).value();
-  options.blocks = resampling_unit_of(arguments.resampling.blocks).value();
-  options.average = average_of(arguments.average).value();
+  options.test = value_of_word<PairTest>(arguments.test).value();
+  options.blocks = value_of_word<ResamplingUnit>(arguments.resampling.blocks).value();
+  options.average = value_of_word<Average>(arguments.average).value();
   options.confidence = arguments.resampling.confidence;
   options.resampling = arguments.resampling.resampling;
   if (arguments.reference.empty()) return options;
@@ -296,10 +296,10 @@ int run(const CompareArguments& arguments) {
 void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
   begin_option_group(command, "Comparison");
   command.add_option("--test", arguments.test, "Significance test of pairs")
-      ->check(CLI::IsMember(pair_test_names()))
+      ->check(CLI::IsMember(list_of_words<PairTest>()))
       ->capture_default_str();
   command.add_option("--average", arguments.average, "Average to compare: over queries (micro) or classes (macro)")
-      ->check(CLI::IsMember(average_names()))
+      ->check(CLI::IsMember(list_of_words<Average>()))
       ->capture_default_str();
   command.add_option("--reference", arguments.reference, "Method compared with every other one (default: all pairs)");
   command.add_option("--names", arguments.names, "Names of the methods in order, such as ours,theirs")->delimiter(',');

@@ -204,10 +204,10 @@ int run(const EvaluateCommandArguments& arguments) {
                         .evaluation = &evaluated.evaluation};
   if (arguments.resampling.confidence > 0) {
     const BusyLine line("resampling");
-    named.intervals =
-        intervals_of(evaluated.evaluation, {.confidence = arguments.resampling.confidence,
-                                            .blocks = resampling_unit_of(arguments.resampling.blocks).value(),
-                                            .resampling = arguments.resampling.resampling});
+    named.intervals = intervals_of(evaluated.evaluation,
+                                   {.confidence = arguments.resampling.confidence,
+                                    .blocks = value_of_word<ResamplingUnit>(arguments.resampling.blocks).value(),
+                                    .resampling = arguments.resampling.resampling});
     if (named.intervals.micro.empty()) {
       warnings.push_back(fmt::format("no intervals: fewer than two {}", arguments.resampling.blocks));
     }
@@ -238,7 +238,7 @@ void add_output_options(CLI::App& command, EvaluateCommandArguments& arguments) 
   command
       .add_option("--curve", arguments.evaluation.curve,
                   "Interpolation of precision-recall curves (default: that of the protocol)")
-      ->check(CLI::IsMember(curve_kind_names()));
+      ->check(CLI::IsMember(list_of_words<CurveKind>()));
   command.add_option("--per-query", arguments.per_query, "CSV file for the scores of each query, for 'compare'");
   command.add_flag("--each-query", arguments.each_query,
                    "Print the scores of each query before the averages, as trec_eval -q");

@@ -56,7 +56,7 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
                                            "Evaluation program to reproduce: its protocol, measures and conventions")
                                ->check(CLI::IsMember(evaluator_names()));
   command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, or trec with --qrels)")
-      ->check(CLI::IsMember(protocol_names()))
+      ->check(CLI::IsMember(list_of_words<Protocol>()))
       ->excludes(evaluator);
   CLI::Option* missing = command
                              .add_option("--missing-queries", arguments.missing_queries,
@@ -70,7 +70,7 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
       ->excludes(missing);
   command
       .add_option("--ties", arguments.ties, "Order of models at equal distance; expected for the mean over all orders")
-      ->check(CLI::IsMember(ties_names()))
+      ->check(CLI::IsMember(list_of_words<Ties>()))
       ->capture_default_str()
       ->excludes(evaluator);
   command.add_option("--measures", arguments.measures, "Measures, such as NN,FT,P@10 (default: those of the protocol)")
@@ -115,7 +115,7 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   command
       .add_option("--blocks", arguments.blocks,
                   "Unit of resampling: queries (claims about these classes), or classes (about classes like these)")
-      ->check(CLI::IsMember(resampling_unit_names()))
+      ->check(CLI::IsMember(list_of_words<ResamplingUnit>()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")
       ->check(within<int>(parameter_named("resamples", resampling_table).bounds))
@@ -125,7 +125,7 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
 
 Protocol chosen_protocol(const EvaluationArguments& arguments) {
   if (!arguments.evaluator.empty()) return options_of_evaluator(arguments.evaluator).protocol;
-  if (!arguments.protocol.empty()) return protocol_of(arguments.protocol).value();
+  if (!arguments.protocol.empty()) return value_of_word<Protocol>(arguments.protocol).value();
   return arguments.files.qrels.empty() ? Protocol::psb : Protocol::trec;
 }
 
@@ -133,13 +133,13 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
   EvaluationOptions options;
   if (!arguments.evaluator.empty()) {
     options = options_of_evaluator(arguments.evaluator);
-    if (!arguments.curve.empty()) options.curve = curve_kind_of(arguments.curve);
+    if (!arguments.curve.empty()) options.curve = value_of_word<CurveKind>(arguments.curve);
     return options;
   }
   options.protocol = chosen_protocol(arguments);
-  options.ties = ties_of(arguments.ties).value();
+  options.ties = value_of_word<Ties>(arguments.ties).value();
   options.minimum_class_size = arguments.minimum_class_size;
-  if (!arguments.curve.empty()) options.curve = curve_kind_of(arguments.curve);
+  if (!arguments.curve.empty()) options.curve = value_of_word<CurveKind>(arguments.curve);
   try {
     options.measures = measures_of(arguments.measures);
   } catch (const ArgumentError& error) {

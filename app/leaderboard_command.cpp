@@ -68,7 +68,7 @@ JudgingOptions judging_options(const LeaderboardArguments& arguments) {
   JudgingOptions options;
   options.files = files_as_given(arguments.evaluation);
   options.evaluation = evaluation_options(arguments.evaluation);
-  options.standings = {.blocks = resampling_unit_of(arguments.resampling.blocks).value(),
+  options.standings = {.blocks = value_of_word<ResamplingUnit>(arguments.resampling.blocks).value(),
                        .average = Average::micro,
                        .confidence = arguments.resampling.confidence,
                        .resampling = arguments.resampling.resampling};

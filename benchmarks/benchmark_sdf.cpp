@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <benchmark/benchmark.h>
-#include <cstddef>
 #include <exception>
 #include <filesystem>
 #include <functional>

@@ -3,7 +3,6 @@
 //     segment_by_cgal CLUSTERS SMOOTHING FOLDER MESH...
 //
 // FOLDER/MESH.seg has one line per face. Meshes unsupported by CGAL are reported and omitted.
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>

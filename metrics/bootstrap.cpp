@@ -1,7 +1,6 @@
 #include "shapegauge/metrics/bootstrap.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -51,13 +50,6 @@ UnitValues class_units(const Eigen::MatrixXd& per_query, std::span<const int> cl
 }
 
 }  // namespace
-
-std::string name_of(ResamplingUnit unit) { return std::string(word_of(unit)); }
-std::optional<ResamplingUnit> resampling_unit_of(std::string_view name) { return value_of_word<ResamplingUnit>(name); }
-std::vector<std::string> resampling_unit_names() { return list_of_words<ResamplingUnit>(); }
-std::string name_of(Average average) { return std::string(word_of(average)); }
-std::optional<Average> average_of(std::string_view name) { return value_of_word<Average>(name); }
-std::vector<std::string> average_names() { return list_of_words<Average>(); }
 
 UnitValues units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, ResamplingUnit unit,
                     Average average) {

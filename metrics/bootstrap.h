@@ -3,9 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,16 +25,6 @@ inline constexpr std::array<std::string_view, 2> words_of<ResamplingUnit>{"class
 enum class Average { micro, macro };
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<Average>{"micro", "macro"};
-
-/// Conversion to and from names in files and options: "classes", "queries"; "micro", "macro".
-/// @{
-std::string name_of(ResamplingUnit unit);
-std::optional<ResamplingUnit> resampling_unit_of(std::string_view name);
-std::vector<std::string> resampling_unit_names();
-std::string name_of(Average average);
-std::optional<Average> average_of(std::string_view name);
-std::vector<std::string> average_names();
-/// @}
 
 /// Options of randomised statistics. The same seed gives the same result for any number of threads.
 struct ResamplingOptions {

@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "shapegauge/core/base/option_parameters.h"
@@ -65,6 +65,22 @@ struct Evaluation {
   Eigen::Index queries_with_ties = 0;              ///< queries with a relevant and another model at equal distance
   FirstTierBounds first_tier_bounds;               ///< independent of `measures`; equal if ties have no effect
 };
+
+/// References to all members, for codecs (experiments/cache/codec.h).
+/// @{
+inline auto members(PrecisionRecallCurve& curve) {
+  auto& [recall, precision] = curve;
+  return std::tie(recall, precision);
+}
+inline auto members(FirstTierBounds& bounds) {
+  auto& [pessimistic, optimistic] = bounds;
+  return std::tie(pessimistic, optimistic);
+}
+inline auto members(Evaluation& evaluation) {
+  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = evaluation;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+}
+/// @}
 
 /// Evaluates a distance matrix against the models' classes, with every model as a query to all others
 /// (docs/reference/definitions.md#measures). labels[i] is the class of model i. Distances need not be symmetric and may

@@ -159,7 +159,6 @@ EvaluationOptions options_of_evaluator(std::string_view name) {
   if (found == evaluators().end()) throw ArgumentError(no_such_word("evaluator", name, evaluator_names()));
   EvaluationOptions options{.protocol = found->protocol,
                             .ties = Ties::index,
-                            .measures = {},
                             .curve = found->curve,
                             .minimum_class_size = found->minimum_class_size};
   for (const EvaluatorScore& score : found->scores) options.measures.push_back(measure_of_score(score));

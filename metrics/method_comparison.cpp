@@ -1,7 +1,5 @@
 #include "shapegauge/metrics/method_comparison.h"
 
-#include <algorithm>
-#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -59,10 +57,6 @@ double p_value(const Eigen::VectorXd& differences, const UnitValues& units, cons
 }
 
 }  // namespace
-
-std::string name_of(PairTest test) { return std::string(word_of(test)); }
-std::optional<PairTest> pair_test_of(std::string_view name) { return value_of_word<PairTest>(name); }
-std::vector<std::string> pair_test_names() { return list_of_words<PairTest>(); }
 
 double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
   const double of_resamples = 1.0 / (1.0 + options.resampling.resamples);

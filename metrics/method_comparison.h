@@ -21,13 +21,6 @@ enum class PairTest { randomisation, t, bootstrap };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<PairTest>{"randomization", "t", "bootstrap"};
 
-/// Conversion to and from names in files and options: "randomization", "t" or "bootstrap".
-/// @{
-std::string name_of(PairTest test);
-std::optional<PairTest> pair_test_of(std::string_view name);
-std::vector<std::string> pair_test_names();
-/// @}
-
 /// Options of a comparison.
 struct ComparisonOptions {
   PairTest test = PairTest::randomisation;

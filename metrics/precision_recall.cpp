@@ -91,13 +91,7 @@ Mean mean_of_column(const Eigen::MatrixXd& table, Eigen::Index column, const Cho
 
 }  // namespace
 
-std::string name_of(CurveKind kind) { return std::string(word_of(kind)); }
-
-std::optional<CurveKind> curve_kind_of(std::string_view name) { return value_of_word<CurveKind>(name); }
-
-std::vector<std::string> curve_kind_names() { return list_of_words<CurveKind>(); }
-
-CurveKind usual_curve(Protocol protocol) { return curve_kind_of(name_of(protocol)).value(); }
+CurveKind usual_curve(Protocol protocol) { return value_of_word<CurveKind>(word_of(protocol)).value(); }
 
 std::vector<double> recall_levels(CurveKind kind, std::size_t largest_relevant) {
   return levels_of(first_level_of(kind), divisions_of(kind, largest_relevant));

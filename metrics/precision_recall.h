@@ -2,9 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,15 +27,6 @@ namespace shapegauge {
 enum class CurveKind { psb, paper, trec, raw, trec_eval };
 template <>
 inline constexpr std::array<std::string_view, 5> words_of<CurveKind>{"psb", "paper", "trec", "raw", "trec_eval"};
-
-/// Returns the name in files and options: "psb", "paper", "trec", "raw" or "trec_eval".
-std::string name_of(CurveKind kind);
-
-/// Returns the kind of that name, if any.
-std::optional<CurveKind> curve_kind_of(std::string_view name);
-
-/// Returns all names, for configurations and error messages.
-std::vector<std::string> curve_kind_names();
 
 /// Returns the default curve of a protocol, which has the same name.
 CurveKind usual_curve(Protocol protocol);

@@ -1,7 +1,6 @@
 #include "shapegauge/metrics/ranked_list.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>

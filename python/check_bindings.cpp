@@ -1,7 +1,5 @@
 // The check of walls and gaps.
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "python/native.h"
 #include "shapegauge/core/check/part_check.h"

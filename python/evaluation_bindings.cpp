@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/datasets/layouts/labels.h"
+#include "shapegauge/experiments/cache/codec.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/evaluation/evaluation_warnings.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
@@ -46,14 +48,14 @@ EvaluationOptions options_of(const std::string& protocol, const std::string& tie
                              const std::string& evaluator) {
   if (!evaluator.empty()) return options_of_evaluator(evaluator);
   EvaluationOptions options;
-  const auto known_protocol = protocol_of(protocol);
+  const auto known_protocol = value_of_word<Protocol>(protocol);
   if (!known_protocol) throw InputError("unknown protocol \"" + protocol + "\"; known are psb, paper and trec");
-  const auto known_ties = ties_of(ties);
+  const auto known_ties = value_of_word<Ties>(ties);
   if (!known_ties) {
     throw InputError("unknown ties \"" + ties + "\"; known are index, optimistic, pessimistic and expected");
   }
   if (!curve.empty()) {
-    options.curve = curve_kind_of(curve);
+    options.curve = value_of_word<CurveKind>(curve);
     if (!options.curve)
       throw InputError("unknown curve \"" + curve + "\"; known are psb, paper, trec, raw and trec_eval");
   }
@@ -132,7 +134,7 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
 /// Returns low and high ends by measure, of the averages over queries and over classes; empty for too few units.
 py::tuple intervals(const Evaluation& evaluation, double confidence, const std::string& blocks, int resamples,
                     std::uint64_t seed, int threads) {
-  const auto known_blocks = resampling_unit_of(blocks);
+  const auto known_blocks = value_of_word<ResamplingUnit>(blocks);
   if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
   const EvaluationIntervals found = compute(threads, [&] {
     return intervals_of(
@@ -147,57 +149,14 @@ py::tuple intervals(const Evaluation& evaluation, double confidence, const std::
   return py::make_tuple(ends(found.micro), ends(found.macro));
 }
 
-/// Converts an evaluation to a tuple for pickle, and back.
-/// @{
-py::tuple state_of(const Evaluation& evaluation) {
-  py::list curves;
-  const auto add = [&](const PrecisionRecallCurve& curve) {
-    curves.append(py::make_tuple(curve.recall, curve.precision));
-  };
-  add(evaluation.micro_curve);
-  add(evaluation.macro_curve);
-  for (const PrecisionRecallCurve& curve : evaluation.class_curves) add(curve);
-  return py::make_tuple(name_of(evaluation.protocol), name_of(evaluation.ties), name_of(evaluation.curve),
-                        evaluation.measures, evaluation.queries, evaluation.query_classes, evaluation.per_query,
-                        evaluation.classes, evaluation.per_class, evaluation.micro, evaluation.macro, curves,
-                        evaluation.models_left_out, evaluation.queries_with_ties,
-                        evaluation.first_tier_bounds.pessimistic, evaluation.first_tier_bounds.optimistic);
-}
-
-Evaluation evaluation_of(const py::tuple& state) {
-  constexpr std::size_t members = 16;
-  if (state.size() != members) throw InputError("a pickle of scores is of another version of shapegauge");
-  std::size_t next = 0;
-  const auto take = [&](auto& value) { value = state[next++].cast<std::decay_t<decltype(value)>>(); };
-  const auto word = [&] { return state[next++].cast<std::string>(); };
-  Evaluation evaluation;
-  evaluation.protocol = protocol_of(word()).value();
-  evaluation.ties = ties_of(word()).value();
-  evaluation.curve = curve_kind_of(word()).value();
-  take(evaluation.measures);
-  take(evaluation.queries);
-  take(evaluation.query_classes);
-  take(evaluation.per_query);
-  take(evaluation.classes);
-  take(evaluation.per_class);
-  take(evaluation.micro);
-  take(evaluation.macro);
-  const auto curves = state[next++].cast<std::vector<std::pair<std::vector<double>, std::vector<double>>>>();
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    PrecisionRecallCurve curve{.recall = curves[i].first, .precision = curves[i].second};
-    if (i < 2) {
-      (i == 0 ? evaluation.micro_curve : evaluation.macro_curve) = std::move(curve);
-    } else {
-      evaluation.class_curves.push_back(std::move(curve));
-    }
+/// Restores an evaluation from the bytes of a pickle.
+Evaluation unpickled(const py::bytes& bytes) {
+  try {
+    return decode<Evaluation>(std::string_view(bytes));
+  } catch (const DamagedBytes&) {
+    throw InputError("a pickle of scores is of another version of shapegauge");
   }
-  take(evaluation.models_left_out);
-  take(evaluation.queries_with_ties);
-  take(evaluation.first_tier_bounds.pessimistic);
-  take(evaluation.first_tier_bounds.optimistic);
-  return evaluation;
 }
-/// @}
 
 /// Comparison of methods, as by the command `compare`.
 struct ComparedMethods {
@@ -221,11 +180,10 @@ ComparedMethods compare_evaluations(const std::vector<std::string>& names,
     compared.methods = {.methods = names,
                         .protocol = name_of(first.protocol),
                         .measures = first.measures,
-                        .classes = first.query_classes,
-                        .values = {}};
-    const auto known = pair_test_of(test);
+                        .classes = first.query_classes};
+    const auto known = value_of_word<PairTest>(test);
     if (!known) throw InputError("unknown test \"" + test + "\"; known are randomization, t and bootstrap");
-    const auto known_blocks = resampling_unit_of(blocks);
+    const auto known_blocks = value_of_word<ResamplingUnit>(blocks);
     if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
     compared.options.test = *known;
     compared.options.blocks = *known_blocks;
@@ -267,7 +225,7 @@ void bind_evaluation(py::module_& module) {
              const std::vector<NamedEvaluation> one{{.method = method, .evaluation = &evaluation}};
              return table_text(summary_table(one), value_of_word<TableFormat>(format).value());
            })
-      .def(py::pickle(&state_of, &evaluation_of));
+      .def(py::pickle([](const Evaluation& evaluation) { return py::bytes(encode(evaluation)); }, &unpickled));
   module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
                             const std::optional<std::vector<int>>& targets, const std::vector<int>& subclasses,
                             const std::optional<Eigen::MatrixXi>& relevance, const std::string& protocol,

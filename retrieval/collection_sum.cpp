@@ -1,12 +1,8 @@
 #include "shapegauge/retrieval/collection_sum.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <string>
-#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <span>
 #include <tbb/blocked_range2d.h>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <string>
-#include <vector>
 
 #include "shapegauge/core/base/distance_rows.h"
 #include "shapegauge/retrieval/distances.h"

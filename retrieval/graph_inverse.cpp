@@ -1,10 +1,8 @@
 #include "shapegauge/retrieval/graph_inverse.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/parallel.h"

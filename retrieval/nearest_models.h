@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include "shapegauge/core/base/error.h"

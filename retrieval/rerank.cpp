@@ -1,7 +1,6 @@
 #include "shapegauge/retrieval/rerank.h"
 
 #include <algorithm>
-#include <array>
 
 #include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/k_reciprocal.h"

@@ -1,7 +1,6 @@
 #include "shapegauge/segmentation/boundary_smoothing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <queue>

@@ -1,7 +1,5 @@
 #include "shapegauge/segmentation/part_model.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace shapegauge {

@@ -1,7 +1,6 @@
 #include "shapegauge/segmentation/region_merging.h"
 
 #include <algorithm>
-#include <compare>
 #include <cstddef>
 #include <queue>
 #include <vector>

@@ -1,10 +1,7 @@
 #include "shapegauge/segmentation/segmentation_proxy.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/perturbation/sample_points.h"

@@ -1,6 +1,5 @@
 #include "shapegauge/segmentation/surface_regions.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,15 +1,12 @@
 #include "shapegauge/segmentation/thick_surface.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/preparation/diagnostics.h"
-#include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/render/splats.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"

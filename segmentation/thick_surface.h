@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <vector>
 
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/segmentation/surface_graph.h"

@@ -21,6 +21,12 @@ constexpr std::string_view word_of(Enumeration value) {
   return words_of<Enumeration>.at(static_cast<std::size_t>(value));
 }
 
+/// Returns the word of a value as a string.
+template <typename Enumeration>
+requires(words_of<Enumeration>.size() > 0) std::string name_of(Enumeration value) {
+  return std::string(word_of(value));
+}
+
 /// Returns the value of a word, if any.
 template <typename Enumeration>
 constexpr std::optional<Enumeration> value_of_word(std::string_view word) {

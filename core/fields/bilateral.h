@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 
 #include "shapegauge/core/base/option_parameters.h"

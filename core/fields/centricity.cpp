@@ -1,7 +1,6 @@
 #include "shapegauge/core/fields/centricity.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
 #include <limits>

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fmt/format.h>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <queue>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -94,18 +91,9 @@ std::vector<Segment> mesh_segments(const Shape& shape, std::span<const std::int3
 class Graph {
  public:
   Graph(Nodes nodes, const std::vector<Segment>& segments) : nodes_(std::move(nodes)) {
-    first_.assign(nodes_.vertices.size() + 1, 0);
-    for (const Segment& s : segments) {
-      ++first_[static_cast<std::size_t>(s.a) + 1];
-      ++first_[static_cast<std::size_t>(s.b) + 1];
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    arcs_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const Segment& s : segments) {
-      arcs_[next[static_cast<std::size_t>(s.a)]++] = {s.b, s.length};
-      arcs_[next[static_cast<std::size_t>(s.b)]++] = {s.a, s.length};
-    }
+    std::vector<Segment> arcs;  // from a to b
+    for (const Segment& s : segments) arcs.insert(arcs.end(), {s, {s.b, s.a, s.length}});
+    arcs_ = bucket_sort(arcs, nodes_.vertices.size(), [](const Segment& arc) { return arc.a; });
   }
 
   /// Dijkstra's algorithm.
@@ -125,22 +113,18 @@ class Graph {
       open.pop();
       const auto node = static_cast<std::size_t>(from);
       if (reached > distance[node]) continue;
-      for (std::size_t i = first_[node]; i < first_[node + 1]; ++i) {
-        double& known = distance[static_cast<std::size_t>(arcs_[i].to)];
-        if (!(reached + arcs_[i].length < known)) continue;
-        known = reached + arcs_[i].length;
-        open.emplace(known, arcs_[i].to);
+      for (std::size_t i = arcs_.first[node]; i < arcs_.first[node + 1]; ++i) {
+        const Segment& arc = arcs_.values[i];
+        double& known = distance[static_cast<std::size_t>(arc.b)];
+        if (!(reached + arc.length < known)) continue;
+        known = reached + arc.length;
+        open.emplace(known, arc.b);
       }
     }
     return at_vertices(distance);
   }
 
  private:
-  struct Arc {
-    std::int32_t to;
-    double length;
-  };
-
   [[nodiscard]] Eigen::VectorXd at_vertices(const std::vector<double>& distance) const {
     Eigen::VectorXd result(static_cast<Eigen::Index>(nodes_.of.size()));
     for (std::size_t v = 0; v < nodes_.of.size(); ++v) {
@@ -152,8 +136,7 @@ class Graph {
   }
 
   Nodes nodes_;
-  std::vector<std::size_t> first_;
-  std::vector<Arc> arcs_;
+  BucketSorted<Segment> arcs_;
 };
 
 GeodesicDistances graph_distances(const Shape& shape, std::span<const std::int32_t> merged, int neighbours) {

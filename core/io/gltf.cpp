@@ -3,14 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <exception>
 #include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <new>
-#include <optional>
 #include <tiny_gltf.h>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include "shapegauge/core/io/stl.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -8,7 +7,6 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <functional>
-#include <limits>
 #include <span>
 #include <string_view>
 #include <unordered_map>

@@ -1,10 +1,8 @@
 #include "shapegauge/core/offset/exterior_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/parallel_parts.h"

@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <cstdint>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 

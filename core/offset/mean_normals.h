@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <vector>
 
 #include "shapegauge/core/offset/grid_surface.h"
 #include "shapegauge/core/shape/shape.h"

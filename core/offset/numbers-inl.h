@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <hwy/highway.h>
-#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {

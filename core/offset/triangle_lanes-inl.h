@@ -8,8 +8,6 @@
 #define SHAPEGAUGE_CORE_OFFSET_TRIANGLE_LANES_INL_H
 #endif
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <hwy/highway.h>

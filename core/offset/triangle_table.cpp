@@ -5,7 +5,6 @@
 #include "shapegauge/core/offset/triangle_table.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 #include <limits>

@@ -1,6 +1,5 @@
 #include "shapegauge/core/perturbation/sample_points.h"
 
-#include <Eigen/Geometry>
 #include <utility>
 #include <vector>
 

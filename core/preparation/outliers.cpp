@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <utility>
 
 #include "shapegauge/core/base/median.h"
 #include "shapegauge/core/shape/point_cloud.h"

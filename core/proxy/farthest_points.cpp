@@ -1,6 +1,5 @@
 #include "shapegauge/core/proxy/farthest_points.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/median.h"
 #include "shapegauge/core/proxy/dense_samples.h"

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "shapegauge/core/shape/shape.h"

@@ -251,17 +251,8 @@ PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::
 }
 
 std::vector<std::int32_t> nearest_points(const Points& points, const Points& among) {
-  const PointTree built(among);
-  std::vector<std::int32_t> nearest(static_cast<std::size_t>(points.rows()));
-  const std::vector<std::int32_t> order = query_order(points);
-  parallel_for_parts(tbb::blocked_range<std::size_t>(0, order.size(), 256), [&](const auto& block) {
-    for (std::size_t place = block.begin(); place != block.end(); ++place) {
-      const std::int32_t i = order[place];
-      double squared_distance = 0;
-      built.tree.knnSearch(points.row(i).data(), 1, &nearest[static_cast<std::size_t>(i)], &squared_distance);
-    }
-  });
-  return nearest;
+  const auto nearest = nearest_among(points, among, 1).indices;
+  return {nearest.data(), nearest.data() + nearest.size()};
 }
 
 std::vector<double> distances_to_sixth(const Points& points) {

@@ -1,6 +1,5 @@
 #include "shapegauge/core/spatial/triangle_bvh.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>

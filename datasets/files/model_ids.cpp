@@ -4,6 +4,7 @@
 #include <compare>
 #include <cstddef>
 #include <set>
+#include <unordered_map>
 
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -48,6 +49,10 @@ std::string end_of(const std::filesystem::path& path, std::ptrdiff_t count) {
   return end.string();
 }
 
+bool is_whole_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 }  // namespace
 
 bool natural_less(std::string_view a, std::string_view b) {
@@ -55,18 +60,25 @@ bool natural_less(std::string_view a, std::string_view b) {
   return order == std::strong_ordering::equal ? a < b : order == std::strong_ordering::less;
 }
 
-namespace {
-
-bool is_whole_number(std::string_view text) {
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-}  // namespace
-
 std::string canonical_model_id(std::string_view id) {
   id = without_shape_extension(id);
   if (id.starts_with('T') && is_whole_number(id.substr(1))) id.remove_prefix(1);
   return std::string(id);
+}
+
+ModelKeys::ModelKeys(const std::vector<std::string>& known_ids) {
+  std::unordered_map<std::string_view, std::string_view> first_with_name;
+  for (const std::string& id : known_ids) {
+    const std::string_view name = without_shape_extension(id);
+    if (name.size() == id.size()) continue;
+    const auto first = first_with_name.emplace(name, id).first;
+    if (first->second != id) ambiguous_.insert(canonical_model_id(id));
+  }
+}
+
+std::string ModelKeys::of(std::string_view id) const {
+  std::string canonical = canonical_model_id(id);
+  return ambiguous_.contains(canonical) ? std::string(id) : canonical;
 }
 
 std::vector<std::string> distinguishing_ends(const std::vector<std::filesystem::path>& paths) {

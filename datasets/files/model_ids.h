@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +17,24 @@ bool natural_less(std::string_view a, std::string_view b);
 /// file (without_shape_extension()) and a `T` before a number. `12`, `T12` and `T12.off` are all "12". Other ids stay
 /// unchanged.
 std::string canonical_model_id(std::string_view id);
+
+/// Keys of models, equal for ids of the same model: canonical_model_id(), but the whole id where several of the known
+/// ids differ in the extension of the shape file only, such as m0.off and m0.obj.
+class ModelKeys {
+ public:
+  ModelKeys() = default;
+  explicit ModelKeys(const std::vector<std::string>& known_ids);
+
+  /// Also distinguishes the models that the other keys distinguish.
+  void add(const ModelKeys& other) { ambiguous_.insert(other.ambiguous_.begin(), other.ambiguous_.end()); }
+
+  [[nodiscard]] std::string of(std::string_view id) const;
+
+  bool operator==(const ModelKeys&) const = default;
+
+ private:
+  std::set<std::string, std::less<>> ambiguous_;  ///< canonical ids of several models
+};
 
 /// Returns the shortest distinguishing suffixes of paths, without extensions if possible: "x" and "y" for a/x.off and
 /// b/y.off, "x.off" and "x.obj" for a/x.off and b/x.obj. Equal paths have equal suffixes.

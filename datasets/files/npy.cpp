@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,115 +29,59 @@ namespace {
 constexpr std::string_view magic = "\x93NUMPY";
 constexpr std::size_t alignment = 64;  // of the data, as NumPy has it
 
-// Parses the dictionary {'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }: only the Python literals that
-// occur in such headers, with keys in any order.
-class DictionaryReader {
- public:
-  DictionaryReader(std::string_view text, std::size_t begin, const std::string& source)
-      : text_(text), begin_(begin), source_(source) {}
-
-  NpyHeader read() {
-    NpyHeader header;
-    expect('{');
-    while (!take('}')) {
-      read_entry(header);
-      if (!take(',') && peek() != '}') fail("expected , or } in the header");
+// Converts a dictionary of Python literals, {'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }, to JSON.
+std::string json_of_literals(std::string_view python) {
+  std::string json;
+  for (const char c : python) {
+    if (c == ')' || c == '}') {
+      json.erase(json.find_last_not_of(" \n") + 1);
+      if (json.ends_with(',')) json.pop_back();
     }
-    if (peek() != '\0') fail("something follows the dictionary in the header");
-    if (!has_type_ || !has_order_ || !has_shape_) {
-      fail("the header must have the keys 'descr', 'fortran_order' and 'shape'");
-    }
-    return header;
-  }
-
- private:
-  void read_entry(NpyHeader& header) {
-    const std::string_view key = read_string();
-    expect(':');
-    if (key == "descr") {
-      if (peek() == '[') fail("the file holds records; save a plain matrix of float32 or float64");
-      header.type = read_string();
-      has_type_ = true;
-    } else if (key == "fortran_order") {
-      header.column_by_column = read_boolean();
-      has_order_ = true;
-    } else if (key == "shape") {
-      header.shape = read_shape();
-      has_shape_ = true;
-    } else {
-      fail(fmt::format("the header has an unknown key {}", quoted_word(key)));
+    switch (c) {
+      case 'L':  // of a number, written by Python 2
+        break;
+      case '\'':
+        json += '"';
+        break;
+      case '(':
+        json += '[';
+        break;
+      case ')':
+        json += ']';
+        break;
+      case 'F':  // of False and True
+      case 'T':
+        json += static_cast<char>(c - 'A' + 'a');
+        break;
+      default:
+        json += c;
     }
   }
+  return json;
+}
 
-  std::string_view read_string() {
-    const char quote = peek();
-    if (quote != '\'' && quote != '"') fail("expected a string in the header");
-    const std::size_t end = text_.find(quote, position_ + 1);
-    if (end == std::string_view::npos) fail("a string in the header does not end");
-    const std::string_view string = text_.substr(position_ + 1, end - position_ - 1);
-    position_ = end + 1;
-    return string;
+// Parses the dictionary, which begins at a byte of the file.
+NpyHeader parse_dictionary(std::string_view text, std::size_t begin, const std::string& source) {
+  const nlohmann::json json = nlohmann::json::parse(json_of_literals(text), nullptr, false);
+  const auto has = [&](const char* key, auto is) { return json.contains(key) && is(json.at(key)); };
+  if (has("descr", [](const nlohmann::json& type) { return type.is_array(); })) {
+    throw InputError(fmt::format("{}: the file holds records; save a plain matrix of float32 or float64", source));
   }
-
-  bool read_boolean() {
-    peek();
-    for (const auto& [word, value] : {std::pair<std::string_view, bool>{"True", true}, {"False", false}}) {
-      if (!text_.substr(position_).starts_with(word)) continue;
-      position_ += word.size();
-      return value;
-    }
-    fail("expected True or False in the header");
+  const auto is_shape = [](const nlohmann::json& shape) {
+    return shape.is_array() && std::all_of(shape.begin(), shape.end(),
+                                           [](const nlohmann::json& size) { return size.is_number_unsigned(); });
+  };
+  if (json.size() != 3 || !has("descr", [](const nlohmann::json& type) { return type.is_string(); }) ||
+      !has("fortran_order", [](const nlohmann::json& order) { return order.is_boolean(); }) ||
+      !has("shape", is_shape)) {
+    throw InputError(fmt::format(
+        "{}: byte {}: the header must be a dictionary of 'descr', 'fortran_order' and 'shape', as numpy.save writes it",
+        source, begin));
   }
-
-  std::vector<std::uint64_t> read_shape() {
-    std::vector<std::uint64_t> shape;
-    expect('(');
-    while (!take(')')) {
-      shape.push_back(read_whole_number());
-      if (!take(',') && peek() != ')') fail("expected , or ) in the shape");
-    }
-    return shape;
-  }
-
-  std::uint64_t read_whole_number() {
-    peek();
-    std::uint64_t value = 0;
-    const char* const first = text_.data() + position_;
-    const auto [stop, error] = std::from_chars(first, text_.data() + text_.size(), value);
-    if (error != std::errc()) fail("expected a whole number in the shape");
-    position_ += static_cast<std::size_t>(stop - first);
-    take('L');  // written by Python 2
-    return value;
-  }
-
-  // Returns the next character that is not white space, without consuming it; '\0' at the end.
-  char peek() {
-    while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\n')) ++position_;
-    return position_ < text_.size() ? text_[position_] : '\0';
-  }
-
-  bool take(char wanted) {
-    if (peek() != wanted) return false;
-    ++position_;
-    return true;
-  }
-
-  void expect(char wanted) {
-    if (!take(wanted)) fail(fmt::format("expected {} in the header", wanted));
-  }
-
-  [[noreturn]] void fail(std::string_view message) const {
-    throw InputError(fmt::format("{}: byte {}: {}", source_, begin_ + position_, message));
-  }
-
-  std::string_view text_;
-  std::size_t begin_;
-  const std::string& source_;
-  std::size_t position_ = 0;
-  bool has_type_ = false;
-  bool has_order_ = false;
-  bool has_shape_ = false;
-};
+  return {.type = json.at("descr").get<std::string>(),
+          .column_by_column = json.at("fortran_order").get<bool>(),
+          .shape = json.at("shape").get<std::vector<std::uint64_t>>()};
+}
 
 }  // namespace
 
@@ -163,7 +108,7 @@ NpyHeader parse_npy_header(std::string_view bytes, const std::string& source) {
     throw InputError(fmt::format("{}: the file ends after {} bytes, within its header", source, bytes.size()));
   }
   const std::size_t begin = bytes.size() - scanner.remaining();
-  NpyHeader header = DictionaryReader(bytes.substr(begin, length), begin, source).read();
+  NpyHeader header = parse_dictionary(bytes.substr(begin, length), begin, source);
   header.data_begin = begin + length;
   return header;
 }

@@ -24,7 +24,7 @@ std::string decimal_text(double number, int decimals);
 /// Table of text cells with formatted numbers. Every row has as many cells as the header.
 struct TextTable {
   std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows{};
   std::size_t text_columns =
       1;  ///< number of leading columns with words, aligned left; the others have numbers, aligned right
   std::vector<Emphasis> emphases{};

@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -83,22 +82,10 @@ const std::vector<GeneratedClass>& generated_classes() {
   return classes;
 }
 
-/// Draws the models of a class, each with its own random stream.
-class ClassModels {
- public:
-  ClassModels(std::size_t class_index, int faces, std::uint64_t seed)
-      : class_index_(class_index), seed_(seed), draw_(generated_classes()[class_index].prepare(faces)) {}
-
-  [[nodiscard]] SolidMesh draw(std::size_t model) const {
-    RandomNumbers random(seed_, (class_index_ << 32U) + model);
-    return draw_(random);
-  }
-
- private:
-  std::size_t class_index_;
-  std::uint64_t seed_;
-  std::function<SolidMesh(RandomNumbers&)> draw_;
-};
+/// Returns the random stream of a model of a class.
+RandomNumbers random_of(std::size_t class_index, std::size_t model, std::uint64_t seed) {
+  return RandomNumbers(seed, (class_index << 32U) + model);
+}
 
 bool belongs_to_dataset(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
@@ -145,39 +132,22 @@ std::string segmentation_text(const Eigen::VectorXi& labels) {
   return text;
 }
 
-class ProgressCounter {
- public:
-  ProgressCounter(const GeneratorProgress& progress, std::size_t total)
-      : progress_(progress), total_(static_cast<int>(total)) {}
-
-  void count_one() {
-    const std::scoped_lock lock(mutex_);
-    ++done_;
-    if (progress_) progress_(done_, total_);
-  }
-
- private:
-  const GeneratorProgress& progress_;
-  std::mutex mutex_;
-  int done_ = 0;
-  int total_;
-};
-
 struct Models {
   std::vector<int> numbers;  // of all classes
   std::filesystem::path folder;
 };
 
 void write_class(std::size_t class_index, const Models& models, const GeneratorOptions& options,
-                 ProgressCounter& counter) {
-  const ClassModels drawn(class_index, options.faces, options.seed);
+                 const std::function<void()>& count_one) {
+  const auto draw = generated_classes()[class_index].prepare(options.faces);
   const auto count = static_cast<std::size_t>(options.models_per_class);
   parallel_for(std::size_t{0}, count, [&](std::size_t model) {
     const std::string name = fmt::format("T{}", models.numbers[class_index * count + model]);
-    const SolidMesh made = drawn.draw(model);
+    RandomNumbers random = random_of(class_index, model, options.seed);
+    const SolidMesh made = draw(random);
     write_off(models.folder / (name + ".off"), made.mesh);
     write_file_atomically(models.folder / (name + ".seg"), segmentation_text(made.labels));
-    counter.count_one();
+    count_one();
   });
 }
 
@@ -244,7 +214,8 @@ Shape generate_model(const GeneratedModel& wanted) {
   require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = most_models - 1});
   require_in_bounds("the number of faces", wanted.faces, faces_option.parameter.bounds);
   const auto class_index = static_cast<std::size_t>(found - generated_classes().begin());
-  return ClassModels(class_index, wanted.faces, wanted.seed).draw(static_cast<std::size_t>(wanted.model)).mesh;
+  RandomNumbers random = random_of(class_index, static_cast<std::size_t>(wanted.model), wanted.seed);
+  return found->prepare(wanted.faces)(random).mesh;
 }
 
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,
@@ -253,8 +224,14 @@ void generate_dataset(const std::filesystem::path& folder, const GeneratorOption
   prepare_folder(folder, options.force);
   const Models models{scattered_numbers(options), folder};
   const auto classes = static_cast<std::size_t>(options.classes);
-  ProgressCounter counter(progress, models.numbers.size());
-  parallel_for(std::size_t{0}, classes, [&](std::size_t c) { write_class(c, models, options, counter); });
+  std::mutex mutex;
+  int done = 0;
+  const auto count_one = [&] {
+    const std::scoped_lock lock(mutex);
+    ++done;
+    if (progress) progress(done, static_cast<int>(models.numbers.size()));
+  };
+  parallel_for(std::size_t{0}, classes, [&](std::size_t c) { write_class(c, models, options, count_one); });
   write_parts(folder, classes);
   write_classification(folder / "test.cla", classification_of(models.numbers, options));
 }

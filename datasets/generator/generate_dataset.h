@@ -6,7 +6,6 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parameter.h"

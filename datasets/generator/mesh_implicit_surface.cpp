@@ -16,7 +16,6 @@
 #include <CGAL/make_surface_mesh.h>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <span>
 #include <unordered_map>
 #include <vector>
 

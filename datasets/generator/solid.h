@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "shapegauge/datasets/generator/skeleton.h"

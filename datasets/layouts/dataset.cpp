@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -35,6 +36,20 @@ std::vector<fs::path> entries(const fs::path& folder, Predicate wanted) {
 }
 
 }  // namespace
+
+int label_of_class(const std::string& name, Dataset& dataset) {
+  const auto found = std::ranges::find(dataset.classes, name);
+  const auto label = static_cast<int>(found - dataset.classes.begin());
+  if (found == dataset.classes.end()) dataset.classes.push_back(name);
+  return label;
+}
+
+void add_model(Model model, std::set<std::string>& ids, Dataset& dataset) {
+  if (!ids.insert(model.id).second) {
+    throw InputError(fmt::format("{}: another file is also model {}; keep one", model.file.string(), model.id));
+  }
+  dataset.models.push_back(std::move(model));
+}
 
 bool is_model_file(const fs::path& path) {
   const std::string name = path.filename().string();

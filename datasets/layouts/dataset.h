@@ -42,6 +42,12 @@ struct Dataset {
   SkippedEntries skipped = {};  ///< of layouts without a list of models
 };
 
+/// Returns the label of a class, adding it if the name is new.
+int label_of_class(const std::string& name, Dataset& dataset);
+
+/// Adds a model. `ids` are those of the models so far. Throws InputError, with the file, for a repeated id.
+void add_model(Model model, std::set<std::string>& ids, Dataset& dataset);
+
 /// Returns true if the name ends in one of unambiguous_shape_extensions(), ignoring case, and is not hidden. A .txt
 /// file may be anything and does not count.
 bool is_model_file(const std::filesystem::path& path);

@@ -72,11 +72,6 @@ ModelLabels all_are_both(Classification classification, const fs::path& path) {
           .queries = models,
           .targets = models,
           .models = models,
-          .subclasses = {},
-          .separate_sets = false,
-          .split = false,
-          .listed = false,
-          .without_ids = false,
           .source = path.string()};
 }
 
@@ -366,11 +361,8 @@ ModelLabels read_shared_labels(const fs::path& queries, const fs::path& targets,
                      .queries = of_queries.models,
                      .targets = of_targets.models,
                      .models = of_queries.models,
-                     .subclasses = {},
                      .separate_sets = true,
-                     .split = false,
                      .listed = of_queries.listed && of_targets.listed,
-                     .without_ids = false,
                      .source = fmt::format("{} and {}", queries.string(), targets.string()),
                      .keys = of_queries.keys};
   labels.keys.add(of_targets.keys);

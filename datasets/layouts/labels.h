@@ -10,19 +10,19 @@
 #include <vector>
 
 #include "shapegauge/datasets/files/classification.h"
-#include "shapegauge/datasets/files/model_keys.h"
+#include "shapegauge/datasets/files/model_ids.h"
 
 namespace shapegauge {
 
 /// Classes of models, and the roles of models as queries and targets.
 struct ModelLabels {
-  Classification classification;                            ///< of all models
-  std::vector<std::string> queries;                         ///< ids as in the classification
-  std::vector<std::string> targets;                         ///< ids as in the classification
-  std::vector<std::string> models;                          ///< all models, in the order of the file
-  std::unordered_map<std::string, std::string> subclasses;  ///< by key; models without one are absent
-  bool separate_sets = false;                               ///< some models are only queries or only targets
-  bool split = false;                                       ///< because a column `split` of the file says so
+  Classification classification;                              ///< of all models
+  std::vector<std::string> queries;                           ///< ids as in the classification
+  std::vector<std::string> targets;                           ///< ids as in the classification
+  std::vector<std::string> models;                            ///< all models, in the order of the file
+  std::unordered_map<std::string, std::string> subclasses{};  ///< by key; models without one are absent
+  bool separate_sets = false;                                 ///< some models are only queries or only targets
+  bool split = false;                                         ///< because a column `split` of the file says so
   bool listed = false;       ///< the file is a list of models, one a line, without groups
   bool without_ids = false;  ///< the file has no ids: models are 0, 1, ... in its order
   std::string source;        ///< prefixes error messages

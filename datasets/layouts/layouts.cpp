@@ -16,7 +16,6 @@
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
-#include "shapegauge/datasets/layouts/add_model.h"
 #include "shapegauge/datasets/layouts/benchmark_layouts.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 

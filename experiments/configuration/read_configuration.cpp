@@ -197,7 +197,9 @@ void require_histograms(const std::vector<SignatureConfiguration>& signatures) {
 
 std::vector<Protocol> protocols_of(const Json& setting) {
   std::vector<Protocol> protocols;
-  const auto add = [&](const Json& name) { protocols.push_back(protocol_of(name.get<std::string>()).value()); };
+  const auto add = [&](const Json& name) {
+    protocols.push_back(value_of_word<Protocol>(name.get<std::string>()).value());
+  };
   if (setting.is_array()) {
     std::ranges::for_each(setting, add);
   } else {

@@ -12,7 +12,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/compressed_files.h"
-#include "shapegauge/datasets/files/model_keys.h"
+#include "shapegauge/datasets/files/model_ids.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/experiments/evaluation/evaluation_warnings.h"
@@ -127,11 +127,7 @@ void check_size(const OpenMatrix& matrix, const MatrixIds& ids, const ModelSourc
 }
 
 EvaluationData data_of(const RankedAnswers& answers, RankedTask ranked) {
-  return {.distances = {},
-          .answers = std::move(ranked.answers),
-          .symmetric = false,
-          .name = answers.name,
-          .task = std::move(ranked.task)};
+  return {.distances = {}, .answers = std::move(ranked.answers), .name = answers.name, .task = std::move(ranked.task)};
 }
 
 // Gives models of a list without ids those of the matrix, in order.

@@ -12,7 +12,6 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/model_ids.h"
-#include "shapegauge/datasets/files/model_keys.h"
 
 namespace shapegauge {
 
@@ -138,9 +137,7 @@ EvaluationTask labelled_task(const MatrixIds& ids, const TaskLabels& labels, con
   }
   EvaluationTask task{.retrieval = {},
                       .query_ids = ids.rows,
-                      .class_names = {},
-                      .same_rows_and_columns = !labels.targets && rows.has_same_models(columns),
-                      .warnings = {}};
+                      .same_rows_and_columns = !labels.targets && rows.has_same_models(columns)};
   for (const ModelClass& known : labels.queries.classification.classes) task.class_names.push_back(known.name);
   set_classes(ids, labels, task.retrieval);
   for (const std::string& id : ids.rows) {

@@ -41,10 +41,10 @@ struct ListCoverage {
 struct EvaluationTask {
   RetrievalTask retrieval;
   std::vector<std::string> query_ids;      ///< by row
-  std::vector<std::string> class_names;    ///< by class in the retrieval task
+  std::vector<std::string> class_names{};  ///< by class in the retrieval task
   bool same_rows_and_columns = false;      ///< row i and column i are the same model
   std::optional<ListCoverage> coverage{};  ///< of ranked lists; a matrix covers all
-  std::vector<std::string> warnings;       ///< remarks on how the files were interpreted
+  std::vector<std::string> warnings{};     ///< remarks on how the files were interpreted
 };
 
 /// Order of rows without ids: natural order of the labels' ids (2 before 10), or that of the labels' file. `usual`:

@@ -14,7 +14,6 @@
 #include "shapegauge/datasets/files/compressed_files.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
-#include "shapegauge/datasets/files/model_keys.h"
 
 namespace shapegauge {
 
@@ -204,13 +203,7 @@ std::vector<MethodScores> read_method_scores(const std::filesystem::path& path) 
     const std::vector<std::string>& cells = rows[i].cells;
     const auto [place, is_new] = places.emplace(std::pair(cells[0], cells[1]), methods.size());
     if (is_new) {
-      methods.push_back({.method = cells[0],
-                         .source = source,
-                         .protocol = cells[1],
-                         .measures = measures,
-                         .queries = {},
-                         .classes = {},
-                         .values = {}});
+      methods.push_back({.method = cells[0], .source = source, .protocol = cells[1], .measures = measures});
       scores.emplace_back();
     }
     methods[place->second].queries.push_back(cells[2]);
@@ -238,8 +231,6 @@ MethodScores method_scores(const std::string& method, const std::string& source,
                       .source = source,
                       .protocol = name_of(evaluation.protocol),
                       .measures = evaluation.measures,
-                      .queries = {},
-                      .classes = {},
                       .values = evaluation.per_query};
   for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
     values.queries.push_back(task.query_ids[static_cast<std::size_t>(evaluation.queries[i])]);
@@ -254,8 +245,7 @@ AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<co
   AlignedMethods aligned{.methods = checked_names(methods, names),
                          .protocol = methods[0].protocol,
                          .measures = measures_to_compare(methods, wanted_measures),
-                         .classes = class_numbers(methods[0].classes),
-                         .values = {}};
+                         .classes = class_numbers(methods[0].classes)};
   const auto queries = static_cast<Eigen::Index>(methods[0].queries.size());
   aligned.values.assign(aligned.measures.size(), Eigen::MatrixXd(queries, static_cast<Eigen::Index>(methods.size())));
   for (std::size_t m = 0; m < methods.size(); ++m) {

@@ -18,9 +18,9 @@ struct MethodScores {
   std::string source;  ///< file of the scores
   std::string protocol;
   std::vector<std::string> measures;
-  std::vector<std::string> queries;  ///< ids
-  std::vector<std::string> classes;  ///< classes of the queries
-  Eigen::MatrixXd values;            ///< queries x measures, fractions
+  std::vector<std::string> queries{};  ///< ids
+  std::vector<std::string> classes{};  ///< classes of the queries
+  Eigen::MatrixXd values{};            ///< queries x measures, fractions
 };
 
 /// File of a run's results that has the scores of all methods for every query.
@@ -46,8 +46,8 @@ struct AlignedMethods {
   std::vector<std::string> methods;
   std::string protocol;
   std::vector<std::string> measures;
-  std::vector<int> classes;             ///< class of each query
-  std::vector<Eigen::MatrixXd> values;  ///< by measure: queries x methods
+  std::vector<int> classes;               ///< class of each query
+  std::vector<Eigen::MatrixXd> values{};  ///< by measure: queries x methods
 };
 
 /// Aligns methods to the same queries and measures: the requested measures, or all common ones. `names` are the

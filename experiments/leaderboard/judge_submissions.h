@@ -2,10 +2,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <string>
-#include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "shapegauge/experiments/cache/cache.h"
@@ -16,22 +13,6 @@
 #include "shapegauge/metrics/method_standings.h"
 
 namespace shapegauge {
-
-/// Codecs of evaluations (codec.h).
-/// @{
-inline auto members(PrecisionRecallCurve& curve) {
-  auto& [recall, precision] = curve;
-  return std::tie(recall, precision);
-}
-inline auto members(FirstTierBounds& bounds) {
-  auto& [pessimistic, optimistic] = bounds;
-  return std::tie(pessimistic, optimistic);
-}
-inline auto members(Evaluation& evaluation) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = evaluation;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
-}
-/// @}
 
 /// Options of judging submissions, common to all of them.
 struct JudgingOptions {

@@ -10,7 +10,6 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/csv.h"
-#include "shapegauge/metrics/measures.h"
 #include "shapegauge/pages/plots/charts.h"
 
 namespace shapegauge {

@@ -107,7 +107,6 @@ TextTable pairs_table(const AlignedMethods& methods, std::span<const MethodCompa
                       const ScoreStyle& style, bool exact) {
   TextTable table{.header = {"measure", "first", "second", "difference", "low", "high", "p", "p_holm", "p_tukey",
                              "p_classes", "effect_size", "wins", "ties", "losses"},
-                  .rows = {},
                   .text_columns = 3};
   for (std::size_t k = 0; k < comparisons.size(); ++k) {
     for (const PairDifference& pair : comparisons[k].pairs) {

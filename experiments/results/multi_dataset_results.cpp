@@ -227,7 +227,6 @@ TextTable multi_dataset_csv_table(const MultiDatasetResults& results, const Scor
 TextTable multi_dataset_pairs_table(const MultiDatasetResults& results) {
   TextTable all{.header = {"protocol", "average", "measure", "first", "second", "difference_of_mean_ranks", "p", "wins",
                            "ties", "losses"},
-                .rows = {},
                 .text_columns = 5};
   for (const MultiDatasetTable& table : results.tables) {
     for (const RankDifference& pair : table.ranks.pairs) {

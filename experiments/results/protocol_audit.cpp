@@ -82,8 +82,7 @@ void add_scores(const Column& column, const std::vector<EvaluatedFiles>& evaluat
     AuditedScore score{.evaluator = column.evaluator,
                        .quantity = column.scores[i].quantity,
                        .measure = column.scores[i].measure,
-                       .values = Eigen::VectorXd(std::ssize(evaluated)),
-                       .ranks = {}};
+                       .values = Eigen::VectorXd(std::ssize(evaluated))};
     for (std::size_t method = 0; method < evaluated.size(); ++method) {
       score.values[static_cast<Eigen::Index>(method)] =
           evaluated[method].evaluation.micro[static_cast<Eigen::Index>(i)];
@@ -194,7 +193,6 @@ TextTable audit_table(const ProtocolAudit& audit, const std::string& quantity, c
 TextTable audit_summary(const ProtocolAudit& audit, const ScoreStyle& style) {
   TextTable table{
       .header = {"score", "evaluator", "definition", "least change", "largest change", "other ranks", "tau"},
-      .rows = {},
       .text_columns = 3};
   for (const std::string& quantity : audited_quantities(audit)) {
     const std::vector<const AuditedScore*> scores = scores_of_quantity(audit, quantity);

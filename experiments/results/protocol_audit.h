@@ -21,7 +21,7 @@ struct AuditedScore {
   std::string quantity;    ///< equal for scores that are compared: "FT"
   std::string measure;     ///< its definition: "shrec21.FT"
   Eigen::VectorXd values;  ///< by method: means over queries, fractions
-  std::vector<std::size_t> ranks;  ///< by method: 1 + the number of methods with a larger value
+  std::vector<std::size_t> ranks{};  ///< by method: 1 + the number of methods with a larger value
 };
 
 /// Scores of the same methods under all evaluators.

@@ -69,8 +69,7 @@ ThicknessSummary summarise(const ScalarField& field, std::optional<double> thres
 TextTable thickness_summary_table(std::span<const NamedSummary> summaries, const SummaryWords& words) {
   const std::string unit = words.unit.empty() ? "" : fmt::format(" ({})", words.unit);
   TextTable table{.header = {"shape", "samples", "missing",
-                             words.unit.empty() ? "area" : fmt::format("area ({}²)", words.unit), "min" + unit},
-                  .rows = {}};
+                             words.unit.empty() ? "area" : fmt::format("area ({}²)", words.unit), "min" + unit}};
   for (const int percent : summary_percentiles) table.header.push_back(name_of_percentile(percent) + unit);
   for (const char* name : {"max", "mean"}) table.header.push_back(name + unit);
   if (words.threshold) table.header.push_back(fmt::format("area below {:g}{} (%)", *words.threshold, words.unit));

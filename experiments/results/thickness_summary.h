@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/datasets/files/table.h"

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <fmt/format.h>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <utility>
 

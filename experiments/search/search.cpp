@@ -1,13 +1,11 @@
 #include "shapegauge/experiments/search/search.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <map>
 #include <numeric>
 #include <system_error>
 #include <utility>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/search/index_rows.h"

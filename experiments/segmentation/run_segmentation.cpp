@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <fmt/format.h>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
 
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/shape/samples.h"

@@ -77,7 +77,6 @@ TextTable distances_table(const ShapeComparisonResults& results) {
 TextTable errors_table(const ShapeComparisonResults& results) {
   TextTable table{.header = {"signature", "shape", "samples", "missing", "median_of_diagonal",
                              "percentile_90_of_diagonal", "median_relative", "percentile_90_relative"},
-                  .rows = {},
                   .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, Row row) {
     const FieldMeasurement& measured = measurement_of(results, i, j);
@@ -100,7 +99,6 @@ TextTable normals_table(const ShapeComparisonResults& results) {
   TextTable table{
       .header = {"signature", "shape", "samples", "offset_mean_degrees", "offset_median_degrees",
                  "offset_percentile_90_degrees", "own_mean_degrees", "own_median_degrees", "own_percentile_90_degrees"},
-      .rows = {},
       .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, Row row) {
     const FieldMeasurement& measured = measurement_of(results, i, j);
@@ -117,7 +115,6 @@ TextTable normals_table(const ShapeComparisonResults& results) {
 TextTable timings_table(const ShapeComparisonResults& results) {
   TextTable table{.header = {"signature", "shape", "samples", "read_seconds", "build_seconds", "query_seconds",
                              "microseconds_per_sample"},
-                  .rows = {},
                   .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, Row row) {
     const FieldMeasurement& measured = measurement_of(results, i, j);

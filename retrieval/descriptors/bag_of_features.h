@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <span>
-#include <vector>
 
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"

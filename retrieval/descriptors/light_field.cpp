@@ -10,7 +10,6 @@
 #include <memory>
 #include <numbers>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>

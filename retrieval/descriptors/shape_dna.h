@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"

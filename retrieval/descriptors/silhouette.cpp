@@ -7,7 +7,6 @@
 #include <mutex>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <utility>
 

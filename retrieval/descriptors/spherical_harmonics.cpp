@@ -6,7 +6,6 @@
 #include <boost/math/special_functions/spherical_harmonic.hpp>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <numbers>
 #include <vector>
 

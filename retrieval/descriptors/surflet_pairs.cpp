@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <functional>
 #include <numeric>
-#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"

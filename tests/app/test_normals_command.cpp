@@ -5,7 +5,7 @@
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
-#include "shapegauge/core/sdf/offset_normals.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
@@ -44,7 +44,7 @@ TEST_F(NormalsCommand, AreOutwardAtFacesInCsv) {
   EXPECT_EQ(outcome.output + outcome.errors, "");
   const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
   const Samples samples = sample_shape(mesh, SampleSite::faces);
-  const Points expected = offset_normals(mesh, samples, {.offset = 0.02}).normals;
+  const Points expected = offset_sdf(mesh, samples, {.offset = 0.02}).normals;
   ASSERT_EQ(rows.size(), static_cast<std::size_t>(expected.rows()) + 1);
   EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"index", "nx", "ny", "nz", "weight"}));
   for (Eigen::Index i = 0; i < expected.rows(); ++i) {
@@ -63,7 +63,7 @@ TEST_F(NormalsCommand, OfACloudReadBackInEveryFormat) {
   const Shape read = read_shape(at("x.ply"));
   const Shape written = read_shape(at("cloud.off"));
   const Points expected =
-      offset_normals(written, sample_shape(written, SampleSite::vertices), {.offset = automatic_offset(written).offset})
+      offset_sdf(written, sample_shape(written, SampleSite::vertices), {.offset = automatic_offset(written).offset})
           .normals;
   EXPECT_LT((read.normals - expected).cwiseAbs().maxCoeff(), 1e-12);
   ASSERT_EQ(normals("cloud.off", "--offset auto", "x.xyz").status, 0);

@@ -36,10 +36,12 @@ TEST(UnitValues, ContributionsHaveTheAverageAsTheirMean) {
 }
 
 TEST(UnitValues, HaveTheirNamesBothWays) {
-  for (const std::string& name : resampling_unit_names()) EXPECT_EQ(name_of(resampling_unit_of(name).value()), name);
-  for (const std::string& name : average_names()) EXPECT_EQ(name_of(average_of(name).value()), name);
-  EXPECT_FALSE(resampling_unit_of("models"));
-  EXPECT_FALSE(average_of("mean"));
+  for (const std::string& name : list_of_words<ResamplingUnit>())
+    EXPECT_EQ(name_of(value_of_word<ResamplingUnit>(name).value()), name);
+  for (const std::string& name : list_of_words<Average>())
+    EXPECT_EQ(name_of(value_of_word<Average>(name).value()), name);
+  EXPECT_FALSE(value_of_word<ResamplingUnit>("models"));
+  EXPECT_FALSE(value_of_word<Average>("mean"));
 }
 
 TEST(UnitValues, RefuseWhatDoesNotFit) {

@@ -74,8 +74,8 @@ TEST(MethodComparison, TheReferenceWithEachOther) {
 
 TEST(MethodComparison, TheTestsAgreeOnWhatIsPlain) {
   const Example data;
-  for (const std::string& name : pair_test_names()) {
-    const PairTest test = pair_test_of(name).value();
+  for (const std::string& name : list_of_words<PairTest>()) {
+    const PairTest test = value_of_word<PairTest>(name).value();
     EXPECT_EQ(name_of(test), name);
     const MethodComparison result = compare_methods(data.per_query, data.classes, {.test = test});
     EXPECT_LT(result.pairs[1].p, 0.001) << name;
@@ -86,9 +86,9 @@ TEST(MethodComparison, TheTestsAgreeOnWhatIsPlain) {
 TEST(MethodComparison, EqualMethodsAreTied) {
   Example data;
   data.per_query.col(2) = data.per_query.col(0);
-  for (const std::string& name : pair_test_names()) {
+  for (const std::string& name : list_of_words<PairTest>()) {
     const PairDifference pair =
-        compare_methods(data.per_query, data.classes, {.test = pair_test_of(name).value()}).pairs[1];
+        compare_methods(data.per_query, data.classes, {.test = value_of_word<PairTest>(name).value()}).pairs[1];
     EXPECT_EQ(pair.p, 1) << name;
     EXPECT_EQ(pair.p_tukey, 1);
     EXPECT_EQ(pair.effect_size, 0);

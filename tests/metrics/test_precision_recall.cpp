@@ -96,11 +96,12 @@ TEST(PrecisionAtLevels, ModelsThatAreNotInTheListHaveNoPrecision) {
 }
 
 TEST(CurveKind, HasItsNamesBothWaysAndIsUsualForAProtocol) {
-  EXPECT_THAT(curve_kind_names(), ElementsAre("psb", "paper", "trec", "raw", "trec_eval"));
-  for (const std::string& name : curve_kind_names()) EXPECT_EQ(name_of(curve_kind_of(name).value()), name);
-  EXPECT_FALSE(curve_kind_of("smooth"));
-  for (const std::string& name : protocol_names()) {
-    EXPECT_EQ(name_of(usual_curve(protocol_of(name).value())), name);
+  EXPECT_THAT(list_of_words<CurveKind>(), ElementsAre("psb", "paper", "trec", "raw", "trec_eval"));
+  for (const std::string& name : list_of_words<CurveKind>())
+    EXPECT_EQ(name_of(value_of_word<CurveKind>(name).value()), name);
+  EXPECT_FALSE(value_of_word<CurveKind>("smooth"));
+  for (const std::string& name : list_of_words<Protocol>()) {
+    EXPECT_EQ(name_of(usual_curve(value_of_word<Protocol>(name).value())), name);
   }
 }
 

@@ -14,20 +14,20 @@ namespace shapegauge {
 namespace {
 
 TEST(Protocol, HasItsNamesBothWays) {
-  EXPECT_THAT(protocol_names(), testing::ElementsAre("psb", "paper", "trec"));
-  for (const std::string& name : protocol_names()) {
-    const auto protocol = protocol_of(name);
+  EXPECT_THAT(list_of_words<Protocol>(), testing::ElementsAre("psb", "paper", "trec"));
+  for (const std::string& name : list_of_words<Protocol>()) {
+    const auto protocol = value_of_word<Protocol>(name);
     ASSERT_TRUE(protocol) << name;
     EXPECT_EQ(name_of(*protocol), name);
   }
-  EXPECT_EQ(protocol_of("psb"), Protocol::psb);
-  EXPECT_EQ(protocol_of("paper"), Protocol::paper);
+  EXPECT_EQ(value_of_word<Protocol>("psb"), Protocol::psb);
+  EXPECT_EQ(value_of_word<Protocol>("paper"), Protocol::paper);
 }
 
 TEST(Protocol, OtherNamesMeanNothing) {
-  EXPECT_FALSE(protocol_of(""));
-  EXPECT_FALSE(protocol_of("PSB"));
-  EXPECT_FALSE(protocol_of("psb "));
+  EXPECT_FALSE(value_of_word<Protocol>(""));
+  EXPECT_FALSE(value_of_word<Protocol>("PSB"));
+  EXPECT_FALSE(value_of_word<Protocol>("psb "));
 }
 
 constexpr double protocol_rounding = 1e-13;
@@ -58,9 +58,9 @@ std::vector<Eigen::RowVectorXd> all_orders(const EvaluationCase& data, Eigen::In
 }
 
 TEST(Ties, HaveTheirNamesBothWays) {
-  EXPECT_THAT(ties_names(), testing::ElementsAre("index", "optimistic", "pessimistic", "expected"));
-  for (const std::string& name : ties_names()) EXPECT_EQ(name_of(ties_of(name).value()), name);
-  EXPECT_FALSE(ties_of("random"));
+  EXPECT_THAT(list_of_words<Ties>(), testing::ElementsAre("index", "optimistic", "pessimistic", "expected"));
+  for (const std::string& name : list_of_words<Ties>()) EXPECT_EQ(name_of(value_of_word<Ties>(name).value()), name);
+  EXPECT_FALSE(value_of_word<Ties>("random"));
 }
 
 // Brute force, for data sets of up to six models: the mean over all 720 orders, the best and the worst.

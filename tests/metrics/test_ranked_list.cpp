@@ -82,8 +82,8 @@ TEST(RankedList, TiesAreDecidedAsAsked) {
   EXPECT_THAT(ranked(row, alternating, Protocol::psb, Ties::pessimistic).runs,
               ElementsAre(RankRun{2, 0}, RankRun{2, 2}));
   EXPECT_THAT(ranked(row, alternating, Protocol::psb, Ties::expected).runs, ElementsAre(RankRun{4, 2}));
-  for (const std::string& name : ties_names()) {
-    EXPECT_TRUE(ranked(row, alternating, Protocol::psb, ties_of(name).value()).tied) << name;
+  for (const std::string& name : list_of_words<Ties>()) {
+    EXPECT_TRUE(ranked(row, alternating, Protocol::psb, value_of_word<Ties>(name).value()).tied) << name;
   }
 }
 
@@ -118,8 +118,8 @@ TEST(RankedList, MayEndEarly) {
 
 TEST(RankedList, IsEmptyWithoutAnswerUnderEveryProtocolAndScoresZero) {
   const RetrievalTask task = leave_one_out(alternating);
-  for (const std::string& protocol : protocol_names()) {
-    const ListConventions conventions{.protocol = protocol_of(protocol).value(), .ties = Ties::optimistic};
+  for (const std::string& protocol : list_of_words<Protocol>()) {
+    const ListConventions conventions{.protocol = value_of_word<Protocol>(protocol).value(), .ties = Ties::optimistic};
     for (const RankedList& list :
          {list_of(std::vector<double>{infinity, infinity, 0, infinity, infinity}, task, conventions),
           list_of(std::vector<ListedModel>(), task, conventions)}) {
@@ -131,8 +131,9 @@ TEST(RankedList, IsEmptyWithoutAnswerUnderEveryProtocolAndScoresZero) {
         if (name.ends_with("@k")) name.back() = '3';
         EXPECT_EQ(measure_of(name).value(list), 0) << protocol << " " << name;
       }
-      for (const std::string& curve : curve_kind_names()) {
-        EXPECT_EQ(precision_at_levels(list, curve_kind_of(curve).value(), 3).maxCoeff(), 0) << protocol << " " << curve;
+      for (const std::string& curve : list_of_words<CurveKind>()) {
+        EXPECT_EQ(precision_at_levels(list, value_of_word<CurveKind>(curve).value(), 3).maxCoeff(), 0)
+            << protocol << " " << curve;
       }
     }
   }

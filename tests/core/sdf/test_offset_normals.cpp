@@ -4,7 +4,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/core/sdf/offset_normals.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -17,7 +17,7 @@ Eigen::ArrayXd errors_on_sphere(const Points& points, const Points& normals) {
 }
 
 Points normals_of(const Shape& shape, const Samples& samples, double offset) {
-  const OffsetNormals result = offset_normals(shape, samples, {.offset = offset});
+  const OffsetSdfResult result = offset_sdf(shape, samples, {.offset = offset});
   EXPECT_EQ(result.outcomes.total, static_cast<std::size_t>(samples.points.rows()));
   EXPECT_EQ(result.outcomes.missing, 0U);
   EXPECT_LE(result.outcomes.undecided, result.outcomes.total / 1000);  // between needles of noise
@@ -72,14 +72,14 @@ TEST(OffsetNormals, AreZeroWhereTheSampleIsNotOnTheSurface) {
   Shape sphere = test::sphere(1, 2);
   sphere.vertices.conservativeResize(sphere.vertices.rows() + 1, 3);
   sphere.vertices.bottomRows(1) << 0.5, 0, 0;
-  const OffsetNormals result = offset_normals(sphere, sample_shape(sphere, SampleSite::vertices), {.offset = 0.05});
+  const OffsetSdfResult result = offset_sdf(sphere, sample_shape(sphere, SampleSite::vertices), {.offset = 0.05});
   EXPECT_EQ(result.outcomes.missing, 1U);
   EXPECT_TRUE(result.normals.bottomRows(1).isZero(0));
 }
 
 TEST(OffsetNormals, RefusesWhatTheOffsetSdfRefuses) {
   const Shape sphere = test::sphere(1, 1);
-  EXPECT_THROW(offset_normals(sphere, sample_shape(sphere, SampleSite::faces), {.offset = 0}), InputError);
+  EXPECT_THROW(offset_sdf(sphere, sample_shape(sphere, SampleSite::faces), {.offset = 0}), InputError);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "shapegauge/datasets/files/model_keys.h"
+#include "shapegauge/datasets/files/model_ids.h"
 
 namespace shapegauge {
 

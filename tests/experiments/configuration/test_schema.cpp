@@ -54,9 +54,9 @@ TEST(ExperimentSchema, NamesWhatTheRegistriesName) {
   EXPECT_EQ(schema_at("/field/properties/type/enum"), Json(field_types().names()));
   EXPECT_EQ(schema_at("/perturbation/properties/type/enum"), Json(names_of(perturbation_types())));
   EXPECT_EQ(schema_at("/layout/enum"), Json(dataset_layouts().names()));
-  EXPECT_EQ(schema_at("/protocol/enum"), Json(protocol_names()));
+  EXPECT_EQ(schema_at("/protocol/enum"), Json(list_of_words<Protocol>()));
   EXPECT_EQ(schema_at("/distance/enum"), Json(distances().names()));
-  EXPECT_EQ(schema_at("/evaluation/properties/ties/enum"), Json(ties_names()));
+  EXPECT_EQ(schema_at("/evaluation/properties/ties/enum"), Json(list_of_words<Ties>()));
 }
 
 TEST(ExperimentSchema, DescribesClassificationsAndSplitsOfEachLayout) {

@@ -64,8 +64,8 @@ class FiveShapes : public testing::Test {
   [[nodiscard]] double value(const std::string& measure, const std::string& protocol = "psb",
                              const std::string& ties = "index") const {
     EvaluationOptions options;
-    options.protocol = protocol_of(protocol).value();
-    options.ties = ties_of(ties).value();
+    options.protocol = value_of_word<Protocol>(protocol).value();
+    options.ties = value_of_word<Ties>(ties).value();
     options.measures = {measure_of(measure)};
     return evaluate(whole_matrix(input.distances), input.task.retrieval, options).per_query(0, 0);
   }
@@ -108,7 +108,7 @@ TEST_F(FiveShapes, UnderThePaperProtocol) {
 
 TEST_F(FiveShapes, UnderEveryOrderOfTheTied) {
   const auto rows = table_after("## Ties");
-  EXPECT_EQ(rows.size(), ties_names().size());
+  EXPECT_EQ(rows.size(), list_of_words<Ties>().size());
   for (const auto& row : rows) {
     const std::string ties = row[0].substr(1, row[0].size() - 2);  // between backticks
     expect_printed(row[2], value("mAP", "psb", ties), "mAP " + ties);
@@ -129,9 +129,11 @@ TEST(Guide, NamesTheDistancesThatThereAre) {
 }
 
 TEST(Guide, NamesTheProtocolsAndTheCurvesThatThereAre) {
-  for (const std::string& name : protocol_names()) EXPECT_THAT(guide(), testing::HasSubstr("\n| `" + name + "`"));
+  for (const std::string& name : list_of_words<Protocol>())
+    EXPECT_THAT(guide(), testing::HasSubstr("\n| `" + name + "`"));
   const std::string curves = guide().substr(guide().find("## Precision-recall"));
-  for (const std::string& name : curve_kind_names()) EXPECT_THAT(curves, testing::HasSubstr("\n| `" + name + "` |"));
+  for (const std::string& name : list_of_words<CurveKind>())
+    EXPECT_THAT(curves, testing::HasSubstr("\n| `" + name + "` |"));
 }
 
 }  // namespace

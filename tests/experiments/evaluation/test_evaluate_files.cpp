@@ -92,10 +92,11 @@ TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteForEveryDistance) {
 }
 
 TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteUnderEveryConvention) {
-  for (const std::string& protocol : protocol_names()) {
-    for (const std::string& ties : ties_names()) {
+  for (const std::string& protocol : list_of_words<Protocol>()) {
+    for (const std::string& ties : list_of_words<Ties>()) {
       for (const char* labels : {"labels.csv", "sets.csv"}) {
-        expect_same("l1", labels, {.protocol = protocol_of(protocol).value(), .ties = ties_of(ties).value()});
+        expect_same("l1", labels,
+                    {.protocol = value_of_word<Protocol>(protocol).value(), .ties = value_of_word<Ties>(ties).value()});
       }
     }
   }

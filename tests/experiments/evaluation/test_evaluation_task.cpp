@@ -303,10 +303,11 @@ TEST_F(EvaluationTaskTest, MissingQueriesScoreZeroUnderEveryProtocolAndMeasure) 
   const auto lists = file("one.lists", "a1 a2 a3\n");
   const EvaluationData input =
       open_evaluation_files({.matrix = lists, .labels = labels, .unanswered = Unanswered::count});
-  for (const std::string& protocol : protocol_names()) {
+  for (const std::string& protocol : list_of_words<Protocol>()) {
     for (const char* name :
          {"NN", "FT", "mAP", "MRR", "BEP", "DCG", "nDCG", "bpref", "AUC-PR", "P@N", "R@N", "nDCG@N"}) {
-      EXPECT_DOUBLE_EQ(measure(input, name, protocol_of(protocol).value()), 1.0 / 6) << protocol << " " << name;
+      EXPECT_DOUBLE_EQ(measure(input, name, value_of_word<Protocol>(protocol).value()), 1.0 / 6)
+          << protocol << " " << name;
     }
   }
 }
