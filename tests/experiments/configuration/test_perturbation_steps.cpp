@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -112,57 +111,10 @@ TEST(OneOf, FillsInTheDefaultsOfItsChoices) {
   EXPECT_EQ(settings["choices"][2][0]["with_normals"], false);
 }
 
-using testing::HasSubstr;
-
-/// Checks that the step equals the function of the core, and that its settings reproduce it.
-template <typename OfTheCore>
-void expect_step(const Json& settings, const OfTheCore& of_the_core) {
-  const Shape sphere = test::sphere(1, 3);
-  RandomNumbers random(5);
-  const Shape expected = of_the_core(sphere, random);
-  for (const Perturbation& step :
-       {make_perturbation(settings), make_perturbation(make_perturbation(settings).settings)}) {
-    PerturbationContext context{.random = RandomNumbers(5)};
-    const Shape shape = step.apply(sphere, context);
-    EXPECT_EQ(shape.vertices, expected.vertices) << settings;
-    EXPECT_EQ(shape.triangles, expected.triangles) << settings;
-    EXPECT_EQ(shape.normals, expected.normals) << settings;
-    EXPECT_EQ(step.settings.at("type"), settings.at("type"));
-  }
-}
-
-TEST(MakePerturbation, StepsAreTheFunctionsOfTheCore) {
-  expect_step({{"type", "vertex_noise"}, {"amplitude", 0.02}},
-              [](const Shape& s, RandomNumbers& r) { return vertex_noise(s, {.amplitude = 0.02}, r); });
-  expect_step({{"type", "vertex_noise"}, {"amplitude", 0.02}, {"distribution", "uniform"}},
-              [](const Shape& s, RandomNumbers& r) {
-                return vertex_noise(s, {.amplitude = 0.02, .distribution = NoiseDistribution::uniform}, r);
-              });
-  expect_step({{"type", "remove_faces"}, {"fraction", 0.3}},
-              [](const Shape& s, RandomNumbers& r) { return remove_faces(s, 0.3, r); });
-  expect_step({{"type", "holes"}, {"number", 3}, {"radius", 0.1}},
-              [](const Shape& s, RandomNumbers& r) { return punch_holes(s, {.number = 3, .radius = 0.1}, r); });
-  expect_step({{"type", "decimate"}, {"faces", 200}}, [](const Shape& s, RandomNumbers&) { return decimate(s, 200); });
-  expect_step(
-      {{"type", "sample_points"}, {"points", 70}, {"with_normals", true}},
-      [](const Shape& s, RandomNumbers& r) { return sample_points(s, {.points = 70, .with_normals = true}, r); });
-  expect_step({{"type", "flip_orientation"}, {"fraction", 0.5}},
-              [](const Shape& s, RandomNumbers& r) { return flip_orientation(s, 0.5, r); });
-  expect_step({{"type", "motion"}, {"scale", 10}},
-              [](const Shape& s, RandomNumbers& r) { return random_motion(s, 10, r); });
-}
-
 TEST(MakePerturbation, FillsInDefaults) {
   EXPECT_EQ(to_json(make_perturbations(Json::parse(R"([{"type": "holes"}, {"type": "flip_orientation"}])"))),
             Json::parse(
                 R"([{"type": "holes", "number": 5, "radius": 0.05}, {"type": "flip_orientation", "fraction": 1.0}])"));
-}
-
-TEST(MakePerturbation, SettingsOutOfBoundsAreErrors) {
-  const auto message = [](const Json& settings) { return test::input_error_of([&] { make_perturbation(settings); }); };
-  EXPECT_THAT(message({{"type", "vertex_noise"}, {"amplitude", 2}}), HasSubstr("amplitude is 2"));
-  EXPECT_THAT(message({{"type", "remove_faces"}}), HasSubstr("fraction is missing"));
-  EXPECT_THAT(message({{"type", "motion"}, {"scale", 0.5}}), HasSubstr("scale is 0.5"));
 }
 
 TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
@@ -170,35 +122,6 @@ TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
   const Json inner{{"type", "one_of"}, {"choices", {Json::array({{{"type", "motion"}}})}}};
   const Json outer{{"type", "one_of"}, {"choices", {Json::array({{{"type", "holes"}}}), Json::array({inner})}}};
   EXPECT_EQ(make_perturbation(outer).versions, (Json{{"one_of", 1}, {"holes", 1}, {"motion", 1}}));
-}
-
-TEST(MakePerturbation, KnowsATypeThatWasRegistered) {
-  static constexpr std::array parameters{
-      Parameter{.name = "by", .default_value = 1.0, .bounds = {.low = 0}, .description = "How far."}};
-  shape_perturbations().add({.name = "test_shift",
-                             .description = "Moves the shape along x.",
-                             .parameters = parameters,
-                             .apply =
-                                 [](Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
-                                   shape.vertices.col(0).array() += settings.number("by");
-                                   return shape;
-                                 },
-                             .version = 4});
-  const std::size_t moved = std::ranges::count(perturbation_types(), "test_shift", &PerturbationType::name);
-  EXPECT_EQ(moved, 1U);
-  const Shape box = test::box({1, 2, 3}, 2);
-  const Points shifted = vertices_of(R"([{"type": "test_shift", "by": 3}])", 1, "T1", 0);
-  EXPECT_EQ(shifted.col(0), (box.vertices.col(0).array() + 3).matrix());
-  EXPECT_EQ(shifted.col(1), box.vertices.col(1));
-  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).settings, (Json{{"type", "test_shift"}, {"by", 1.0}}));
-  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).versions, (Json{{"test_shift", 4}}));
-}
-
-TEST(MakePerturbation, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(test::input_error_of([] {
-                make_perturbation({{"type", "melt"}});
-              }),
-              HasSubstr("no perturbation \"melt\""));
 }
 
 }  // namespace
