@@ -13,6 +13,7 @@
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/k_reciprocal.h"
 #include "shapegauge/retrieval/query_expansion.h"
@@ -68,14 +69,6 @@ TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {
         "f.csv"},
        {fmt::format("distances '{}' -o '{}' --distance l3", at("f.csv").string(), at("e.npy").string()),
         "--distance"}});
-}
-
-TEST_F(DescribeCommand, FeaturesThatAreEqualInSinglePrecisionAreAWarning) {
-  test::write_text(at("far.csv"), "1000000000,1\n1000000001,1\n1000000002,1\n");
-  const Outcome outcome = run_executable(
-      fmt::format("distances '{}' -o '{}' --distance l2", at("far.csv").string(), at("far.npy").string()));
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.errors, HasSubstr("2 rows equal others"));
 }
 
 TEST_F(DescribeCommand, WritesARowAShape) {

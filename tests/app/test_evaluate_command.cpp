@@ -345,18 +345,6 @@ TEST_F(EvaluateCommand, JudgementsAreUsuallyOfTheTrecProtocol) {
   EXPECT_EQ(nlohmann::json::parse(run_executable(call + "--protocol psb").output)["protocol"], "psb");
 }
 
-TEST_F(EvaluateCommand, RowsFollowAListOfLabels) {
-  write_text(at("list.csv"), "id,class\n10,a\n2,a\n1,b\n");
-  write_text(at("list.txt"), "0 1 5\n1 0 4\n5 4 0\n");
-  const std::string call = "evaluate '" + at("list.txt") + "' --labels '" + at("list.csv") + "' --format json ";
-  const Outcome usual = run_executable(call);
-  EXPECT_EQ(nlohmann::json::parse(usual.output)["micro"]["NN"], 1);
-  EXPECT_THAT(usual.errors, HasSubstr("--order natural"));
-  const Outcome natural = run_executable(call + "--order natural");
-  EXPECT_EQ(nlohmann::json::parse(natural.output)["micro"]["NN"], 0.5);
-  EXPECT_THAT(natural.errors, testing::Not(HasSubstr("--order")));
-}
-
 }  // namespace
 
 }  // namespace shapegauge

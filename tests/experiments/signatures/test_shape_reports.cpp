@@ -107,35 +107,6 @@ Results two_models() {
   return results;
 }
 
-std::string cell(const TextTable& table, std::size_t row, const std::string& column) {
-  const auto found = std::ranges::find(table.header, column);
-  return found == table.header.end() ? "no such column"
-                                     : table.rows.at(row).at(static_cast<std::size_t>(found - table.header.begin()));
-}
-
-TEST(ShapesTable, HasTheDiagnosticsAndTheOutcomesOfEachModel) {
-  const Results results = two_models();
-  const TextTable table = shapes_table(results.models, results.classes, results.shapes, {}, results.fields);
-  ASSERT_EQ(table.rows.size(), 2U);
-  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
-  EXPECT_EQ(cell(table, 0, "id"), "3");
-  EXPECT_EQ(cell(table, 0, "class"), "bird");
-  EXPECT_EQ(cell(table, 0, "choices"), "2 0");
-  EXPECT_EQ(cell(table, 0, "closed"), "true");
-  EXPECT_EQ(cell(table, 0, "triangles"), "4");
-  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: total"), "4");
-  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: undecided"), "0");
-  EXPECT_EQ(cell(table, 1, "choices"), "");
-  EXPECT_EQ(cell(table, 1, "offset_sdf at=faces offset=0.05: undecided"), "1");
-}
-
-TEST(ShapeSecondsTable, HasTheTimeOfEachField) {
-  const Results results = two_models();
-  const TextTable table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
-  EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf at=faces offset=0.05"}));
-  EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"3", "0.250000"}, {"5", "1.500000"}}));
-}
-
 TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
   Results results = two_models();
   SignatureConfiguration& signature = results.signatures.emplace_back();
