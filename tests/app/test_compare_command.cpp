@@ -77,19 +77,6 @@ TEST_F(CompareCommand, TellsWhatIsBetter) {
   EXPECT_EQ(pairs[0]["wins"].get<int>() + pairs[0]["ties"].get<int>() + pairs[0]["losses"].get<int>(), 60);
 }
 
-TEST_F(CompareCommand, TablesHaveMarksAndTheBestInBold) {
-  const std::string more = "--measures FT --digits 1";
-  EXPECT_THAT(compare_matrices("bad.npy good.npy", more).output,
-              AllOf(HasSubstr("a  bad"), HasSubstr("] a*\n"), HasSubstr("60 queries of 10 classes, protocol psb"),
-                    HasSubstr("p_holm")));
-  EXPECT_THAT(compare_matrices("bad.npy good.npy", more + " --format latex").output,
-              AllOf(StartsWith("\\begin{tabular}"), HasSubstr("]}\\textsuperscript{a*} \\\\"), HasSubstr("\\textbf{")));
-  EXPECT_THAT(
-      compare_matrices("bad.npy good.npy", more + " --format csv").output,
-      StartsWith(
-          "measure,first,second,difference,low,high,p,p_holm,p_tukey,p_classes,effect_size,wins,ties,losses\nFT,bad"));
-}
-
 TEST_F(CompareCommand, TheOutputsOfEvaluateAreComparedAlike) {
   for (const std::string name : {"good", "bad"}) {
     ASSERT_EQ(run_executable("evaluate '" + at(name + ".npy") + "' --labels '" + at("labels.csv") + "' --per-query '" +
@@ -231,11 +218,7 @@ TEST_F(CompareCommand, FilesOfOneNameAreToldApart) {
   expect_error_line(compare_matrices("good.npy bad.npy", "--names ours"), "1 names for 2 methods");
 }
 
-TEST(MeasuresCommand, ExplainsEveryMeasure) {
-  const Outcome text = run_executable("measures");
-  EXPECT_EQ(text.status, 0);
-  EXPECT_THAT(text.output, AllOf(HasSubstr("\nFT, first tier\n    The recall"), HasSubstr("\nP@k, precision at k\n"),
-                                 HasSubstr("    Caveat: ")));
+TEST(MeasuresCommand, ListsEveryMeasureOnce) {
   const auto json = nlohmann::json::parse(run_executable("measures --format json").output);
   EXPECT_EQ(json[0]["name"], "NN");
   std::set<std::string> names;

@@ -29,13 +29,6 @@ class DatasetCommand : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(DatasetCommand, InfoCountsTheClasses) {
-  const Outcome outcome = dataset("info");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("layout shrec11: 9 models in 3 classes"));
-  EXPECT_THAT(outcome.output, HasSubstr("capsule       3"));
-}
-
 TEST_F(DatasetCommand, InfoProposesTheConfiguration) {
   const std::string output = dataset("info").output;
   const std::string key = "\"dataset\": ";

@@ -1,11 +1,8 @@
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <gmock/gmock.h>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "tests/app/program.h"
 #include "tests/datasets/files/write_matrix.h"
@@ -74,18 +71,6 @@ TEST_F(EvaluateCommand, StandardInputIsAsGoodAsAFile) {
        {"evaluate '" + at("toy.npy") + "' --labels '" + at("toy.cla") + "' --input-format npy", "standard input (-)"}});
 }
 
-TEST_F(EvaluateCommand, StandardInputHasEveryFormatOfFiles) {
-  std::string tabs = text_of(at("toy.txt"));
-  std::ranges::replace(tabs, ' ', '\t');
-  write_text(at("toy.tsv"), tabs);
-  const Outcome piped = run_executable("evaluate - --labels '" + at("toy.cla") +
-                                       "' --format json --input-format tsv < '" + at("toy.tsv") + "'");
-  ASSERT_EQ(piped.status, 0) << piped.errors;
-  EXPECT_NEAR(nlohmann::json::parse(piped.output)["micro"]["FT"], .428571, 1e-6);
-  const std::string help = run_executable("evaluate --help").output;
-  for (const std::string_view extension : matrix_extensions()) EXPECT_THAT(help, HasSubstr(extension));
-}
-
 TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
   for (const char* matrix : {"toy.npy", "toy.matrix", "toy.txt"}) {
     const Outcome outcome = evaluate_toy("--format json", matrix);
@@ -102,20 +87,6 @@ TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
     EXPECT_NEAR(json["micro"]["DCG"], .718910, 1e-6);
     EXPECT_TRUE(json["per_class"].contains("B"));
   }
-}
-
-TEST_F(EvaluateCommand, TablesArePercent) {
-  EXPECT_THAT(evaluate_toy("").output, HasSubstr("toy     psb       micro    57.14  42.86  92.86"));
-  EXPECT_THAT(
-      evaluate_toy("--format csv").output,
-      StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\ntoy,psb,micro,57.1429,42.8571,92.8571,59.5238,71.8910,"));
-  EXPECT_THAT(evaluate_toy("--format markdown --protocol paper").output, HasSubstr("| toy    | paper    | micro   |"));
-  EXPECT_THAT(evaluate_toy("--format latex").output, StartsWith("\\begin{tabular}{lllrrrrrr}\n\\toprule"));
-}
-
-TEST_F(EvaluateCommand, TheCurveGoesToItsFile) {
-  ASSERT_EQ(evaluate_toy("--pr '" + at("pr.csv") + "'").status, 0);
-  EXPECT_THAT(text_of(at("pr.csv")), StartsWith("method,protocol,recall,precision,macro_precision\ntoy,psb,0.05,"));
 }
 
 TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
@@ -192,11 +163,6 @@ TEST_F(EvaluateCommand, MeasuresUnitDigitsAndIntervalsAsAsked) {
   EXPECT_THAT(evaluate_toy("--confidence 0.9 --measures FT --blocks queries").output, HasSubstr("42.86 ["));
 }
 
-TEST_F(EvaluateCommand, TheTrecProtocolHasItsMeasures) {
-  EXPECT_THAT(evaluate_toy("--protocol trec --format csv").output,
-              StartsWith("method,protocol,average,mAP,P@10,R@10,MRR,nDCG,R-prec\ntoy,trec,micro,"));
-}
-
 TEST_F(EvaluateCommand, TiesAreToldAndDecidedAsAsked) {
   write_text(at("tied.txt"), "0 1 1\n1 0 1\n1 1 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
@@ -225,25 +191,12 @@ TEST_F(EvaluateCommand, WhatIsOddIsTold) {
               testing::AllOf(HasSubstr("warning: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
 }
 
-TEST_F(EvaluateCommand, NoConfidenceIsNotANumber) {
-  expect_error_line(evaluate_toy("--confidence nan"), "--confidence: Value nan is not a number");
-  expect_error_line(evaluate_toy("--confidence 0.3"), "--confidence: Value 0.3 not in range");
-}
-
 TEST_F(EvaluateCommand, ListsOfAFolderAreNotReplaced) {
   write_text(at("lists/0"), "1\n");
   write_text(at("lists/1.csv"), "0\n");
   expect_error_line(evaluate_toy("--replace --per-query '" + at("lists/1.csv") + "'", "lists"),
                     "would overwrite the input");
   EXPECT_EQ(text_of(at("lists/1.csv")), "0\n");
-}
-
-TEST_F(EvaluateCommand, OneModelHasNoQueries) {
-  write_text(at("one.txt"), "0\n");
-  write_text(at("one.csv"), "id,class\n1,a\n");
-  const Outcome outcome = run_executable("evaluate '" + at("one.txt") + "' --labels '" + at("one.csv") + "'");
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.errors, HasSubstr("no class has 2 models or more, so there are no queries"));
 }
 
 TEST_F(EvaluateCommand, OneClassIsAllHitsAndHasNoIntervalOverClasses) {
@@ -262,6 +215,8 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
   write_text(at("nan.txt"), "0 nan\n1 0\n");
   write_text(at("absent.txt"), "0\n1\n2\n3\n4\n5\n7\n");
   write_text(at("empty.cla"), "");
+  write_text(at("one.txt"), "0\n");
+  write_text(at("one.csv"), "id,class\n1,a\n");
   const std::string toy = "evaluate '" + at("toy.npy") + "' ";
   const std::string labels = "--labels '" + at("toy.cla") + "' ";
   const std::vector<UnusableCall> cases{
@@ -282,18 +237,12 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
       {toy + labels + "--similarity --distance l1", "--similarity"},
       {toy + labels + "--level 1", "no level 1"},
       {toy + labels + "--ids '" + at("absent.txt") + "'", "toy.cla"},
-      {toy + labels + "--pr /nowhere/pr.csv", "/nowhere/pr.csv"}};
+      {toy + labels + "--pr /nowhere/pr.csv", "/nowhere/pr.csv"},
+      {toy + labels + "--confidence nan", "--confidence"},
+      {toy + labels + "--confidence 0.3", "--confidence"},
+      {toy + labels + "--threads 0", "--threads"},
+      {"evaluate '" + at("one.txt") + "' --labels '" + at("one.csv") + "'", "no class has 2 models"}};
   expect_error_lines(cases);
-}
-
-TEST_F(EvaluateCommand, JsonSaysWhatItIsOf) {
-  const auto json = nlohmann::json::parse(evaluate_toy("--format json").output);
-  EXPECT_EQ(json["file"], at("toy.npy"));
-  EXPECT_EQ(json["labels"], at("toy.cla"));
-  EXPECT_EQ(json["protocol"], "psb");
-  EXPECT_EQ(json["method"], "toy");
-  EXPECT_FALSE(json["version"].get<std::string>().empty());
-  EXPECT_FALSE(json.contains("per_query"));
 }
 
 TEST_F(EvaluateCommand, EachQueryIsShownWhereWanted) {
@@ -370,29 +319,6 @@ TEST_F(EvaluateCommand, OneOddityIsOneWarning) {
   EXPECT_THAT(errors, HasSubstr("the answers to 7 of 7 queries"));
 }
 
-TEST_F(EvaluateCommand, AnInfiniteEntryIsNoDifferenceOfZero) {
-  DistanceMatrix distances = DistanceMatrix::Zero(7, 7);
-  for (int i = 0; i < 7; ++i) {
-    for (int j = 0; j < 7; ++j) distances(i, j) = std::abs(i * i - j * j);
-  }
-  distances(1, 4) = std::numeric_limits<double>::infinity();
-  write_npy(at("infinite.npy"), distances);
-  const std::string errors = evaluate_toy("", "infinite.npy").errors;
-  EXPECT_THAT(errors, HasSubstr("not symmetric: 1 pair"));
-  EXPECT_THAT(errors, testing::Not(HasSubstr("by up to")));
-}
-
-TEST_F(EvaluateCommand, LinesOfIdsAndClassesAreATable) {
-  write_text(at("words.txt"), "0 A\n1 A\n2  A\n3\tB\n4 B\n5 B\n6 B\n");
-  const Outcome outcome =
-      run_executable("evaluate '" + at("toy.npy") + "' --labels '" + at("words.txt") + "' --format csv");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_EQ(outcome.output, evaluate_toy("--format csv").output);
-  write_text(at("words.txt"), "red A\nblue A\nbig A\nold B\nnew B\nfar B\nhot B\n");  // also seven classes
-  expect_error_lines({{"evaluate '" + at("toy.npy") + "' --labels '" + at("words.txt") + "'",
-                       "words.txt each model has a different class"}});
-}
-
 TEST_F(EvaluateCommand, IntervalsAreThoseOfCompareWhateverTheOrderOfTheClasses) {
   // Classes in another order than rows.
   write_text(at("toy.cla"), "PSB 1\n3 7\nC 0 2\n5\n6\nB 0 2\n3\n4\nA 0 3\n0\n1\n2\n");
@@ -417,30 +343,6 @@ TEST_F(EvaluateCommand, JudgementsAreUsuallyOfTheTrecProtocol) {
   EXPECT_EQ(json["micro"]["mAP"], 0.5);
   EXPECT_EQ(nlohmann::json::parse(run_executable(call + "-c").output)["micro"]["mAP"], 0.25);
   EXPECT_EQ(nlohmann::json::parse(run_executable(call + "--protocol psb").output)["protocol"], "psb");
-}
-
-TEST_F(EvaluateCommand, AnyNumberOfThreadsGivesTheSameBytes) {
-  EXPECT_EQ(evaluate_toy("--threads 1 --format json").output, evaluate_toy("--threads 3 --format json").output);
-  EXPECT_EQ(evaluate_toy("--threads 0").status, 2);
-}
-
-TEST_F(EvaluateCommand, RowsFollowAListOfLabels) {
-  write_text(at("list.csv"), "id,class\n10,a\n2,a\n1,b\n");
-  write_text(at("list.txt"), "0 1 5\n1 0 4\n5 4 0\n");
-  const std::string call = "evaluate '" + at("list.txt") + "' --labels '" + at("list.csv") + "' --format json ";
-  const Outcome usual = run_executable(call);
-  EXPECT_EQ(nlohmann::json::parse(usual.output)["micro"]["NN"], 1);
-  EXPECT_THAT(usual.errors, HasSubstr("--order natural"));
-  const Outcome natural = run_executable(call + "--order natural");
-  EXPECT_EQ(nlohmann::json::parse(natural.output)["micro"]["NN"], 0.5);
-  EXPECT_THAT(natural.errors, testing::Not(HasSubstr("--order")));
-}
-
-TEST_F(EvaluateCommand, NamesWithLineEndsStayInTheirCells) {
-  std::filesystem::copy_file(at("toy.npy"), at("two\nlines.npy"));
-  EXPECT_THAT(evaluate_toy("--format csv --measures NN", "two\nlines.npy").output,
-              HasSubstr("\n\"two\nlines\",psb,micro,57.1429\n\"two\nlines\",psb,macro,"));
-  EXPECT_THAT(evaluate_toy("--measures NN", "two\nlines.npy").output, HasSubstr("two lines  psb"));
 }
 
 }  // namespace

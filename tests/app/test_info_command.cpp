@@ -44,8 +44,6 @@ TEST(InfoCommand, AVolumeThatIsTooLargeIsSaidToBe) {
   EXPECT_THAT(text.output, testing::Not(HasSubstr("null")));
 }
 
-TEST(InfoCommand, AnAbsentFileIsAnError) { EXPECT_EQ(run_executable("info /nowhere/x.off").status, 2); }
-
 }  // namespace
 
 }  // namespace shapegauge

@@ -68,15 +68,6 @@ TEST(LeaderboardCommand, UpdatesASite) {
   EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("1 pages"), HasSubstr("2 unchanged")));
 }
 
-TEST(LeaderboardCommand, PrintsEachFormat) {
-  const test_board::SmallBoard small;
-  EXPECT_THAT(run_executable(leaderboard(small, "--format csv")).output, HasSubstr("NN_low"));
-  EXPECT_THAT(run_executable(leaderboard(small, "--format latex")).output, HasSubstr("\\begin{tabular}"));
-  EXPECT_THAT(run_executable(leaderboard(small, "--format json --rank-by NN")).output,
-              HasSubstr("\"rank_by\": \"NN\""));
-  EXPECT_THAT(run_executable(leaderboard(small, "--format markdown --digits 1")).output, HasSubstr("| **100.0**"));
-}
-
 TEST(LeaderboardCommand, ComparesMethodsOverDataSets) {
   const test_board::SmallBoard small;
   const auto at = [&](const std::string& name) { return small.folder.path() / name; };
@@ -100,15 +91,6 @@ TEST(LeaderboardCommand, ComparesMethodsOverDataSets) {
   EXPECT_THAT(lacking.errors, testing::AllOf(HasSubstr("\"more\""), HasSubstr("data set t")));
   expect_error_lines({{sets + " " + shell_word(small.submissions()), "--labels"},
                       {sets + " " + shell_word(at("s")), "two data sets"}});
-}
-
-TEST(LeaderboardCommand, SaysWhatLettersClaimAndWarnsOfTooFewClasses) {
-  const test_board::SmallBoard small;
-  const Outcome outcome = run_executable(leaderboard(small));
-  EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("on these classes"), HasSubstr("on classes like these")));
-  EXPECT_THAT(outcome.errors, HasSubstr("3 classes"));
-  EXPECT_THAT(run_executable(leaderboard(small, "--blocks classes")).output,
-              testing::Not(HasSubstr("on these classes")));
 }
 
 TEST(LeaderboardCommand, RefusesWhatItCannotUse) {

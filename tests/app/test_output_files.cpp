@@ -6,7 +6,6 @@
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "tests/app/program.h"
-#include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
@@ -172,19 +171,6 @@ TEST_F(OutputFiles, StandardStreamsAreUsedOnce) {
   const Outcome to_device = run(evaluate + "--per-query /dev/stdout --pr /dev/null --pr-per-class /dev/null");
   EXPECT_EQ(to_device.status, 0) << to_device.errors;
   EXPECT_THAT(to_device.output, HasSubstr("d,psb,p,a,100\n"));
-}
-
-class RunOutputs : public test_command_line::SmallRun {};
-
-TEST_F(RunOutputs, AreNotInTheDataSetNorInPlaceOfTheManifestThatIsRepeated) {
-  const std::string run = "run " + quoted("small.json") + " --output ";
-  const auto files = std::distance(fs::directory_iterator(at("data")), {});
-  expect_error_lines({{run + quoted("data"), "would overwrite the input"},
-                      {run + quoted("data/../data/") + " --force", "would overwrite the input"}});
-  EXPECT_EQ(std::distance(fs::directory_iterator(at("data")), {}), files);
-  ASSERT_EQ(run_executable(run + quoted("out")).status, 0);
-  expect_error_lines(
-      {{"run --replay " + quoted("out/manifest.json") + " --output " + quoted("out"), "would overwrite the input"}});
 }
 
 }  // namespace

@@ -98,34 +98,6 @@ TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
   EXPECT_THAT(run_executable("completion zsh").output, HasSubstr("'*--method[offset"));
 }
 
-TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
-  const auto agree = [&](const std::string& option, const std::string& field) {
-    const Outcome line =
-        run_executable("sdf " + quoted("data/T1.off") + " --replace -o " + quoted("x.npy") + " " + option);
-    const Outcome file = run_executable("run " + quoted("small.json") + " --replace --output " + quoted("out") +
-                                        " --set 'signatures.0.field=" + field + "'");
-    EXPECT_EQ(line.status == 2, file.status == 2) << option << "\n" << line.errors << file.errors;
-    return line.status;
-  };
-  for (const char* offset : {"0", "-1", "1.1", "1", "0.5"}) {
-    const int status = agree(fmt::format("--method offset_sdf --offset {}", offset),
-                             fmt::format(R"({{"type":"offset_sdf","offset":{}}})", offset));
-    EXPECT_EQ(status, offset == std::string("1") || offset == std::string("0.5") ? 0 : 2) << offset;
-  }
-  for (const char* rays : {"0", "-3", "1", "1000001"}) {
-    agree(fmt::format("--method cone_sdf --rays {}", rays), fmt::format(R"({{"type":"cone_sdf","rays":{}}})", rays));
-  }
-  for (const char* angle : {"0", "180", "179", "-1"}) {
-    agree(fmt::format("--method cone_sdf --opening-angle-degrees {}", angle),
-          fmt::format(R"({{"type":"cone_sdf","opening_angle_degrees":{}}})", angle));
-  }
-  const std::string perturb =
-      "perturb " + quoted("data/T1.off") + " --replace -o " + quoted("x.off") + " --noise 0.01 --seed ";
-  EXPECT_EQ(run_executable(perturb + "-1").status, 2);
-  EXPECT_EQ(run_executable(perturb + "0").status, 0);
-  EXPECT_EQ(run_executable("dataset generate " + quoted("made") + " --seed -1").status, 2);
-}
-
 TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
   test::write_text(at("d.csv"), "0,1,1\n1,0,1\n1,1,0\n");  // ties cause a warning
   test::write_text(at("l.txt"), "a\na\nb\n");

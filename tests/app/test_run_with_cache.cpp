@@ -112,32 +112,16 @@ TEST_F(RunWithCache, RunsKilledAtAnyMomentLeaveNothingWrong) {
   EXPECT_EQ(results_in(at("out")), results_in(at("fresh")));
 }
 
-TEST_F(RunWithCache, AnInterruptedRunGoesOnFromTheCache) {
-  write_configuration(2000);
-  {
-    BackgroundRun interrupted(arguments("out"), at("errors"));
-    ASSERT_TRUE(interrupted.wait_until([&] { return fields_kept() >= 2; })) << text_of(at("errors"));
-    interrupted.send(SIGINT);
-    EXPECT_EQ(interrupted.wait(), 130);
-  }
-  EXPECT_THAT(text_of(at("errors")),
-              MatchesRegex("shapegauge: error: interrupted; no results were written[^\n]* in the cache[^\n]*\n"));
-  EXPECT_TRUE(fs::is_empty(at("out")));
-  const std::size_t kept = fields_kept();
-  ASSERT_EQ(run_with_cache("out").status, 0);
-  EXPECT_EQ(cache_use("out")["field"]["from_cache"], kept);
-}
-
-TEST_F(RunWithCache, ATerminatedRunEndsAsAnInterruptedOne) {
+TEST_F(RunWithCache, AnInterruptedOrTerminatedRunGoesOnFromTheCache) {
   write_configuration(2000);
   std::size_t kept = 0;
-  for (const auto& [signal, status] : {std::pair{SIGTERM, 143}, std::pair{SIGHUP, 129}}) {
+  for (const auto& [signal, status] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
     BackgroundRun terminated(arguments("out"), at("errors"));
     ASSERT_TRUE(terminated.wait_until([&] { return fields_kept() >= kept + 1; })) << text_of(at("errors"));
     terminated.send(signal);
     EXPECT_EQ(terminated.wait(), status);
     EXPECT_THAT(text_of(at("errors")),
-                MatchesRegex("shapegauge: error: interrupted; no results were written\\. [^\n]*\n"));
+                MatchesRegex("shapegauge: error: interrupted; no results were written[^\n]* in the cache[^\n]*\n"));
     EXPECT_TRUE(fs::is_empty(at("out"))) << "the lock is gone too";
     kept = fields_kept();
   }
@@ -166,14 +150,6 @@ TEST_F(RunWithCache, TwoRunsMayShareACache) {
   EXPECT_EQ(second.errors + text_of(at("errors")), "");
   EXPECT_EQ(results_in(at("out")), results_in(at("out2")));
   EXPECT_EQ(fields_kept(), 9U);
-}
-
-TEST_F(RunWithCache, AFileInPlaceOfTheCacheIsOneWarning) {
-  write_text(at("cache"), "a file");
-  const Outcome outcome = run_with_cache("out");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: cache disabled for writing: [^\n]*\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("Results in "));
 }
 
 TEST_F(RunWithCache, ADamagedEntryIsOneWarning) {

@@ -64,31 +64,6 @@ TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
   for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_NEAR(std::stod(rows[i].cells[1]), 20, 0.1) << i;
 }
 
-TEST_F(SdfCommand, TheAutomaticOffsetDoesNotClaimToCloseWhatItLeavesOpen) {
-  // A ball with a small hole, and one that has also a wide hole.
-  const auto without = [&](auto is_left_out) {
-    std::vector<Eigen::Index> kept;
-    for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-      if (!is_left_out(f, shape.vertices(shape.triangles(f, 0), 2))) kept.push_back(f);
-    }
-    return Shape{shape.vertices, shape.triangles(kept, Eigen::all)};
-  };
-  const auto errors_of = [&](const Shape& open) {
-    write_off(at("open.off"), open);
-    const Outcome outcome = run_executable("sdf '" + at("open.off") +
-                                           "' --method offset_sdf --offset auto --replace -o '" + at("x.csv") + "'");
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    return outcome.errors;
-  };
-  const std::string cracked = errors_of(without([](Eigen::Index f, double) { return f == 0; }));
-  EXPECT_THAT(cracked, HasSubstr("closes the gaps"));
-  EXPECT_THAT(cracked, testing::Not(HasSubstr("leaks")));
-  const std::string mouth = errors_of(without([](Eigen::Index f, double z) { return f == 0 || z < -8; }));
-  EXPECT_THAT(mouth, testing::Not(HasSubstr("closes the gaps")));
-  EXPECT_THAT(mouth, HasSubstr("no gap that it could close"));
-  EXPECT_THAT(mouth, HasSubstr("stays open"));
-}
-
 TEST_F(SdfCommand, OutliersOfACloudAreSaidAndRemovedOnRequestOrByAuto) {
   const Shape cloud = test::random_points(shape, 3000, 1);
   Shape spoilt = cloud;
@@ -165,16 +140,6 @@ TEST_F(SdfCommand, TimingsHaveTheGapOfAMissingTriangle) {
   const double radius = (b - a).cross(c - a).norm() / ((b - a).norm() + (c - b).norm() + (a - c).norm());
   EXPECT_NEAR(offset["gap_fraction"].get<double>() * bounding_box_diagonal(open), radius,
               0.0055 * bounding_box_diagonal(open));
-}
-
-TEST_F(SdfCommand, TheSameBytesForAnyNumberOfThreads) {
-  for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
-    ASSERT_EQ(sdf("--method offset_sdf --threads 1 -o '" + at(std::string("1") + file) + "'").status, 0);
-    ASSERT_EQ(sdf("--method offset_sdf --threads 3 -o '" + at(std::string("3") + file) + "'").status, 0);
-    const std::string bytes = text_of(at(std::string("1") + file));
-    EXPECT_FALSE(bytes.empty()) << file;
-    EXPECT_TRUE(bytes == text_of(at(std::string("3") + file))) << file;
-  }
 }
 
 TEST_F(SdfCommand, SummariesAreInAnyFormatAndUnit) {

@@ -3,9 +3,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
-#include <vector>
 
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -74,8 +72,6 @@ TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
   options.smoothing.width = 0;
   const Shape shape = read_shape(at("psb/off/1.off"));
   EXPECT_EQ(read_seg(at("x.seg"), shape), part_segmentation(shape, options));
-  EXPECT_THAT(run_executable("segment --help").output,
-              testing::AllOf(HasSubstr("--patches"), HasSubstr("from 1 to 100000; default: 150")));
 }
 
 TEST_F(SegmentCommands, SegmentDrawsAndColours) {
@@ -139,14 +135,6 @@ TEST_F(SegmentCommands, EvaluateSegmentationWritesEachMesh) {
       fmt::format("evaluate-segmentation '{}' --benchmark '{}' --per-mesh '{}'", at("good"), at("psb"), at("x.csv")));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("good,21,cup,0,0,0,0,0,0,0\n"));
-}
-
-TEST_F(SegmentCommands, EvaluateSegmentationPrintsTheMeansForPapers) {
-  const Outcome outcome =
-      run_executable(fmt::format("evaluate-segmentation --benchmark '{}' --format latex", at("psb")));
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, testing::AllOf(StartsWith("\\begin{tabular}"), HasSubstr("people"),
-                                             testing::EndsWith("\\end{tabular}\n")));
 }
 
 TEST_F(SegmentCommands, MeshesWithoutPeopleAreLeftOutWithAWarning) {

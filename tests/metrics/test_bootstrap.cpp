@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/bootstrap.h"
@@ -88,15 +86,9 @@ TEST(Bootstrap, PercentilesAreWidenedAsWorkedByHand) {
   EXPECT_EQ(interval_of_percents(2, 0.99).high, 99);
 }
 
-TEST(Bootstrap, SameBytesForAnyNumberOfThreads) {
-  const auto with_threads = [](std::size_t threads) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return bootstrap_averages(example(), {.resamples = 500, .seed = 9});
-  };
-  const Eigen::MatrixXd one = with_threads(1);
-  EXPECT_EQ(with_threads(2), one);
-  EXPECT_EQ(with_threads(5), one);
-  EXPECT_NE(bootstrap_averages(example(), {.resamples = 500, .seed = 10}), one);
+TEST(Bootstrap, DependsOnTheSeed) {
+  EXPECT_NE(bootstrap_averages(example(), {.resamples = 500, .seed = 9}),
+            bootstrap_averages(example(), {.resamples = 500, .seed = 10}));
 }
 
 TEST(Bootstrap, ResamplesScatterAsTheStandardErrorSays) {

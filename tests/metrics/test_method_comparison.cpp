@@ -2,7 +2,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <tbb/global_control.h>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -72,7 +71,7 @@ TEST(MethodComparison, TheReferenceWithEachOther) {
   EXPECT_EQ(result.pairs[1].second, 2U);
 }
 
-TEST(MethodComparison, TheTestsAgreeOnWhatIsPlain) {
+TEST(MethodComparison, EachTestFindsTheConstantDifferenceAndNoOther) {
   const Example data;
   for (const std::string& name : list_of_words<PairTest>()) {
     const PairTest test = value_of_word<PairTest>(name).value();
@@ -126,7 +125,7 @@ TEST(ClassPValue, IsThatOfTheTTestOfClassMeans) {
   EXPECT_EQ(class_p_value(-differences, classes), class_p_value(differences, classes));
 }
 
-TEST(ClassPValue, ManyQueriesOfOneClassProveNothingForOthers) {
+TEST(ClassPValue, ADifferenceInOneClassOfManyIsNotSignificant) {
   // 140 queries of one class are better, the two other classes are a little worse.
   Eigen::VectorXd differences = Eigen::VectorXd::Ones(160);
   differences.tail(20).setConstant(-0.2);

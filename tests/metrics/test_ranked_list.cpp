@@ -168,7 +168,7 @@ TEST(RankedList, TakesTheMeanOverOpenOrders) {
   EXPECT_DOUBLE_EQ(gain_of_hits(list, [](std::size_t rank) { return static_cast<double>(rank); }), 1 + 2 * 3.0);
 }
 
-TEST(TiedHits, OneHitIsAtAnyRankAlike) {
+TEST(TiedHits, ASingleHitIsEquallyLikelyAtEachRankOfTheTie) {
   const RankedList list = list_of_runs({{2, 0}, {4, 1}});
   ASSERT_EQ(list.precision_at_hit.size(), 1U);
   EXPECT_DOUBLE_EQ(list.precision_at_hit[0], (1.0 / 3 + 1.0 / 4 + 1.0 / 5 + 1.0 / 6) / 4);

@@ -1,9 +1,11 @@
 """What the tests of pages share: a headless Chromium, and a page that is open in it."""
+import argparse
 import json
 import os
 import shutil
 import sys
 import tempfile
+from pathlib import Path
 
 SKIPPED = 77
 
@@ -143,3 +145,18 @@ def check_theme(page):
 def set_theme(page, theme):
     if page.run("return document.documentElement.dataset.theme") != theme:
         page.run("document.getElementById('theme').click()")
+
+
+def main(description, check):
+    """Calls check with the page and the folder of screenshots that the command line names; returns the exit status."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("page", type=Path)
+    parser.add_argument("--screenshots", type=Path, help="folder for pictures of the page")
+    arguments = parser.parse_args()
+    try:
+        check(arguments.page.resolve(), arguments.screenshots)
+    except AssertionError as error:
+        print(f"{arguments.page}: {error}", file=sys.stderr)
+        return 1
+    print(f"{arguments.page}: the page works")
+    return 0

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/pages/multi_dataset_page.h"
+#include "tests/pages/page_text.h"
 #include "tests/pages/sample_multi_dataset.h"
 
 namespace shapegauge {
@@ -12,26 +13,17 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-std::size_t times_in(const std::string& text, const std::string& word) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
-  return found;
-}
-
 TEST(MultiDatasetPage, NoNameCanBreakThePage) {
   const std::string page = multi_dataset_page(test_multi_dataset::sample_multi_dataset().page);
-  EXPECT_EQ(times_in(page, "</script>"), 3U) << "the library, the data, the scripts";
-  EXPECT_EQ(times_in(page, "</title>"), 1U);
+  EXPECT_EQ(test::occurrences(page, "</script>"), 3U) << "the library, the data, the scripts";
+  EXPECT_EQ(test::occurrences(page, "</title>"), 1U);
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 
 TEST(MultiDatasetPage, HasTheValuesRanksAndGroupsOfEachTable) {
   const auto& sample = test_multi_dataset::sample_multi_dataset();
-  const std::string page = multi_dataset_page(sample.page);
-  const std::string opening = R"(id="multi-dataset-data">)";
-  const std::size_t begin = page.find(opening) + opening.size();
-  const auto json = nlohmann::ordered_json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  const auto json = test::data_in(multi_dataset_page(sample.page), "multi-dataset-data");
   ASSERT_EQ(json["tables"].size(), 8U);
   const auto& table = json["tables"][5];
   EXPECT_EQ(table["average"], "micro");

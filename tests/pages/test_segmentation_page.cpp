@@ -6,6 +6,7 @@
 #include "shapegauge/pages/html_page.h"
 #include "shapegauge/pages/palette.h"
 #include "shapegauge/pages/segmentation_page.h"
+#include "tests/pages/page_text.h"
 
 namespace shapegauge {
 namespace {
@@ -35,12 +36,6 @@ SegmentationPage sample_segmentation_page() {
   return page;
 }
 
-std::size_t count_of(const std::string& text, const std::string& word) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
-  return count;
-}
-
 TEST(SegmentationPage, ShowsTextAsTextWithoutScripts) {
   const std::string html = segmentation_page(sample_segmentation_page());
   EXPECT_THAT(html, HasSubstr("<h1>&lt;b&gt;title&lt;/b&gt; {{content}}</h1>"));
@@ -48,14 +43,14 @@ TEST(SegmentationPage, ShowsTextAsTextWithoutScripts) {
   for (const char* word : {"<script", "<b>title", "<i>", "http://", "https://", "@import", "<link"}) {
     EXPECT_THAT(html, Not(HasSubstr(word)));
   }
-  EXPECT_EQ(count_of(html, "</style>"), 1);
+  EXPECT_EQ(test::occurrences(html, "</style>"), 1);
 }
 
 TEST(SegmentationPage, HasABarForEachErrorInTheColourOfItsMethod) {
   const std::string html = segmentation_page(sample_segmentation_page());
-  EXPECT_EQ(count_of(html, "class=\"bar\""), method_colours);  // all methods but the one without an error
-  EXPECT_EQ(count_of(html, "width:45.0%;background:var(--method-0)"), 2);
-  EXPECT_EQ(count_of(html, "background:var(--method-1)"), 0);
+  EXPECT_EQ(test::occurrences(html, "class=\"bar\""), method_colours);  // all methods but the one without an error
+  EXPECT_EQ(test::occurrences(html, "width:45.0%;background:var(--method-0)"), 2);
+  EXPECT_EQ(test::occurrences(html, "background:var(--method-1)"), 0);
 }
 
 TEST(SegmentationPage, ShowsPicturesOrNoGallery) {

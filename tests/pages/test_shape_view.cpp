@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/render/splats.h"
 #include "shapegauge/pages/html_page.h"
+#include "tests/pages/page_text.h"
 #include "tests/pages/sample_views.h"
 #include "tests/support/test_shapes.h"
 
@@ -207,14 +207,10 @@ TEST(ShapeViewPicture, IsSquareAndSeeThroughAroundTheShape) {
 
 TEST(ViewPage, NoNameCanBreakIt) {
   const std::string html = view_page(test_view::page());
-  std::size_t ends = 0;
-  for (std::size_t at = html.find("</script>"); at != std::string::npos; at = html.find("</script>", at + 1)) ++ends;
-  EXPECT_EQ(ends, 3U) << "the libraries, the data, the scripts";
+  EXPECT_EQ(test::occurrences(html, "</script>"), 3U) << "the libraries, the data, the scripts";
   EXPECT_THAT(html, HasSubstr("<title>Balls &amp; &lt;clouds&gt; "));
   EXPECT_THAT(html, Not(HasSubstr("<b>balls")));
-  const std::string opening = R"(id="view-data">)";
-  const std::size_t begin = html.find(opening) + opening.size();
-  const Json data = Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+  const auto data = test::data_in(html, "view-data");
   EXPECT_EQ(data["shapes"][0]["name"], test_view::balls().name);
   EXPECT_EQ(data["missing"][0], "broken<i>.off");
 }

@@ -86,17 +86,3 @@ def test_docstrings_list_every_entry_with_its_settings(function, kind):
         for setting, known in entry["settings"].items():
             default = "required" if known["default"] is None else f"default: {json.dumps(known['default'])}"
             assert f" {setting}: {known['meaning'].rstrip('.')} ({known['values']}; {default})" in text
-
-
-def test_the_docstring_of_sdf_has_its_own_names_and_the_offset():
-    text = inspect.getdoc(sg.sdf)
-    cone = REGISTERED["fields"]["cone_sdf"]["settings"]
-    assert f"opening_angle_degrees: {cone['opening_angle_degrees']['meaning'].rstrip('.')}" in text
-    assert f"default: {json.dumps(REGISTERED['options']['sdf']['offset']['default'])}" in text
-    assert f"postprocess: {cone['postprocess']['meaning'].rstrip('.')}" in text
-
-
-def test_the_docstring_of_run_lists_the_kinds_of_experiments():
-    text = inspect.getdoc(sg.run)
-    for kind, meaning in REGISTERED["experiments"].items():
-        assert f"{kind}: {meaning}" in text

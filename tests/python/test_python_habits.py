@@ -128,14 +128,11 @@ def test_subclasses_grade_models_of_a_class():
     assert abs(scores.per_query["nDCG@N"][0] - gains / ideal) < 1e-12
     plain = sg.evaluate(distances, list("aaaa"), "paper", measures=["nDCG@N"], subclasses=[None, "", "a", "a"])
     assert plain["nDCG@N"] == 1
-    with pytest.raises(sg.InputError, match="3 subclasses for 4 models"):
-        sg.evaluate(distances, list("aaaa"), subclasses=list("xyz"))
-    with pytest.raises(sg.InputError, match="subclasses must be a list, not a str"):
-        sg.evaluate(distances, list("aaaa"), subclasses="xyzx")
-    with pytest.raises(sg.InputError, match="the subclass of row 1 is a list"):
-        sg.evaluate(distances, list("aaaa"), subclasses=["x", [1], "y", "x"])
-    with pytest.raises(sg.InputError, match='the text of the subclasses is "nan" in row 1 '):
-        sg.evaluate(distances, list("aaaa"), subclasses=np.array(["x", np.nan, "y", "x"]))
+    for wrong, words in [(list("xyz"), "3 subclasses for 4 models"), ("xyzx", "subclasses must be a list"),
+                         (["x", [1], "y", "x"], "row 1 is a list"),
+                         (np.array(["x", np.nan, "y", "x"]), '"nan" in row 1 ')]:
+        with pytest.raises(sg.InputError, match=words):
+            sg.evaluate(distances, list("aaaa"), subclasses=wrong)
     with pytest.raises(sg.InputError, match="relevance instead"):
         sg.evaluate(distances, list("aaaa"), targets=list("aaaa"), subclasses=list("xyzx"))
 

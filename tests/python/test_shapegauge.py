@@ -51,17 +51,6 @@ def test_values_do_not_depend_on_threads_or_layout(torus):
     assert one.base is not None  # the array of the computation, not a copy
 
 
-def test_objects_with_arrays_are_shapes(torus):
-    vertices, faces = torus
-    expected, _ = sg.sdf(vertices, faces)
-    trimesh = types.SimpleNamespace(vertices=vertices, faces=faces)
-    open3d = types.SimpleNamespace(vertices=vertices, triangles=faces)
-    for mesh in (trimesh, open3d, sg.Shape(vertices, faces, np.zeros((0, 3)))):
-        np.testing.assert_array_equal(sg.sdf(mesh).values, expected)
-    cloud = types.SimpleNamespace(points=vertices, normals=[])
-    np.testing.assert_array_equal(sg.sdf(cloud, offset="auto").values, sg.sdf(vertices, offset="auto").values)
-
-
 class Rows:
     """Like a vector of Open3D: a sequence of rows convertible by NumPy."""
 
@@ -213,12 +202,6 @@ def test_features_do_not_depend_on_the_unit():
         features = sg.describe(vertices, faces, descriptor, **settings)
         assert np.count_nonzero(features) > 5
         np.testing.assert_array_equal(features, sg.describe(4 * vertices, faces, descriptor, **settings))
-
-
-def test_what_is_odd_is_warned_of():
-    distances, labels = toy()
-    with pytest.warns(UserWarning, match="similarities"):
-        sg.evaluate(distances.max() - distances, labels)
 
 
 SMALL = ["dataset.generate.classes=2", "dataset.generate.models_per_class=3", "dataset.generate.faces=1000"]

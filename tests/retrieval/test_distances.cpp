@@ -2,7 +2,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -67,12 +66,6 @@ std::vector<float> random_histogram(std::mt19937& random) {
   for (float& bin : histogram) bin = std::max(0.0F, uniform(random) - 0.3F);
   histogram[0] += 0.01F;
   return histogram;
-}
-
-TEST(DistanceRegistry, NamesAreDifferent) {
-  std::set<std::string> names;
-  for (const NamedDistance& distance : distances().entries()) names.insert(distance.name);
-  EXPECT_EQ(names.size(), distances().entries().size());
 }
 
 // Assumptions of distance matrices.

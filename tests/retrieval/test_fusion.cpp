@@ -281,7 +281,7 @@ TEST(SumWeights, AreWhatTheDefinitionSays) {
   EXPECT_EQ(sum_weights(matrices, given, SumWeights::given), given);
 }
 
-TEST(SumWeights, AreSmallForDistancesThatSeeNothing) {
+TEST(SumWeights, AreSmallForRandomDistances) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(0.3, 2), random_distances(30, 3)};
   const std::vector<double> weights = sum_weights(matrices, std::vector<double>(3, 1), SumWeights::agreement);
   EXPECT_LT(2 * weights[2], std::min(weights[0], weights[1]));
@@ -313,7 +313,7 @@ TEST(SumWeights, AreAsGivenWhereNothingIsFound) {
   EXPECT_EQ(sum_weights(few, unequal, SumWeights::agreement), unequal);  // all models are near each other
 }
 
-TEST(LocalSpread, IsAnotherWordForRanks) {
+TEST(LocalSpread, IsTheSameAsRanks) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), random_distances(30, 3)};
   EXPECT_EQ(sum_of_distances(matrices, unequal, DistanceScale::local_spread),
             sum_of_distances(matrices, unequal, DistanceScale::ranks));

@@ -1,7 +1,6 @@
 #include <cmath>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "shapegauge/retrieval/nearest_models.h"
@@ -40,30 +39,21 @@ TEST(NearestModels, RefuseWrongNumbers) {
   DistanceMatrix matrix = with_a_far_model();
   EXPECT_THROW(nearest_models(4, 0, rows_of(matrix)), ArgumentError);
   EXPECT_THROW(nearest_models(3, 1, rows_of(matrix)), ArgumentError) << "rows of another length";
-  matrix(0, 1) = -1;
-  EXPECT_THROW(nearest_models(4, 1, rows_of(matrix)), ArgumentError);
-  matrix(0, 1) = std::nan("");
-  EXPECT_THROW(nearest_models(4, 1, rows_of(matrix)), ArgumentError);
   const DistanceMatrix wide = DistanceMatrix::Zero(2, 3);
   EXPECT_THROW(rows_of(wide), ArgumentError);
 }
 
 TEST(NearestModels, NameTheWrongDistance) {
-  const auto error = [](double distance) -> std::string {
+  for (const double wrong : {-1.0, std::nan("")}) {
     DistanceMatrix matrix = DistanceMatrix::Ones(300, 300);  // of two blocks
-    matrix(270, 3) = distance;
+    matrix(270, 3) = wrong;
     try {
       nearest_models(300, 1, rows_of(matrix));
-    } catch (const ArgumentError& refused) {
-      return refused.what();
+      FAIL() << wrong;
+    } catch (const ArgumentError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("row 270, column 3"));
     }
-    return "no error";
-  };
-  const std::string where =
-      "distances between models must be non-negative numbers; that in row 270, column 3 (counted from 0) is ";
-  EXPECT_EQ(error(-1), where + "negative");
-  EXPECT_EQ(error(std::nan("")), where + "not a number");
-  EXPECT_EQ(error(0), "no error");
+  }
 }
 
 TEST(ForEachBlock, VisitsEachRowOnceInOrder) {

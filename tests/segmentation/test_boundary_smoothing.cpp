@@ -78,7 +78,7 @@ TEST(BoundarySmoothing, BordersWithWhatIsOutOfReachCountToo) {
   EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.015, .strength = 0.152}), (Labels{0, 0, 0, 1, 1}));
 }
 
-TEST(BoundarySmoothing, TwoStepsCostTwoWays) {
+TEST(BoundarySmoothing, MovesABorderByTwoNodesOnlyIfThatPays) {
   // Nodes 2 and 3 cost 0.2 * (0.01 + 0.02) / 0.03 = 0.2 together, and save 0.9 of border.
   const ThickSurface surface = row({1, 1, 1, 0.1});
   const Labels labels = {0, 0, 1, 1, 1};
@@ -104,7 +104,7 @@ TEST(BoundarySmoothing, ABorderCostsHalfWhereTheSurfaceIsConcaveEnough) {
   EXPECT_EQ(smoothed(0.14, 10), labels);
 }
 
-TEST(BoundarySmoothing, OfNoWidthMovesNothing) {
+TEST(BoundarySmoothing, OfWidthZeroMovesNothing) {
   const ThickSurface surface = torus();
   const Labels wavy = wavy_halves(surface, 0.2);
   EXPECT_EQ(smoothed_boundaries(surface, wavy, {.width = 0}), wavy);

@@ -219,15 +219,6 @@ TEST(PartSegmentation, CutsACoarseDumbbellWhereItsBarBegins) {
   }
 }
 
-TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {
-  Shape shape = test::dumbbell(3);
-  const Eigen::Index count = shape.triangles.rows();
-  shape.triangles.conservativeResize(count + 2, 3);
-  shape.triangles.row(count) << 0, 0, 1;
-  shape.triangles.row(count + 1) << 0, 1, 1;
-  EXPECT_EQ(part_segmentation(shape, {}).size(), static_cast<std::size_t>(count) + 2);
-}
-
 TEST(PartSegmentation, DoesNotDependOnPlaceSizeAndDirection) {
   const Shape shape = test::dumbbell(4);
   const Shape moved = test::transformed(shape, 40, test::rotation(3), {100, -7, 3});

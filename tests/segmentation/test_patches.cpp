@@ -28,7 +28,7 @@ TEST(Patches, AreAsManyAsWantedConnectedAndOfAboutTheSameSize) {
   }
 }
 
-TEST(Patches, TakeTheirBordersWhereWaysAreDear) {
+TEST(Patches, HaveTheirBordersAtExpensiveLinks) {
   // The ends of a long box are far apart, but its edges are expensive to cross.
   const SurfaceGraph graph = surface_graph(test::box({1, 1, 1}, 8));
   std::vector<double> costs;

@@ -15,7 +15,7 @@ double area_affinity(const Regions& regions, std::int32_t a, std::int32_t b) {
   return 1 / (regions.of(a).area + regions.of(b).area);
 }
 
-TEST(RegionMerging, TakesTheHighestAffinityFirstAndAsksAnew) {
+TEST(RegionMerging, TakesTheHighestAffinityFirstAndComputesItAgain) {
   Regions regions = regions_in_a_row(5);  // areas 1 to 5
   merge_regions(regions, area_affinity, {.parts = 2});
   // 1 + 2 = 3, then 3 + 3 = 6, then 4 + 5 = 9 against 6 + 4 = 10.
@@ -52,7 +52,7 @@ TEST(RegionMerging, CannotMergeWhatDoesNotTouch) {
   EXPECT_EQ(regions.region_of(1), 1);
 }
 
-TEST(RegionMerging, AsksAnewForThePairsOfAMergedRegion) {
+TEST(RegionMerging, ComputesThePairsOfAMergedRegionAgain) {
   // 1 and 2 merge first; merging the result with 0 no longer pays.
   const RegionAffinity affinity = [](const Regions& regions, std::int32_t a, std::int32_t b) {
     if (regions.of(a).nodes + regions.of(b).nodes > 2) return 0.1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <gtest/gtest.h>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -32,5 +33,16 @@ void PrintTo(const NamedShape& named, std::ostream* stream);
 
 /// Meshes without duplicates: closed, open, with an inner wall, and with triangles that share no vertices.
 std::vector<NamedShape> shapes_without_doubles();
+
+/// Calls `check(shape, doubled)` for each doubling of each of these meshes.
+template <typename Check>
+void for_each_doubling(Check check) {
+  for (const auto& [name, shape] : shapes_without_doubles()) {
+    for (const DoubledShape& doubled : doublings(shape)) {
+      SCOPED_TRACE(name + ", " + doubled.name);
+      check(shape, doubled);
+    }
+  }
+}
 
 }  // namespace shapegauge::test

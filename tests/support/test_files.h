@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <gmock/gmock.h>
 #include <string>
 #include <string_view>
 #include <sys/types.h>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 
@@ -62,6 +64,20 @@ std::string input_error_of(const Call& call) {
     return error.what();
   }
   return "no error";
+}
+
+/// An input that a function refuses, and the part of its message that matters: a file, a line, a name.
+struct Refusal {
+  std::string input;
+  std::string word;
+};
+
+/// Checks that the call throws an InputError with the word for each input.
+template <typename Call>
+void expect_refused(const std::vector<Refusal>& refusals, const Call& call) {
+  for (const auto& [input, word] : refusals) {
+    EXPECT_THAT(input_error_of([&] { call(input); }), testing::HasSubstr(word)) << input;
+  }
 }
 
 }  // namespace shapegauge::test

@@ -162,6 +162,28 @@ Shape transformed(const Shape& shape, double scale, const Eigen::Matrix3d& rotat
   return result;
 }
 
+Shape twisted_band(int around, int half_turns) {
+  Shape band;
+  band.vertices.resize(2 * around, 3);
+  band.triangles.resize(2 * around, 3);
+  for (int i = 0; i < around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around;
+    const double tilt = half_turns * angle / 2;
+    for (int side = 0; side < 2; ++side) {
+      const double across = side == 0 ? -0.3 : 0.3;
+      const double radius = 1 + across * std::cos(tilt);
+      band.vertices.row(2 * i + side) << radius * std::cos(angle), radius * std::sin(angle), across * std::sin(tilt);
+    }
+    const bool swaps = i + 1 == around && half_turns % 2 != 0;
+    const int next = 2 * ((i + 1) % around);
+    const int low = next + (swaps ? 1 : 0);
+    const int high = next + (swaps ? 0 : 1);
+    band.triangles.row(2 * i) << 2 * i, 2 * i + 1, high;
+    band.triangles.row(2 * i + 1) << 2 * i, high, low;
+  }
+  return band;
+}
+
 Shape soup(const Shape& shape) {
   const Eigen::Index count = shape.triangles.rows();
   Shape result{Points(3 * count, 3), Triangles(count, 3)};

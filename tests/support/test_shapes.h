@@ -22,6 +22,9 @@ Shape capsule(double radius, double length, int around, int rings);
 /// Torus about z: tube of radius `tube` around a circle of radius `ring`.
 Shape torus(double ring, double tube, int around, int along);
 
+/// Band of `around` squares about z, closed after a number of half turns.
+Shape twisted_band(int around, int half_turns);
+
 /// Union of the parts as a triangle soup.
 Shape joined(const std::vector<Shape>& parts);
 

@@ -1,8 +1,6 @@
 #include <cmath>
-#include <cstring>
 #include <gtest/gtest.h>
 #include <limits>
-#include <tbb/task_arena.h>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
@@ -84,18 +82,6 @@ TEST(Bilateral, WhatIsNotANumberStaysAndDoesNotSpread) {
   const ScalarField smooth = bilateral_smoothing(site.shape, site.samples, field);
   EXPECT_TRUE(std::isnan(smooth.values[10]));
   EXPECT_EQ(smooth.values.array().isNaN().count(), 1);
-}
-
-TEST(Bilateral, SameBytesOnAnyNumberOfThreads) {
-  const Site site = sites()[0];
-  const ScalarField field = noisy_step(site.samples, 0.1);
-  const auto on = [&](int threads) {
-    tbb::task_arena arena(threads);
-    return arena.execute([&] { return bilateral_smoothing(site.shape, site.samples, field).values; });
-  };
-  const Eigen::VectorXd one = on(1);
-  const Eigen::VectorXd four = on(4);
-  EXPECT_EQ(std::memcmp(one.data(), four.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
 TEST(Bilateral, RefusesOptionsOutOfRangeAndOtherSamples) {

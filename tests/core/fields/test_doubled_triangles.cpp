@@ -2,7 +2,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <vector>
 
 #include "shapegauge/core/fields/bilateral.h"
 #include "shapegauge/core/fields/centricity.h"
@@ -34,15 +33,7 @@ double largest_difference(const Eigen::VectorXd& found, const Eigen::VectorXd& e
   return largest;
 }
 
-template <typename Check>
-void for_each_doubling(Check check) {
-  for (const auto& [name, shape] : test::shapes_without_doubles()) {
-    for (const test::DoubledShape& doubled : test::doublings(shape)) {
-      SCOPED_TRACE(name + ", " + doubled.name);
-      check(shape, doubled);
-    }
-  }
-}
+using test::for_each_doubling;
 
 TEST(DoubledTriangles, DoNotChangeGeodesicDistances) {
   for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {

@@ -4,6 +4,8 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #include <utility>
 #include <vector>
 
@@ -226,24 +228,60 @@ TEST(MakeField, AFieldKnowsItsDimension) {
   }
 }
 
-TEST(MakeField, ValuesFollowTheScaleByTheirDimension) {
-  const Shape box = test::box({1, 2, 3}, 4);
-  const Shape two = test::joined({box, test::transformed(box, 1, Eigen::Matrix3d::Identity(), {0, 0, 3.5})});
+/// Settings of each type of the library, at vertices.
+std::vector<FieldSettings> settings_of_all_types() {
+  std::vector<FieldSettings> all;
   for (const FieldType& type : field_types().entries()) {
     if (type.name.starts_with("test_")) continue;
-    const Shape& shape = type.name == "gap" ? two : box;
-    const Shape larger = test::transformed(shape, 3, Eigen::Matrix3d::Identity(), {0, 0, 0});
-    FieldSettings settings = settings_of(type.name, {}, vertex_plan);
-    if (type.name == "offset_sdf") settings.values.set("offset", 0.05);
-    if (type.name.ends_with("_kernel")) settings.values.set("eigenvalues", 20);
-    const double factor = unit_of(make_field(settings).dimension, 3);
-    const auto without_missing = [&](const Shape& of) -> Eigen::VectorXd {
-      return values_of(settings, of).unaryExpr([](double value) { return std::isnan(value) ? 0.0 : value; });
-    };
-    const Eigen::VectorXd values = without_missing(shape);
-    EXPECT_GT(values.norm(), 0) << type.name;
-    EXPECT_TRUE(without_missing(larger).isApprox(factor * values, 1e-3)) << type.name;
+    all.push_back(settings_of(type.name, {}, vertex_plan));
+    if (type.name == "offset_sdf") all.back().values.set("offset", 0.05);
+    if (type.name.ends_with("_kernel")) all.back().values.set("eigenvalues", 20);
   }
+  return all;
+}
+
+/// A box, or two next to each other for the gap between them.
+Shape boxes_for(const FieldSettings& settings) {
+  const Shape box = test::box({1, 2, 3}, 4);
+  if (settings.type != "gap") return box;
+  return test::joined({box, test::transformed(box, 1, Eigen::Matrix3d::Identity(), {0, 0, 3.5})});
+}
+
+Eigen::VectorXd zero_if_missing(const Eigen::VectorXd& values) {
+  return values.unaryExpr([](double value) { return std::isnan(value) ? 0.0 : value; });
+}
+
+TEST(MakeField, ValuesFollowTheScaleByTheirDimension) {
+  for (const FieldSettings& settings : settings_of_all_types()) {
+    const Shape shape = boxes_for(settings);
+    const Shape larger = test::transformed(shape, 3, Eigen::Matrix3d::Identity(), {0, 0, 0});
+    const double factor = unit_of(make_field(settings).dimension, 3);
+    const Eigen::VectorXd values = zero_if_missing(values_of(settings, shape));
+    EXPECT_GT(values.norm(), 0) << settings.type;
+    EXPECT_TRUE(zero_if_missing(values_of(settings, larger)).isApprox(factor * values, 1e-3)) << settings.type;
+  }
+}
+
+TEST(MakeField, ValuesAreTheSameOnAnyNumberOfThreads) {
+  std::vector<FieldSettings> all = settings_of_all_types();
+  all.push_back(settings_of("centricity", {{"on", "proxy"}}, vertex_plan));
+  all.push_back(settings_of("heat_kernel", {{"on", "proxy"}, {"eigenvalues", 20}}, vertex_plan));
+  all.push_back(smoothed(settings_of("cone_sdf"), {{"spatial_width", 0.2}}));
+  const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
+  const auto expect_same = [](const FieldSettings& settings, const Shape& shape) {
+    const Field field = make_field(settings);
+    const Eigen::VectorXd expected = zero_if_missing(compute(field, shape).values);
+    for (const int threads : {1, 7}) {
+      const Eigen::VectorXd found = tbb::task_arena(threads).execute([&]() -> Eigen::VectorXd {
+        FieldSource source(shape);
+        return field.compute(source, take_samples(shape, settings.samples), true).values;
+      });
+      EXPECT_EQ(zero_if_missing(found), expected) << settings.type << " on " << threads;
+    }
+  };
+  for (const FieldSettings& settings : all) expect_same(settings, boxes_for(settings));
+  const Shape cloud = test::random_points(test::torus(1, 0.4, 24, 12), 2000, 1);
+  expect_same(settings_of("heat_kernel", {{"on", "proxy"}, {"eigenvalues", 20}}, vertex_plan), cloud);
 }
 
 TEST(FieldTypes, HaveEachSettingOnce) {

@@ -179,12 +179,6 @@ TEST(InscribedBall, OfPointsWithNormals) {
   EXPECT_NEAR(diameters.mean(), 2, 0.05);
 }
 
-TEST(InscribedBall, IsTheSameOnOneThread) {
-  const Shape shape = test::torus(2, 0.7, 30, 18);
-  const Samples samples = sample_shape(shape, SampleSite::vertices);
-  EXPECT_EQ(inscribed_ball(shape, samples), inscribed_ball(shape, samples, {.parallel = false}));
-}
-
 TEST(InscribedBall, IsAField) {
   const Shape shape = test::sphere(2, 3);
   FieldSettings settings = field_settings("inscribed_ball");

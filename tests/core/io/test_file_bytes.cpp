@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -119,20 +120,13 @@ TEST(AtomicFile, WritesToADeviceAndLeavesItOne) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST(AtomicFile, MissingFolderIsAnError) {
+TEST(AtomicFile, RefusesPathsThatCannotBeWritten) {
   const TemporaryFolder folder;
-  const auto path = folder.path() / "absent" / "out";
-  EXPECT_THAT([&] { write_file_atomically(path, "x"); }, throws_cannot_write(path, "No such file or directory"));
-}
-
-TEST(AtomicFile, FolderInItsPlaceIsAnError) {
-  const TemporaryFolder folder;
-  EXPECT_THAT([&] { write_file_atomically(folder.path(), "x"); }, throws_cannot_write(folder.path(), "Is a directory"));
-}
-
-TEST(AtomicFile, FullDiskIsAnError) {
-  EXPECT_THAT([] { write_file_atomically("/dev/full", "x"); },
-              throws_cannot_write("/dev/full", "No space left on device"));
+  for (const auto& [path, reason] :
+       {std::pair(folder.path() / "absent" / "out", "No such file or directory"),
+        std::pair(folder.path(), "Is a directory"), std::pair(fs::path("/dev/full"), "No space left on device")}) {
+    EXPECT_THAT([&] { write_file_atomically(path, "x"); }, throws_cannot_write(path, reason));
+  }
 }
 
 TEST(AtomicFile, FolderWithoutPermissionIsAnError) {

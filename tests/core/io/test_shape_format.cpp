@@ -8,11 +8,9 @@
 #include <limits>
 #include <rapidcheck/gtest.h>
 #include <string>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/shape_format.h"
-#include "shapegauge/core/shape/polygons.h"
 
 namespace shapegauge {
 
@@ -31,56 +29,6 @@ SoupBuilder square_builder() {
     builder.add_vertex(vertex);
   }
   return builder;
-}
-
-TEST(SoupBuilder, PolygonsAreFansOfTheirFirstCorner) {
-  SoupBuilder builder = square_builder();
-  add_face(builder, {1, 2, 3, 0});
-  EXPECT_EQ(builder.corners(), 4U);
-  EXPECT_EQ(builder.vertices(), 5U);
-  EXPECT_EQ(builder.triangles(), 2U);
-  const Shape shape = builder.shape();
-  EXPECT_EQ(shape.triangles, (Triangles{{1, 2, 3}, {1, 3, 0}}));
-  EXPECT_EQ(shape.vertices.row(4), Eigen::RowVector3d(2, 1, 0));
-}
-
-TEST(SoupBuilder, ANotchIsLeftOut) {
-  // The middle is a corner between the last and the first: the fan about corner 1 or 2 would cover the notch.
-  for (const std::array<std::int32_t, 5>& corners : {std::array<std::int32_t, 5>{0, 4, 1, 2, 3},
-                                                     {4, 1, 2, 3, 0},
-                                                     {1, 2, 3, 0, 4},
-                                                     {2, 3, 0, 4, 1},
-                                                     {3, 0, 4, 1, 2}}) {
-    SoupBuilder builder = square_builder();
-    builder.begin_face();
-    for (const std::int32_t corner : corners) builder.add_corner(corner);
-    const Shape shape = builder.shape();
-    ASSERT_EQ(shape.triangles.rows(), 3);
-    EXPECT_DOUBLE_EQ(surface_area(shape), 16 - 2) << corners[0];
-  }
-}
-
-TEST(SoupBuilder, TrianglesRememberTheirFaces) {
-  SoupBuilder all_triangles = square_builder();
-  add_face(all_triangles, {0, 1, 2});
-  add_face(all_triangles, {0, 2, 3});
-  EXPECT_FALSE(has_polygons(all_triangles.shape()));
-
-  SoupBuilder mixed = square_builder();
-  add_face(mixed, {0, 1});  // no triangle
-  add_face(mixed, {0, 1, 2});
-  add_face(mixed, {0, 1, 2, 3});
-  add_face(mixed, {4});
-  const Shape shape = mixed.shape();
-  EXPECT_EQ(shape.polygons.of_triangle, (std::vector<std::int32_t>{1, 2, 2}));
-  EXPECT_EQ(shape.polygons.count, 4);
-
-  SoupBuilder without_triangle_first = square_builder();
-  add_face(without_triangle_first, {4});
-  add_face(without_triangle_first, {2, 3, 0, 4, 1});  // whose fan would cover the notch
-  const Shape notched = without_triangle_first.shape();
-  EXPECT_EQ(notched.polygons.of_triangle, (std::vector<std::int32_t>{1, 1, 1}));
-  EXPECT_DOUBLE_EQ(surface_area(notched), 14);
 }
 
 TEST(SoupBuilder, NormalsAreThoseOfACloudWithOneForEachPoint) {

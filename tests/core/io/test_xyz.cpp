@@ -1,4 +1,4 @@
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <string>
 
 #include "shapegauge/core/base/error.h"
@@ -7,13 +7,6 @@
 namespace shapegauge {
 
 namespace {
-
-using ::testing::StrEq;
-using ::testing::ThrowsMessage;
-
-void expect_xyz_error(const std::string& text, const std::string& message) {
-  EXPECT_THAT([&] { read_xyz(text, "c.xyz"); }, ThrowsMessage<InputError>(StrEq(message))) << text;
-}
 
 Points three_points() { return (Points(3, 3) << 0, 0, 0.5, 1, 0, -2, 0, 1e3, 0).finished(); }
 
@@ -89,43 +82,27 @@ TEST(ReadXyz, NormalsOfAnySizeBecomeUnitVectors) {
   }
 }
 
-TEST(ReadXyz, UnusableLinesAreNamed) {
-  expect_xyz_error("0 0 0\n1 2\n0 0 0\n", "c.xyz:2: 2 of a point's three coordinates");
-  expect_xyz_error("0 0 0\n\n7\n", "c.xyz:3: 1 of a point's three coordinates");
-  expect_xyz_error("x,y\n0,0,0\n", "c.xyz:1: expected a coordinate, found \"x\"");
-  expect_xyz_error("0 0 0\n0 zero 0\n", "c.xyz:2: expected a coordinate, found \"zero\"");
-  for (const std::string word : {"nan", "inf", "-inf", "1e999"}) {
-    expect_xyz_error("0 0 0\n0 0 " + word + "\n",
-                     "c.xyz:2: a coordinate is not a finite number: \"" + word + "\"; repair or remove the file");
-  }
-  expect_xyz_error("0 0 0 1 2\n0 0 0 1\n", "c.xyz:2: expected 5 columns as in the first point, found 4");
-  for (const std::string normal : {"0 0 nan", "inf 0 0", "0 x 0"}) {
-    expect_xyz_error("0 0 0 0 0 -1\n0 0 0 " + normal + "\n0 0 0 0 0 nan\n",
-                     "c.xyz:2: the normal is not three finite numbers; repair or remove the file");
-  }
-}
-
-TEST(ReadXyz, DecimalCommasAreToldFromSeparators) {
-  const std::string message = "c.xyz:2: commas and other separators are mixed; write decimal points, not commas";
-  for (const std::string line : {"0,5 1,5 -2,5", "0,5;1,5;-2,5", "0,5\t1\t2"})
-    expect_xyz_error("#\n" + line + "\n", message);
-}
-
-TEST(ReadXyz, NumberOfPointsMustBeRight) {
-  expect_xyz_error("3\n0 0 0\n1 0 0\n",
-                   "c.xyz: ends after 2 of 3 points; the file is truncated or its header is wrong");
-  expect_xyz_error("1\n0 0 0\n1 0 0\n0 0 0\n", "c.xyz: found 3 points, but the first line announces 1");
-  expect_xyz_error("1\n0 0 0 1\n1 0 0 1\n", "c.xyz: found 2 points, but the first line announces 1");
-  expect_xyz_error("-1\n0 0 0\n", "c.xyz:1: -1 points cannot be read");
-  expect_xyz_error("1\n0 0 0\n9223372036854775807\n0 0 1\n", "c.xyz:3: 9223372036854775807 points cannot be read");
-  expect_xyz_error("1.5\n0 0 0\n",
-                   "c.xyz:1: expected the number of points, or a point's three coordinates (a whole number), found "
-                   "\"1.5\"");
-}
-
-TEST(ReadXyz, NothingUsableIsAnError) {
-  expect_xyz_error("# nothing\n\n", "c.xyz: contains only white space and comments");
-  EXPECT_EQ(read_xyz("0\n", "c.xyz").vertices.rows(), 0);  // refused by read_shape()
+TEST(ReadXyz, RefusesUnusableLines) {
+  test::expect_refused({{"0 0 0\n1 2\n0 0 0\n", "c.xyz:2: 2 of a point's three"},
+                        {"0 0 0\n\n7\n", "c.xyz:3: 1 of a point's three"},
+                        {"x,y\n0,0,0\n", "c.xyz:1: expected a coordinate"},
+                        {"0 0 0\n0 zero 0\n", "c.xyz:2: expected a coordinate"},
+                        {"0 0 0\n0 0 -inf\n", "c.xyz:2: a coordinate is not a finite number"},
+                        {"0 0 0 1 2\n0 0 0 1\n", "c.xyz:2: expected 5 columns"},
+                        {"0 0 0 0 0 -1\n0 0 0 0 0 nan\n0 0 0 0 0 nan\n", "c.xyz:2: the normal"},
+                        {"0 0 0 0 0 -1\n0 0 0 inf 0 0\n0 0 0 0 0 nan\n", "c.xyz:2: the normal"},
+                        {"0 0 0 0 0 -1\n0 0 0 0 x 0\n0 0 0 0 0 nan\n", "c.xyz:2: the normal"},
+                        {"#\n0,5 1,5 -2,5\n", "c.xyz:2: commas"},
+                        {"#\n0,5;1,5;-2,5\n", "c.xyz:2: commas"},
+                        {"#\n0,5\t1\t2\n", "c.xyz:2: commas"},
+                        {"3\n0 0 0\n1 0 0\n", "2 of 3 points"},
+                        {"1\n0 0 0\n1 0 0\n0 0 0\n", "found 3 points, but the first line announces 1"},
+                        {"1\n0 0 0 1\n1 0 0 1\n", "found 2 points, but the first line announces 1"},
+                        {"-1\n0 0 0\n", "c.xyz:1: -1 points"},
+                        {"1\n0 0 0\n9223372036854775807\n0 0 1\n", "c.xyz:3: 9223372036854775807 points"},
+                        {"1.5\n0 0 0\n", "c.xyz:1: expected the number of points"},
+                        {"# nothing\n\n", "only white space"}},
+                       [](const std::string& text) { read_xyz(text, "c.xyz"); });
 }
 
 TEST(ReadXyz, HeaderAloneCanBeChecked) {

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
@@ -43,13 +42,6 @@ TEST(BlockGrid, OuterBlocksAreFartherThanTheOffsetFromTheBox) {
     EXPECT_GT((high - bounds.max()).minCoeff(), offset);
     EXPECT_LT((bounds.min() - grid.origin).maxCoeff(), offset + 2 * h + 2 * block) << "no more than needed";
   }
-}
-
-TEST(BlockGrid, CellCoordinatesAreThoseOfTheShapeInCellsFromTheCorner) {
-  const BlockGrid grid({Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(2, 3, 4)}, 0.3, 0.1);
-  EXPECT_TRUE(grid.to_cells(grid.origin).isZero(0));
-  const Eigen::Vector3d x = grid.origin + Eigen::Vector3d(0.1, 0.25, 0.4);
-  EXPECT_TRUE(grid.to_cells(x).isApprox(Eigen::Vector3d(1, 2.5, 4), 1e-12));
 }
 
 TEST(BlockGrid, IndicesCountTheBlocksAlongXFirst) {
@@ -121,14 +113,6 @@ TEST(DilateDown, MarksBlocksBelowMarkedOnesAlongAnyAxes) {
       EXPECT_EQ(marked, expected) << size.transpose();
     }
   }
-}
-
-TEST(Dilate, OfNothingIsNothing) {
-  const BlockGrid grid = grid_of_blocks({3, 4, 5});
-  std::vector<std::uint8_t> marked(grid.block_count(), 0);
-  dilate(grid, marked, 2);
-  dilate_down(grid, marked);
-  EXPECT_EQ(std::ranges::count(marked, 0), 60);
 }
 
 }  // namespace

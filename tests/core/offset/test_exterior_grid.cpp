@@ -107,12 +107,6 @@ TEST(ExteriorGrid, ExcludesVoidsAndCavitiesWithANarrowMouth) {
   EXPECT_FALSE(Flooded(test::torus(1, 0.4, 40, 20), 0.65, 0.16).is_exterior({0, 0, 0}));
 }
 
-TEST(ExteriorGrid, IsIndependentOfTheNumberOfThreads) {
-  const Shape torus = test::torus(1, 0.4, 40, 20);
-  EXPECT_EQ(exterior_cells(Flooded(torus, 0.05, 0.0125, true).exterior),
-            exterior_cells(Flooded(torus, 0.05, 0.0125, false).exterior));
-}
-
 /// Returns true if a cell is exterior. Cells beyond the grid have the state of its border.
 bool is_exterior_cell(const ExteriorGrid& exterior, const Eigen::Vector3i& cell) {
   const BlockGrid& grid = exterior.grid();

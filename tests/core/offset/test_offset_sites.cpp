@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
-#include <numbers>
 #include <set>
 #include <vector>
 
@@ -109,14 +108,6 @@ TEST(OffsetSites, AreThoseOfTheExteriorCellsInTheBand) {
   EXPECT_GT(cells, 1000U);
 }
 
-TEST(OffsetSites, OfASphereAreAsManyAsCellsFitIntoTheShell) {
-  const SiteGrid all(test::sphere(1, 4), 0.1);
-  const double inner = (1 + 0.1) / all.grid.cell;
-  const double outer = inner + band_of_sites;
-  const double volume = 4.0 / 3 * std::numbers::pi * (std::pow(outer, 3) - std::pow(inner, 3));
-  EXPECT_NEAR(static_cast<double>(all_sites(all).size()) / volume, 1, 0.02);
-}
-
 TEST(OffsetSites, OccupiedCubesAreThoseWithSites) {
   const SiteGrid all(test::torus(1, 0.4, 24, 16), 0.07);
   const std::vector<std::vector<std::uint32_t>> numbers = sites_by_block(all);
@@ -137,18 +128,6 @@ TEST(OffsetSites, OccupiedCubesAreThoseWithSites) {
   for (const Eigen::Vector3i& cube : all.sites.occupied_cubes) ++listed[index(cube)];
   EXPECT_EQ(listed, expected) << "each once";
   EXPECT_GT(std::ranges::count(expected, 0), 0);
-}
-
-TEST(OffsetSites, AreTheSameOnAnyNumberOfThreads) {
-  const Shape torus = test::torus(1, 0.4, 24, 16);
-  const SiteGrid serial(torus, 0.1, band_of_sites, false);
-  const SiteGrid parallel(torus, 0.1, band_of_sites, true);
-  const std::vector<std::uint32_t> numbers = all_sites(serial);
-  ASSERT_EQ(all_sites(parallel), numbers);
-  for (const std::uint32_t site : numbers) {
-    EXPECT_EQ(serial.sites.place(site), parallel.sites.place(site));
-    EXPECT_EQ(serial.sites.triangle(site), parallel.sites.triangle(site));
-  }
 }
 
 Eigen::Vector3d random_place(RandomNumbers& random, const BlockGrid& grid, double margin) {

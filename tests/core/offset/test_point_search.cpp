@@ -116,7 +116,7 @@ TEST(ClosestTriangles, WithinADistanceAreTheClosestOfAll) {
   }
 }
 
-TEST(ClosestTriangles, OfEqualOnesAreTheFirstWhateverTheWidthOfVectors) {
+TEST(ClosestTriangles, TiesGoToTheLowestIndexForEveryVectorWidth) {
   for (const Shape& shape : {test::torus(1, 0.4, 15, 10), test::sphere(1, 4)}) {
     const Surface of(test::joined({shape, shape}), 0.2);
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {

@@ -16,15 +16,7 @@ namespace shapegauge {
 
 namespace {
 
-template <typename Check>
-void for_each_doubling(Check check) {
-  for (const auto& [name, shape] : test::shapes_without_doubles()) {
-    for (const test::DoubledShape& doubled : test::doublings(shape)) {
-      SCOPED_TRACE(name + ", " + doubled.name);
-      check(shape, doubled);
-    }
-  }
-}
+using test::for_each_doubling;
 
 TEST(DoubledTriangles, PlayNoPartInTheDiagnosis) {
   for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/proxy/dense_samples.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/point_cloud.h"
@@ -167,33 +166,9 @@ TEST(DenseSamples, NormalsAreConsistentWithinASheet) {
   EXPECT_NE(sheets[false], sheets[true]);
 }
 
-/// A band of squares, closed after a number of half turns.
-Shape twisted_band(int half_turns) {
-  constexpr int around = 24;
-  Shape band;
-  band.vertices.resize(2 * around, 3);
-  band.triangles.resize(2 * around, 3);
-  for (int i = 0; i < around; ++i) {
-    const double angle = 2 * std::numbers::pi * i / around;
-    const double tilt = half_turns * angle / 2;
-    for (int side = 0; side < 2; ++side) {
-      const double across = side == 0 ? -0.3 : 0.3;
-      const double radius = 1 + across * std::cos(tilt);
-      band.vertices.row(2 * i + side) << radius * std::cos(angle), radius * std::sin(angle), across * std::sin(tilt);
-    }
-    const bool swaps = i + 1 == around && half_turns % 2 != 0;
-    const int next = 2 * ((i + 1) % around);
-    const int low = next + (swaps ? 1 : 0);
-    const int high = next + (swaps ? 0 : 1);
-    band.triangles.row(2 * i) << 2 * i, 2 * i + 1, high;
-    band.triangles.row(2 * i + 1) << 2 * i, high, low;
-  }
-  return band;
-}
-
 TEST(DenseSamples, AMoebiusBandIsNoSheet) {
   for (const int half_turns : {0, 1, 2, 3}) {
-    const DenseSamples samples = dense(twisted_band(half_turns), 300);
+    const DenseSamples samples = dense(test::twisted_band(24, half_turns), 300);
     const std::set<std::int32_t> sheets(samples.sheets.begin(), samples.sheets.end());
     ASSERT_EQ(sheets.size(), 1U) << half_turns;
     EXPECT_EQ(*sheets.begin() == -1, half_turns % 2 == 1) << half_turns;

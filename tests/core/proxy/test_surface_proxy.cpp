@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <numbers>
 #include <string>
-#include <tbb/global_control.h>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -236,13 +235,6 @@ TEST(SurfaceProxy, DependsNeitherOnOrderNorOnOrientation) {
   EXPECT_TRUE(are_equal(surface_proxy(test::joined({shape, shape})), expected));  // duplicates count once
   const Shape cloud = test::random_points(shape, 5000, 1);
   EXPECT_TRUE(are_equal(surface_proxy(test::permuted(cloud, 3).shape), surface_proxy(cloud)));
-}
-
-TEST(SurfaceProxy, IsTheSameOnAnyNumberOfThreads) {
-  const Shape shape = test::torus(1, 0.3, 20, 50);
-  const SurfaceProxy expected = surface_proxy(shape);
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_TRUE(are_equal(surface_proxy(shape), expected));
 }
 
 TEST(SurfaceProxy, MovesAndScalesWithTheShape) {

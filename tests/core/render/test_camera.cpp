@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/render/camera.h"
 #include "tests/support/test_shapes.h"
 
@@ -45,29 +44,6 @@ TEST(Camera, TheShapeFillsTheImageUpToTheMargin) {
   EXPECT_NEAR(right, 180, 1e-9);
   EXPECT_NEAR(top, 50 - 20, 1e-9);  // 160 pixels for 4 units
   EXPECT_NEAR(bottom, 50 + 20, 1e-9);
-}
-
-TEST(Camera, RefusesOptionsOutOfRange) {
-  const Shape box = test::box({1, 2, 3}, 1);
-  EXPECT_THROW(camera_for(box, {.width = 0}), InputError);
-  EXPECT_THROW(camera_for(box, {.towards_viewer = {0, 0, 0}}), InputError);
-  EXPECT_THROW(camera_for(box, {.up = {0, 0, 0}}), InputError);
-  EXPECT_THROW(camera_for(box, {.rays_per_side = 0}), InputError);
-}
-
-TEST(PrincipalView, TheLongestAxisLiesHorizontally) {
-  const Shape box = test::transformed(test::box({1, 5, 2}, 2), 1, test::rotation(3), {7, 8, 9});
-  const Camera camera = camera_for(box, principal_view(box));
-  const Eigen::Vector3d longest = test::rotation(3).col(1);
-  const Eigen::Vector3d shortest = test::rotation(3).col(0);
-  EXPECT_GT(std::abs(longest.dot(camera.right)), 0.8);
-  EXPECT_GT(std::abs(shortest.dot(camera.forward)), 0.8);
-}
-
-TEST(PrincipalView, WithoutAreaTheOptionsStay) {
-  const RenderOptions options{.towards_viewer = {1, 2, 3}};
-  const Shape flat{Points::Zero(3, 3), Triangles{{0, 1, 2}}};
-  EXPECT_EQ(principal_view(flat, options).towards_viewer, options.towards_viewer);
 }
 
 }  // namespace

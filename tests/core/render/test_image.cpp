@@ -97,11 +97,6 @@ TEST(Image, PngFileHasTheSameBytes) {
   std::filesystem::remove(path);
 }
 
-TEST(Image, UnwritableFileIsAnInputError) {
-  EXPECT_THROW(write_png(std::filesystem::path(testing::TempDir()) / "no such folder" / "a.png", gradient(2, 2, 0)),
-               InputError);
-}
-
 TEST(Image, RefusesWhatIsNoImage) {
   EXPECT_THROW(encode_png(Image{}), ArgumentError);
   Image short_of_a_pixel = gradient(3, 3, 0);

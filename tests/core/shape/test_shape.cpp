@@ -1,5 +1,3 @@
-#include <cmath>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
@@ -54,9 +52,6 @@ TEST(Shape, AllPointsOfACloudCount) {
   EXPECT_EQ(surface_area(cloud), 0);
 }
 
-using testing::StrEq;
-using testing::ThrowsMessage;
-
 TEST(Validity, ShapesWithoutADefect) {
   EXPECT_EQ(defect_of(test::box({1, 2, 0}, 1)), std::nullopt);
   EXPECT_EQ(defect_of(Shape{}), std::nullopt);
@@ -68,9 +63,7 @@ TEST(Validity, NamesTheFirstVertexThatIsNotFinite) {
   shape.vertices(5, 2) = std::numeric_limits<double>::quiet_NaN();
   shape.vertices(3, 0) = std::numeric_limits<double>::infinity();
   EXPECT_EQ(defect_of(shape), "vertex 3 has a coordinate that is not a finite number");
-  EXPECT_THAT(
-      [&] { require_usable(shape); },
-      ThrowsMessage<InputError>(StrEq("the shape is unusable: vertex 3 has a coordinate that is not a finite number")));
+  EXPECT_THROW(require_usable(shape), InputError);
 }
 
 TEST(Validity, NamesTheFirstTriangleWhoseVertexThereIsNot) {

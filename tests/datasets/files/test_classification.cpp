@@ -73,37 +73,31 @@ TEST(ParseClassification, LeadingZerosOfCountsDoNotMatter) {
   EXPECT_EQ(parse_classification("PSB 1\n01 02\na 0 002\nx\ny\n", "x").classes.front().models.size(), 2U);
 }
 
-struct BadFile {
-  const char* text;
-  const char* error;
-};
-
-TEST(ParseClassification, OneClearErrorWithTheLineForEachFault) {
-  const std::array cases = {
-      BadFile{"", "x.cla:1: the file is empty"},
-      BadFile{" \n\n ", "x.cla:3: the file is empty"},
-      BadFile{"OFF\n", "x.cla:1: a classification begins with \"PSB 1\", not with \"OFF\""},
-      BadFile{"PSB 2\n", "x.cla:1: version \"2\""},
-      BadFile{"PSB 1\n", "x.cla:2: the file ends where the number of classes should be"},
-      BadFile{"PSB 1\n0 0\n", "x.cla:2: the file has no classes"},
-      BadFile{"PSB 1\n1 0\na 0 0\n", "x.cla:2: the file has no models"},
-      BadFile{"PSB 1\n-1 2\n", "x.cla:2: the number of classes must be a whole number from 0"},
-      BadFile{"PSB 1\n1 2.5\n", "x.cla:2: the number of models must be a whole number"},
-      BadFile{"PSB 1\n1 99999999999999999999\n", "x.cla:2: the number of models must be a whole number from 0 to 42"},
-      BadFile{"PSB 1\n4000000000 1\na 0 1\nx\n", "x.cla:5: the file ends where the name of class 2 of 4000000000"},
-      BadFile{"PSB 1\n1 4000000000\na 0 4000000000\nx\n", "x.cla:5: the file ends where model 2 of 4000000000"},
-      BadFile{"PSB 1\n1 1\na 0 -1\n", "x.cla:3: the number of models of class \"a\" must be a whole number"},
-      BadFile{"PSB 1\n1 2\na 0 3\nx y z\n", "x.cla:3: there are 3 models up to class \"a\""},
-      BadFile{"PSB 1\n1 3\na 0 2\nx\ny\n", "x.cla:5: the classes have 2 models"},
-      BadFile{"PSB 1\n1 2\na 0 2\nx\ny\nz\n", "x.cla:6: \"z\" follows the last of 1 classes"},
-      BadFile{"PSB 1\n2 2\na 0 1\nx\na 0 1\ny\n", "x.cla:5: class \"a\" is repeated; it was first in line 3"},
-      BadFile{"PSB 1\n2 2\na b 1\nx\nb 0 1\ny\n", "x.cla:3: the parent \"b\" of class \"a\" is not a class that"},
-      BadFile{"PSB 1\n1 1\na a 1\nx\n", "x.cla:3: the parent \"a\" of class \"a\""},
-      BadFile{"PSB 1\n1 1\n0 0 1\nx\n", "x.cla:3: a class cannot be named 0"},
-      BadFile{"PSB 1\n1 2\na 0 2\nx\nx\n", "x.cla:5: model \"x\" occurs twice in class \"a\""},
-      BadFile{"PSB 1\n2 2\na 0 1\n7\nb 0 1\nT7.off\n", "x.cla:6: model \"T7.off\" is in two classes, \"a\" and \"b\""},
-  };
-  for (const BadFile& bad : cases) EXPECT_THAT(classification_error_of(bad.text), StartsWith(bad.error));
+TEST(ParseClassification, FaultsHaveTheirLine) {
+  test::expect_refused(
+      {{"", "x.cla:1: the file is empty"},
+       {" \n\n ", "x.cla:3: the file is empty"},
+       {"OFF\n", "x.cla:1: a classification begins with"},
+       {"PSB 2\n", "x.cla:1: version \"2\""},
+       {"PSB 1\n", "x.cla:2: the file ends where the number of classes"},
+       {"PSB 1\n0 0\n", "x.cla:2: the file has no classes"},
+       {"PSB 1\n1 0\na 0 0\n", "x.cla:2: the file has no models"},
+       {"PSB 1\n-1 2\n", "x.cla:2: the number of classes"},
+       {"PSB 1\n1 2.5\n", "x.cla:2: the number of models"},
+       {"PSB 1\n1 99999999999999999999\n", "x.cla:2: the number of models"},
+       {"PSB 1\n4000000000 1\na 0 1\nx\n", "x.cla:5: the file ends where the name of class 2 of 4000000000"},
+       {"PSB 1\n1 4000000000\na 0 4000000000\nx\n", "x.cla:5: the file ends where model 2 of 4000000000"},
+       {"PSB 1\n1 1\na 0 -1\n", "x.cla:3: the number of models"},
+       {"PSB 1\n1 2\na 0 3\nx y z\n", "x.cla:3: there are 3 models up to class \"a\""},
+       {"PSB 1\n1 3\na 0 2\nx\ny\n", "x.cla:5: the classes have 2 models"},
+       {"PSB 1\n1 2\na 0 2\nx\ny\nz\n", "x.cla:6: \"z\""},
+       {"PSB 1\n2 2\na 0 1\nx\na 0 1\ny\n", "x.cla:5: class \"a\" is repeated"},
+       {"PSB 1\n2 2\na b 1\nx\nb 0 1\ny\n", "x.cla:3: the parent \"b\""},
+       {"PSB 1\n1 1\na a 1\nx\n", "x.cla:3: the parent \"a\""},
+       {"PSB 1\n1 1\n0 0 1\nx\n", "x.cla:3: a class cannot be named 0"},
+       {"PSB 1\n1 2\na 0 2\nx\nx\n", "x.cla:5: model \"x\" occurs twice in class \"a\""},
+       {"PSB 1\n2 2\na 0 1\n7\nb 0 1\nT7.off\n", "x.cla:6: model \"T7.off\" is in two"}},
+      [](const std::string& text) { parse_classification(text, "x.cla"); });
 }
 
 TEST(ParseClassification, EveryPrefixReadsOrIsAnInputError) {
@@ -124,13 +118,6 @@ RC_GTEST_PROP(ParseClassification, DamagedTextReadsOrIsAnInputError, ()) {
   const std::string error = classification_error_of(text);
   RC_ASSERT(error == "no error" || error.starts_with("x.cla:"));
   RC_ASSERT(error.find('\n') == std::string::npos);
-}
-
-TEST(ReadClassification, MissingAndEmptyFilesAreInputErrors) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(test::input_error_of([&] { read_classification(folder.path() / "none.cla"); }), HasSubstr("none.cla"));
-  EXPECT_THAT(test::input_error_of([&] { read_classification(folder.file("empty.cla", "")); }),
-              AllOf(HasSubstr("empty.cla"), HasSubstr("empty")));
 }
 
 TEST(WriteClassification, ReadsBackTheSame) {
@@ -162,13 +149,6 @@ TEST(WriteClassification, RefusesWhatTheFormatCannotExpress) {
                 StartsWith("cannot write " + path.string()));
   }
   EXPECT_EQ(folder.size(), 0U);
-}
-
-TEST(WriteClassification, AFolderThatIsNotThereIsAnInputError) {
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "absent" / "y.cla";
-  EXPECT_THAT(test::input_error_of([&] { write_classification(path, parse_classification(valid, "x")); }),
-              HasSubstr("cannot write"));
 }
 
 // The original labels, if available: 30 classes of 20, models 0 to 599.

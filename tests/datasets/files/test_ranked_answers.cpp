@@ -68,22 +68,19 @@ TEST(RankedAnswers, OfTrecMayHaveComments) {
   EXPECT_TRUE(is_ranked_answers_file(folder.file("run.txt", "# made by mine\nq1 Q0 a 1 2 mine\n")));
 }
 
-TEST(RankedAnswers, FaultsAreOneErrorWithTheLine) {
-  const auto run = [](const std::string& text) { return test::input_error_of([&] { parse_trec_run(text, "r"); }); };
-  EXPECT_THAT(run("q Q0 a 1 0.5\n"), HasSubstr("r:1: found 5 words"));
-  EXPECT_THAT(run("q Q0 a 1 nan t\n"), HasSubstr("r:1: the score \"nan\""));
-  EXPECT_THAT(run("q Q0 a 1 1 t\nq Q0 a 2 0 t\n"), HasSubstr("r:2: repeated model \"a\""));
-  EXPECT_THAT(run("\n \n"), HasSubstr("r: the file has no lines"));
-  const auto lists = [](const std::string& text) {
-    return test::input_error_of([&] { parse_ranked_lists(text, "l"); });
-  };
-  EXPECT_THAT(lists("q\n"), HasSubstr("l:1: the query has no models"));
-  EXPECT_THAT(lists("q a\nq b\n"), HasSubstr("l:2: repeated query \"q\""));
-  EXPECT_THAT(lists("q a a\n"), HasSubstr("l:1: repeated model \"a\""));
-  const auto qrels = [](const std::string& text) { return test::input_error_of([&] { parse_qrels(text, "j"); }); };
-  EXPECT_THAT(qrels("q 0 a yes\n"), HasSubstr("j:1: the grade \"yes\""));
-  EXPECT_THAT(qrels("q 0 a\n"), HasSubstr("j:1: found 3 words"));
-  EXPECT_THAT(qrels("q 0 a 1\nq 0 a 0\n"), HasSubstr("j:2: repeated model \"a\""));
+TEST(RankedAnswers, FaultsHaveTheirLine) {
+  test::expect_refused({{"q Q0 a 1 0.5\n", "r:1: found 5"},
+                        {"q Q0 a 1 nan t\n", "r:1: the score \"nan\""},
+                        {"q Q0 a 1 1 t\nq Q0 a 2 0 t\n", "r:2: repeated model \"a\""},
+                        {"\n \n", "r: the file"}},
+                       [](const std::string& text) { parse_trec_run(text, "r"); });
+  test::expect_refused(
+      {{"q\n", "l:1: "}, {"q a\nq b\n", "l:2: repeated query \"q\""}, {"q a a\n", "l:1: repeated model"}},
+      [](const std::string& text) { parse_ranked_lists(text, "l"); });
+  test::expect_refused({{"q 0 a yes\n", "j:1: the grade \"yes\""},
+                        {"q 0 a\n", "j:1: found 3"},
+                        {"q 0 a 1\nq 0 a 0\n", "j:2: repeated model \"a\""}},
+                       [](const std::string& text) { parse_qrels(text, "j"); });
 }
 
 TEST(RankedAnswers, OfATrecRunHaveItsName) {

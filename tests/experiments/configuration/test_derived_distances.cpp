@@ -148,27 +148,22 @@ TEST(Derived, ReadBackAsTheSame) {
 }
 
 TEST(Derived, MistakesGiveThePlace) {
-  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}}, {{"of", "bb"}}}}}),
-              HasSubstr("signatures.2.sum.1.of: there is no signature \"bb\""));
-  EXPECT_THAT(derived_error_with({{"rerank", {{"of", "x"}, {"method", "diffusion"}}}}),
-              HasSubstr("signatures.2.rerank.of: there is no signature \"x\""));
-  EXPECT_THAT(derived_error_with({{"fuse_ranks", {"a", "c"}}}),
-              HasSubstr("signatures.2.fuse_ranks: the signature \"c\""));
-  EXPECT_THAT(derived_error_with({{"concatenate", {"a"}}}), HasSubstr("signatures.2.concatenate.0"));
-  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}, {"weight", 0}}}}}),
-              HasSubstr("signatures.2.sum: at least one weight"));
-  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}, {"weight", -1}}}}}), HasSubstr("signatures.2.sum.0.weight"));
-  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}}}}, {"score", "borda"}}), HasSubstr("signatures.2.score"));
-  EXPECT_THAT(derived_error_with({{"fuse_ranks", {"a"}}, {"weights", "agreement"}}), HasSubstr("signatures.2.weights"));
-  EXPECT_THAT(derived_error_with({{"rerank", {{"of", "a"}, {"method", "diffusion"}, {"original", 1}}}}),
-              HasSubstr("unknown key \"original\""));
-  EXPECT_THAT(
-      derived_error_with(
-          {{"rerank", {{"of", "a"}, {"method", "k_reciprocal"}, {"neighbours", 3}, {"expansion_neighbours", 4}}}}),
-      HasSubstr("signatures.2.rerank: "));
-  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}}}}, {"fuse_ranks", {"a"}}}),
-              HasSubstr("cannot be combined with \"sum\""));
-  EXPECT_THAT(derived_error_with(Json::object()), HasSubstr("\"field\" is missing"));
+  const Json one_term{{{"of", "a"}}};
+  const std::vector<std::pair<Json, const char*>> mistakes = {
+      {{{"sum", {{{"of", "a"}}, {{"of", "bb"}}}}}, "signatures.2.sum.1.of: there is no signature \"bb\""},
+      {{{"rerank", {{"of", "x"}, {"method", "diffusion"}}}}, "signatures.2.rerank.of: there is no signature \"x\""},
+      {{{"fuse_ranks", {"a", "c"}}}, "signatures.2.fuse_ranks: the signature \"c\""},
+      {{{"concatenate", {"a"}}}, "signatures.2.concatenate.0"},
+      {{{"sum", {{{"of", "a"}, {"weight", 0}}}}}, "signatures.2.sum: at least one weight"},
+      {{{"sum", {{{"of", "a"}, {"weight", -1}}}}}, "signatures.2.sum.0.weight"},
+      {{{"sum", one_term}, {"score", "borda"}}, "signatures.2.score"},
+      {{{"fuse_ranks", {"a"}}, {"weights", "agreement"}}, "signatures.2.weights"},
+      {{{"rerank", {{"of", "a"}, {"method", "diffusion"}, {"original", 1}}}}, "unknown key \"original\""},
+      {{{"rerank", {{"of", "a"}, {"method", "k_reciprocal"}, {"neighbours", 3}, {"expansion_neighbours", 4}}}},
+       "signatures.2.rerank: "},
+      {{{"sum", one_term}, {"fuse_ranks", {"a"}}}, "cannot be combined with \"sum\""},
+      {Json::object(), "\"field\" is missing"}};
+  for (const auto& [last, word] : mistakes) EXPECT_THAT(derived_error_with(last), HasSubstr(word)) << last;
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -115,7 +114,6 @@ TEST(OneOf, FillsInTheDefaultsOfItsChoices) {
   EXPECT_EQ(settings["choices"][2][0]["with_normals"], false);
 }
 
-using testing::HasSubstr;
 
 /// Checks that the step equals the function of the core, and that its settings reproduce it.
 template <typename OfTheCore>
@@ -161,15 +159,6 @@ TEST(MakePerturbation, FillsInDefaults) {
                 R"([{"type": "holes", "number": 5, "radius": 0.05}, {"type": "flip_orientation", "fraction": 1.0}])"));
 }
 
-TEST(MakePerturbation, SettingsOutOfBoundsAreErrors) {
-  const auto message = [](const Json& settings) {
-    return test::input_error_of([&] { make_perturbations(Json::array({settings})); });
-  };
-  EXPECT_THAT(message({{"type", "vertex_noise"}, {"amplitude", 2}}), HasSubstr("amplitude is 2"));
-  EXPECT_THAT(message({{"type", "remove_faces"}}), HasSubstr("fraction is missing"));
-  EXPECT_THAT(message({{"type", "motion"}, {"scale", 0.5}}), HasSubstr("scale is 0.5"));
-}
-
 TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
   using Versions = std::map<std::string, int>;
   EXPECT_EQ(versions_of(steps_of(R"([{"type": "holes"}])")), (Versions{{"holes", 1}}));
@@ -177,33 +166,6 @@ TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
   const Json outer{{"type", "one_of"}, {"choices", {Json::array({{{"type", "holes"}}}), Json::array({inner})}}};
   EXPECT_EQ(versions_of(make_perturbations(Json::array({outer}))),
             (Versions{{"one_of", 1}, {"holes", 1}, {"motion", 1}}));
-}
-
-TEST(MakePerturbation, KnowsATypeThatWasRegistered) {
-  static constexpr std::array parameters{
-      Parameter{.name = "by", .default_value = 1.0, .bounds = {.low = 0}, .description = "How far."}};
-  shape_perturbations().add({.name = "test_shift",
-                             .description = "Moves the shape along x.",
-                             .parameters = parameters,
-                             .apply =
-                                 [](Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
-                                   shape.vertices.col(0).array() += settings.number("by");
-                                   return shape;
-                                 },
-                             .version = 4});
-  const std::size_t moved = std::ranges::count(perturbation_types(), "test_shift", &PerturbationType::name);
-  EXPECT_EQ(moved, 1U);
-  const Shape box = test::box({1, 2, 3}, 2);
-  const Points shifted = vertices_of(R"([{"type": "test_shift", "by": 3}])", 1, "T1", 0);
-  EXPECT_EQ(shifted.col(0), (box.vertices.col(0).array() + 3).matrix());
-  EXPECT_EQ(shifted.col(1), box.vertices.col(1));
-  const std::vector<Perturbation> steps = steps_of(R"([{"type": "test_shift"}])");
-  EXPECT_EQ(to_json(steps), Json::parse(R"([{"type": "test_shift", "by": 1.0}])"));
-  EXPECT_EQ(versions_of(steps), (std::map<std::string, int>{{"test_shift", 4}}));
-}
-
-TEST(MakePerturbation, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(test::input_error_of([] { steps_of(R"([{"type": "melt"}])"); }), HasSubstr("no perturbation \"melt\""));
 }
 
 }  // namespace

@@ -107,25 +107,6 @@ TEST(Configuration, AsJsonItReadsBackAsTheSame) {
   EXPECT_EQ(filled["protocol"], Json::parse(R"(["paper", "psb"])"));
 }
 
-TEST(Configuration, UnknownMeasuresAndTiesAreErrors) {
-  EXPECT_THAT(experiment_error_with("/evaluation", {{"measures", {"FT", "P@x"}}}),
-              HasSubstr("evaluation.measures: the measure \"P@x\" needs a number of ranks"));
-  EXPECT_THAT(experiment_error_with("/evaluation", {{"ties", "expect"}}), HasSubstr("expected"));
-}
-
-TEST(Configuration, MistakesInPerturbationsGiveThePlaceAndTheNearestWord) {
-  const auto message = [](const char* steps) { return experiment_error_with("/perturbations", Json::parse(steps)); };
-  EXPECT_THAT(message(R"([{"type": "motion"}, {"type": "vertex_nois", "amplitude": 1}])"),
-              HasSubstr("perturbations.1.type: unknown word \"vertex_nois\"; did you mean \"vertex_noise\"?"));
-  EXPECT_THAT(message(R"([{"type": "holes", "radios": 0.1}])"),
-              HasSubstr("perturbations.0: unknown key \"radios\"; did you mean \"radius\"?"));
-  EXPECT_THAT(message(R"([{"type": "one_of", "choices": [[], [{"type": "decimate"}]]}])"),
-              HasSubstr("perturbations.0.choices.1.0: the key \"faces\" is missing"));
-  EXPECT_THAT(message(R"([{"type": "one_of", "assign": "inturn", "choices": [[]]}])"),
-              HasSubstr("perturbations.0.assign: unknown word \"inturn\"; did you mean \"in_turn\"?"));
-  EXPECT_THAT(message(R"([{"type": "remove_faces", "fraction": 2}])"), HasSubstr("perturbations.0.fraction: must be"));
-}
-
 TEST(Configuration, PathsAreRelativeToTheFileAndTheClassificationToTheRoot) {
   setenv("SHAPEGAUGE_TEST_ROOT", "/data/shapes", 1);
   const auto absolute = configuration_with("/dataset/root", "${SHAPEGAUGE_TEST_ROOT}");
@@ -135,60 +116,50 @@ TEST(Configuration, PathsAreRelativeToTheFileAndTheClassificationToTheRoot) {
   EXPECT_EQ(configuration_with("/dataset/layout", "csv").location->classification, "/configs/data/models.csv");
 }
 
-TEST(Configuration, AnUnsetVariableIsAnErrorWithItsPlace) {
-  unsetenv("SHAPEGAUGE_TEST_UNSET");
-  EXPECT_THAT(experiment_error_with("/dataset/root", "${SHAPEGAUGE_TEST_UNSET}"),
-              HasSubstr("x.json: dataset.root: the environment variable SHAPEGAUGE_TEST_UNSET is not set; set it"));
-}
-
-TEST(Configuration, AnUndefinedSignatureWithTheNearestName) {
-  Json changed = experiment_document();
-  changed["signatures"][0]["name"] = "Our SDF (1 %)";
-  changed["signatures"][2]["concatenate"] = {"b", "Our SDF (1%)"};
-  EXPECT_THAT(test::input_error_of([&] { configuration_from_json(changed, "x.json", "."); }),
-              Eq("x.json: signatures.2.concatenate.1: there is no signature \"Our SDF (1%)\"; did you mean \"Our SDF "
-                 "(1 %)\"?"));
-}
-
-TEST(Configuration, ASignatureThatConcatenatesItselfIsAnError) {
-  EXPECT_THAT(experiment_error_with("/signatures/3/concatenate", {"c"}), HasSubstr("is a part of itself"));
-  EXPECT_THAT(experiment_error_with("/signatures/3/concatenate", {"d"}),
-              Eq("x.json: signatures.3.concatenate: the signature \"d\" is a part of itself"));
-}
-
 TEST(Configuration, PartsAreComputedFirst) {
   const Configuration configuration = configuration_from_json(experiment_document(), "x.json", ".");
   EXPECT_EQ(computation_order(configuration.signatures), (std::vector<std::size_t>{0, 1, 3, 2}));
 }
 
-TEST(Configuration, NamesMustDiffer) {
-  EXPECT_THAT(experiment_error_with("/signatures/1/name", "a"),
-              Eq("x.json: signatures.1.name: the name \"a\" is already that of signatures.0"));
-}
-
-TEST(Configuration, SettingsThatContradictEachOther) {
-  EXPECT_THAT(experiment_error_with("/signatures/1/field/postprocess", true),
-              HasSubstr("signatures.1.field: \"postprocess\" needs"));
-  EXPECT_THAT(experiment_error_with("/signatures/1/field",
-                                    Json::parse(R"({"type": "cone_sdf", "engine": "cgal", "at": "vertices"})")),
-              HasSubstr("supports faces only"));
-  EXPECT_THAT(experiment_error_with("/signatures/1/histogram/range/fixed", {0.6, 0.6}),
-              HasSubstr("signatures.1.histogram.range.fixed: the first value must be less"));
-  EXPECT_THAT(experiment_error_with("/signatures/1/histogram/range/fixed", {-1e308, 1e308}),
-              HasSubstr("signatures.1.histogram.range.fixed: the values are too far apart"));
-  EXPECT_THAT(
-      experiment_error_with("/signatures/1/histogram/smoothing_bins", 41),
-      HasSubstr("signatures.1.histogram.smoothing_bins: the smoothing must not exceed the number of bins (40)"));
-  EXPECT_THAT(experiment_error_with("/signatures/2/field", Json::parse(R"({"type": "cone_sdf"})")),
-              HasSubstr("signatures.2.field: cannot be combined with \"concatenate\""));
-  EXPECT_THAT(experiment_error_with("/dataset/generate", Json::object()),
-              HasSubstr("cannot be combined with \"generate\""));
-  EXPECT_THAT(experiment_error_with("/dataset/split", "train"), HasSubstr("dataset.split: the layout \"shrec11\""));
-  EXPECT_THAT(
-      experiment_error_with("/dataset", Json::parse(R"({"layout": "folders", "root": "x", "classification": "y"})")),
-      HasSubstr("dataset.classification: "));
-  EXPECT_THAT(experiment_error_with("/dataset", Json::parse(R"({"generate": {"classes": 1000}})")),
-              HasSubstr("dataset.generate.classes: must be from 1 to 28, not 1000"));
+TEST(Configuration, MistakesGiveThePlace) {
+  unsetenv("SHAPEGAUGE_TEST_UNSET");
+  const auto json = [](const char* text) { return Json::parse(text); };
+  const std::vector<std::tuple<const char*, Json, const char*>> mistakes = {
+      {"/evaluation", {{"measures", {"FT", "P@x"}}}, "evaluation.measures: the measure \"P@x\""},
+      {"/evaluation", {{"ties", "expect"}}, "expected"},
+      {"/perturbations", json(R"([{"type": "motion"}, {"type": "vertex_nois"}])"),
+       "perturbations.1.type: unknown word"},
+      {"/perturbations", json(R"([{"type": "holes", "radios": 0.1}])"), "perturbations.0: unknown key \"radios\""},
+      {"/perturbations", json(R"([{"type": "one_of", "choices": [[], [{"type": "decimate"}]]}])"),
+       "perturbations.0.choices.1.0: the key \"faces\""},
+      {"/perturbations", json(R"([{"type": "one_of", "assign": "inturn", "choices": [[]]}])"),
+       "perturbations.0.assign: "},
+      {"/perturbations", json(R"([{"type": "remove_faces", "fraction": 2}])"), "perturbations.0.fraction: "},
+      {"/dataset/root", "${SHAPEGAUGE_TEST_UNSET}", "dataset.root: the environment variable SHAPEGAUGE_TEST_UNSET"},
+      {"/signatures/2/concatenate",
+       {"b", "A"},
+       "signatures.2.concatenate.1: there is no signature \"A\"; did you mean"},
+      {"/signatures/3/concatenate", {"c"}, "is a part of itself"},
+      {"/signatures/3/concatenate", {"d"}, "signatures.3.concatenate: the signature \"d\" is a part of itself"},
+      {"/signatures/1/name", "a", "signatures.1.name: the name \"a\""},
+      {"/signatures/1/field/postprocess", true, "signatures.1.field: \"postprocess\" needs"},
+      {"/signatures/1/field", json(R"({"type": "cone_sdf", "engine": "cgal", "at": "vertices"})"), "faces only"},
+      {"/signatures/1/histogram/range/fixed", {0.6, 0.6}, "signatures.1.histogram.range.fixed: the first value"},
+      {"/signatures/1/histogram/range/fixed", {-1e308, 1e308}, "signatures.1.histogram.range.fixed: the values"},
+      {"/signatures/1/histogram/smoothing_bins", 41, "signatures.1.histogram.smoothing_bins: "},
+      {"/signatures/2/field", json(R"({"type": "cone_sdf"})"), "signatures.2.field: cannot be combined"},
+      {"/dataset/generate", Json::object(), "cannot be combined with \"generate\""},
+      {"/dataset/split", "train", "dataset.split: the layout \"shrec11\""},
+      {"/dataset", json(R"({"layout": "folders", "root": "x", "classification": "y"})"), "dataset.classification: "},
+      {"/dataset", json(R"({"generate": {"classes": 1000}})"), "dataset.generate.classes: must be from 1 to 28"},
+      {"/report/pictures/of", "bb", "report.pictures.of: there is no signature \"bb\""},
+      {"/report/pictures/of", "c", "report.pictures.of: the signature \"c\" has no field"},
+      {"/report/pictures/range", {0.2, 0.2}, "report.pictures.range: the first value"},
+      {"/report/picture", true, "pictures"},
+      {"/report", "yes", "report: "}};
+  for (const auto& [place, value, word] : mistakes) {
+    EXPECT_THAT(experiment_error_with(place, value), HasSubstr(word)) << place << " = " << value;
+  }
 }
 
 TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {
@@ -205,17 +176,6 @@ TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {
   const ReportConfiguration other = configuration_with("/report/pictures", chosen).report;
   EXPECT_EQ(other.pictured_signature, 1U);
   EXPECT_EQ(other.picture_options.range.high, 0.2);
-}
-
-TEST(Configuration, MistakesInTheReportGiveThePlaceAndTheNames) {
-  EXPECT_THAT(experiment_error_with("/report/pictures/of", "bb"),
-              HasSubstr("x.json: report.pictures.of: there is no signature \"bb\"; known here: \"a\", \"b\""));
-  EXPECT_THAT(experiment_error_with("/report/pictures/of", "c"),
-              HasSubstr("report.pictures.of: the signature \"c\" has no field"));
-  EXPECT_THAT(experiment_error_with("/report/pictures/range", {0.2, 0.2}),
-              HasSubstr("report.pictures.range: the first value"));
-  EXPECT_THAT(experiment_error_with("/report/picture", true), HasSubstr("pictures"));
-  EXPECT_THAT(experiment_error_with("/report", "yes"), HasSubstr("report: "));
 }
 
 TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,13 +8,8 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/layouts/layouts.h"
-#include "shapegauge/experiments/configuration/field_settings.h"
-#include "shapegauge/experiments/configuration/parameter_json.h"
-#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/metrics/protocol.h"
-#include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
 
@@ -42,33 +36,6 @@ TEST(ParameterGroups, AnglesAndOffsetsHaveTheirUnits) {
 }
 
 Json schema_at(const std::string& pointer) { return Json(schema_definitions()).at(Json::json_pointer(pointer)); }
-
-template <typename Types>
-std::vector<std::string> names_of(const Types& types) {
-  std::vector<std::string> names;
-  for (const auto& type : types) names.emplace_back(type.name);
-  return names;
-}
-
-TEST(ExperimentSchema, NamesWhatTheRegistriesName) {
-  EXPECT_EQ(schema_at("/field/properties/type/enum"), Json(field_types().names()));
-  EXPECT_EQ(schema_at("/perturbation/properties/type/enum"), Json(names_of(perturbation_types())));
-  EXPECT_EQ(schema_at("/layout/enum"), Json(dataset_layouts().names()));
-  EXPECT_EQ(schema_at("/protocol/enum"), Json(list_of_words<Protocol>()));
-  EXPECT_EQ(schema_at("/distance/enum"), Json(distances().names()));
-  EXPECT_EQ(schema_at("/evaluation/properties/ties/enum"), Json(list_of_words<Ties>()));
-}
-
-TEST(ExperimentSchema, DescribesClassificationsAndSplitsOfEachLayout) {
-  const std::string classification = schema_at("/dataset_classification/description");
-  const std::string split = schema_at("/dataset_split/description");
-  for (const DatasetLayout& layout : dataset_layouts().entries()) {
-    const std::string usual = fmt::format("{}: {}", layout.name, layout.usual_classification);
-    EXPECT_EQ(classification.find(usual) != std::string::npos, !layout.usual_classification.empty()) << layout.name;
-    EXPECT_EQ(split.find(layout.name) != std::string::npos, layout.has_splits) << layout.name;
-  }
-  EXPECT_EQ(schema_at("/dataset_split/enum"), Json(dataset_splits));
-}
 
 TEST(ExperimentSchema, HasTheParametersOfEachType) {
   const Json cone = schema_at("/field/allOf/1/then");

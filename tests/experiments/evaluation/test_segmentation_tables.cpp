@@ -5,11 +5,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <string>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 #include <vector>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
@@ -187,14 +184,6 @@ TEST_F(ScoredFolder, HasTheMeanErrorsAgainstAndAmongPeople) {
       EXPECT_NEAR(found.errors[2][i].*entry.value, mean(among), 1e-12) << entry.name;
     }
   }
-}
-
-TEST_F(ScoredFolder, IsTheSameOnAnyNumberOfThreads) {
-  const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
-  const auto table_on = [&](int threads) {
-    return tbb::task_arena(threads).execute([&] { return to_csv(mesh_table(scores())); });
-  };
-  EXPECT_EQ(table_on(1), table_on(5));
 }
 
 TEST_F(ScoredFolder, TheFirstUnusableSegmentationIsTheError) {

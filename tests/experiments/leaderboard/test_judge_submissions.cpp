@@ -64,31 +64,17 @@ TEST(JudgeSubmissions, RefusesWhatLooksLikeTheOtherKindUnlessTheDescriptionInsis
   EXPECT_THAT(board.submissions[2].warnings, testing::Not(testing::IsEmpty()));
 }
 
-TEST(JudgeSubmissions, RefusesNaNWithItsPlace) {
-  const SmallBoard small;
-  std::string matrix = small_matrix(0);
-  matrix.replace(matrix.find(",2,"), 3, ",nan,");
-  small.add("nan.csv", matrix);
-  EXPECT_THAT(refusal_of(small), testing::AllOf(HasSubstr("row 0"), HasSubstr("column 1")));
-}
-
-TEST(JudgeSubmissions, RefusesAnotherShape) {
-  const SmallBoard small;
-  small.add("three.csv", "0,1,2\n1,0,2\n2,2,0\n");
-  EXPECT_THAT(refusal_of(small), testing::AllOf(HasSubstr("3"), HasSubstr("12")));
-}
-
-TEST(JudgeSubmissions, RefusesUnknownIds) {
-  const SmallBoard small;
-  small.add("ids.lists", "m0 m3 m6\nm1 stranger\n");
-  EXPECT_THAT(refusal_of(small), HasSubstr("stranger"));
-}
-
-TEST(JudgeSubmissions, RefusesWhatIsNoMatrix) {
-  const SmallBoard small;
-  small.add("broken.npy", "no numbers");
-  const std::string reason = refusal_of(small);
-  EXPECT_THAT(reason, Not(HasSubstr(small.submissions().string()))) << "the file is named beside the reason";
+TEST(JudgeSubmissions, RefusesUnusableFilesAndJudgesTheOthers) {
+  std::string with_nan = small_matrix(0);
+  with_nan.replace(with_nan.find(",2,"), 3, ",nan,");
+  for (const auto& [name, text, word] : {std::tuple("nan.csv", with_nan, "row 0"),
+                                         {"three.csv", "0,1,2\n1,0,2\n2,2,0\n", "12"},
+                                         {"ids.lists", "m0 m3 m6\nm1 stranger\n", "stranger"},
+                                         {"broken.npy", "no numbers", ""}}) {
+    const SmallBoard small;
+    small.add(name, text);
+    EXPECT_THAT(refusal_of(small), testing::AllOf(HasSubstr(word), Not(HasSubstr(small.submissions().string()))));
+  }
 }
 
 TEST(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {

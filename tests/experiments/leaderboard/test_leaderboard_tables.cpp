@@ -11,19 +11,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(LeaderboardTables, HaveARowASubmissionTheBestFirst) {
-  const test_board::SmallBoard small;
-  const Leaderboard board = small.judged();
-  const TextTable table = leaderboard_table(board, {});
-  EXPECT_THAT(table.header, ElementsAre("rank", "method", "NN", "FT", "ST", "E", "DCG", "mAP"));
-  ASSERT_EQ(table.rows.size(), 2U);
-  EXPECT_EQ(table.rows[0][0], "1");
-  EXPECT_EQ(table.rows[0][1], "good");
-  EXPECT_EQ(table.rows[0][7], "100.00");
-  EXPECT_EQ(table.rows[1][0], "2");
-  EXPECT_THAT(to_latex(table), HasSubstr("\\textbf{100.00}\\textsuperscript{a A}"));
-}
-
 TEST(LeaderboardTables, OfFilesHaveBothAveragesWithIntervalsAndGroups) {
   const test_board::SmallBoard small;
   const Leaderboard board = small.judged();

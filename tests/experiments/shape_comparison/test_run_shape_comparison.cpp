@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
@@ -122,21 +121,6 @@ TEST_F(RunComparison, TheSameBytesForAnyNumberOfThreads) {
   three.erase("execution");
   EXPECT_EQ(one, three);
   EXPECT_EQ(one["inputs"]["shapes"]["clean"].get<std::string>().size(), 64U);
-}
-
-TEST_F(RunComparison, TheFilesHaveARowForEachSignatureAndShape) {
-  test::publish(path("out"), run());
-  const auto rows = [&](const char* file) { return parse_csv(text_of(path("out") / file), file); };
-  EXPECT_EQ(rows("distances.csv").size(), 1 + 9U);
-  EXPECT_EQ(rows("errors.csv").size(), 1 + 9U);
-  EXPECT_EQ(rows("normals.csv").size(), 1 + 6U);
-  EXPECT_EQ(rows("timings.csv").size(), 1 + 9U);
-  EXPECT_EQ(rows("histograms.csv").size(), 1 + 90U);
-  EXPECT_EQ(rows("shapes.csv").size(), 1 + 3U);
-  EXPECT_EQ(rows("distances.csv")[1].cells[0], "offset");
-  EXPECT_EQ(rows("distances.csv")[1].cells[1], "noisy");
-  EXPECT_EQ(rows("distances.csv")[1].cells[2], "clean");
-  EXPECT_THAT(text_of(path("out") / "summary.md"), HasSubstr("## Normals"));
 }
 
 TEST_F(RunComparison, ShapesOfOtherPosesAndShapesWithoutAReferenceHaveNoErrors) {

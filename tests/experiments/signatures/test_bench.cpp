@@ -4,7 +4,6 @@
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
-#include "shapegauge/experiments/retrieval/write_results.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/run_alone.h"
 #include "tests/support/small_dataset.h"
@@ -141,14 +140,6 @@ TEST_F(DescribeThroughCache, APictureIsDrawnByTheValuesInTheCache) {
   }
 }
 
-TEST_F(DescribeThroughCache, AFieldIsComputedForThePictureWhereItsValuesAreGone) {
-  run(document());
-  for (const CacheFile& file : cache_files(cache())) {
-    if (file.kind == EntryKind::picture || file.kind == EntryKind::field) fs::remove(file.path);
-  }
-  EXPECT_EQ(files_of(run(document())), fresh_files(document()));
-}
-
 TEST_F(DescribeThroughCache, ViewsAreMadeOfTheValuesInTheCacheOnce) {
   const ExperimentResults first = run(document());
   ASSERT_EQ(first.views.size(), 9U);
@@ -185,22 +176,13 @@ TEST_F(DescribeThroughCache, AChosenOffsetIsReportedFromTheCacheToo) {
   EXPECT_EQ(files_of(warm), fresh_files(chosen));
 }
 
-TEST_F(DescribeThroughCache, OtherBinsNeedNoField) {
-  run(document());
-  Json changed = document();
-  changed["signatures"][5]["histogram"]["bins"] = 31;
-  const Uses expected{{"shape", {9, 0}}, {"field", {27, 0}}, {"distances", {5, 1}}};
-  const ExperimentResults results = run(changed);
-  EXPECT_EQ(uses_of(results), expected);
-  EXPECT_EQ(files_of(results), fresh_files(changed));
-}
-
-TEST_F(DescribeThroughCache, OtherRangesAndSmoothingNeedNoField) {
+TEST_F(DescribeThroughCache, OtherBinsRangesAndSmoothingNeedNoField) {
   run(document());
   Json changed = document();
   changed["signatures"][0]["histogram"]["range"]["fixed"] = {0, 0.5};
   changed["signatures"][1]["histogram"]["smoothing_bins"] = 2;
   changed["signatures"][4]["histogram"]["range"] = "dataset";
+  changed["signatures"][5]["histogram"]["bins"] = 31;
   const ExperimentResults results = run(changed);
   EXPECT_EQ(uses_of(results).at("field"), (std::pair<std::size_t, std::size_t>{27, 0}));
   EXPECT_EQ(files_of(results), fresh_files(changed));

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
-#include <tbb/global_control.h>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/cylinder_map.h"
@@ -109,13 +107,6 @@ TEST(Panorama, CloudsAreNearTheirMeshes) {
   const Shape bar = knobbed_bar();
   const Eigen::VectorXf cloud = panorama(test::random_points(bar, 10'000, 1));
   EXPECT_LT(distance_of_panoramas(cloud, panorama(bar)), 0.4 * distance_to_others());
-}
-
-TEST(Panorama, AnyNumberOfThreadsGivesTheSameBytes) {
-  const Shape cloud = test::random_points(knobbed_bar(), 2000, 1);
-  const Eigen::VectorXf expected = panorama(cloud);
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(panorama(cloud), expected);
 }
 
 /// Features of two Fourier magnitudes in each pose, the wavelet features all the same.
