@@ -64,7 +64,7 @@ struct ComparedInputs {
   std::vector<MethodScores> methods;
   std::vector<NamedCurve> curves;         // none for tables of scores
   std::vector<EvaluatedFiles> evaluated;  // of matrices, if a report is requested
-  std::vector<std::string> warnings;
+  std::vector<FileWarning> warnings;
 };
 
 // Returns the methods of a table under one protocol: the only one, or the requested one.
@@ -126,12 +126,9 @@ void add_methods(const fs::path& path, const CompareArguments& arguments, Compar
     return add(methods_of_table(path, arguments));
   }
   EvaluatedFiles evaluated = evaluate_with_progress(path, arguments.evaluation);
-  std::vector<std::string>& warnings = compared.warnings;
-  for (const std::string& warning : evaluated.warnings) {
-    warnings.push_back(fmt::format("{}: {}", path.string(), warning));
-  }
+  for (const std::string& text : evaluated.warnings) compared.warnings.push_back({path.string(), text});
   if (const auto tied = ties_warning(evaluated.evaluation, evaluated.findings)) {
-    warnings.push_back(fmt::format("{}: {}", path.string(), *tied));
+    compared.warnings.push_back({path.string(), *tied});
   }
   const std::string name = method_name(path, evaluated.data);
   add({method_scores(name, path.string(), evaluated.data.task, evaluated.evaluation)});
@@ -273,7 +270,7 @@ int run(const CompareArguments& arguments) {
   check_options_act(arguments);
   ComparedInputs compared;
   for (const fs::path& input : arguments.inputs) add_methods(input, arguments, compared);
-  std::vector<std::string>& warnings = compared.warnings;
+  std::vector<std::string> warnings = merged_warnings(compared.warnings, "files");
   const AlignedMethods aligned = align_methods(compared.methods, arguments.evaluation.measures, arguments.names);
   const ComparisonOptions options = options_of(arguments, aligned.methods);
   std::vector<MethodComparison> comparisons;

@@ -9,6 +9,7 @@
 #include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/evaluators.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
@@ -113,8 +114,13 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   command.add_option("--confidence", arguments.confidence, "Confidence level of intervals, such as 0.95")
       ->check(within<double>(confidence_bounds));
   command
-      .add_option("--blocks", arguments.blocks,
-                  "Unit of resampling: queries (claims about these classes), or classes (about classes like these)")
+      .add_option(
+          "--blocks", arguments.blocks,
+          arguments.blocks == name_of(ResamplingUnit::classes)
+              ? "Unit of resampling: classes (claims about classes like these, since the intervals stand alone), "
+                "or queries (about these classes)"
+              : "Unit of resampling: queries (claims about these classes, beside a second test about classes "
+                "like these), or classes")
       ->check(CLI::IsMember(list_of_words<ResamplingUnit>()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")

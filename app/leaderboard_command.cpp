@@ -104,20 +104,13 @@ void write_outputs(const Leaderboard& board, const JudgingOptions& options, cons
 
 // Prints each warning once, with the submissions that it concerns.
 void print_remarks(std::span<const Leaderboard> boards) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> remarks;
+  std::vector<FileWarning> warnings;
   for (const Leaderboard& board : boards) {
     for (const JudgedSubmission& judged : board.submissions) {
-      for (const std::string& warning : judged.warnings) {
-        auto known = std::ranges::find(remarks, warning, &std::pair<std::string, std::vector<std::string>>::first);
-        if (known == remarks.end()) known = remarks.insert(remarks.end(), {warning, {}});
-        known->second.push_back(judged.submission.file.string());
-      }
+      for (const std::string& text : judged.warnings) warnings.push_back({judged.submission.file.string(), text});
     }
   }
-  for (const auto& [warning, files] : remarks) {
-    warn(files.size() == 1 ? fmt::format("{}: {}", files[0], warning)
-                           : fmt::format("{} submissions (first: {}): {}", files.size(), files[0], warning));
-  }
+  print_warnings(merged_warnings(warnings, "submissions"));
 }
 
 // Prints warnings, skipped files and the reasons for refused submissions; returns the exit status.

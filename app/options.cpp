@@ -222,13 +222,11 @@ Shape cleaned(Shape shape, const CleaningArguments& arguments, bool automatic, R
     const Eigen::Index points = shape.vertices.rows();
     shape = without_outliers(std::move(shape));
     if (const Eigen::Index count = points - shape.vertices.rows(); count > 0) {
-      remarks.notes.push_back(
-          fmt::format("{} of {} points are outliers, farther from all others than 10 point spacings; results are those "
-                      "of the others",
-                      count, points));
+      remarks.notes.push_back(outlier_text(static_cast<std::size_t>(count), points) +
+                              "; results are those of the others, whose indices skip them");
     }
   } else if (const auto warning = outlier_warning(shape)) {
-    remarks.warnings.push_back(*warning + "; use --remove-outliers");
+    remarks.warnings.push_back(*warning);
   }
   if (!arguments.denoise) return shape;
   DenoisedShape result = denoised(std::move(shape));

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -13,6 +14,8 @@
 
 namespace shapegauge {
 namespace {
+
+constexpr std::string_view name_of_bounds = "FT";  // the measure of first_tier_bounds
 
 void check_square(const DistanceTable& distances, std::span<const int> labels) {
   if (distances.rows() != distances.cols()) {
@@ -124,10 +127,18 @@ void draw_curves(const QueryScores& results, const std::vector<std::vector<Eigen
 
 }  // namespace
 
+std::vector<Measure> evaluated_measures(const EvaluationOptions& options) {
+  return options.measures.empty() ? default_measures(options.protocol) : options.measures;
+}
+
+std::map<std::string, int> measure_versions(const EvaluationOptions& options) {
+  std::map<std::string, int> versions{{std::string(name_of_bounds), measure_of(name_of_bounds).definition->version}};
+  for (const Measure& measure : evaluated_measures(options)) versions[measure.name] = measure.definition->version;
+  return versions;
+}
+
 RowJudge::RowJudge(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last)
-    : relevance_(task),
-      measures_(options.measures.empty() ? default_measures(options.protocol) : options.measures),
-      first_tier_(measure_of("FT")) {
+    : relevance_(task), measures_(evaluated_measures(options)), first_tier_(measure_of(name_of_bounds)) {
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
   blank_.protocol = options.protocol;
   blank_.ties = options.ties;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,6 +29,12 @@ struct EvaluationOptions {
   /// least one relevant model less, whether or not it is itself a target.
   int minimum_class_size = 2;
 };
+
+/// Returns the measures of an evaluation: those of the options or the default ones.
+std::vector<Measure> evaluated_measures(const EvaluationOptions& options);
+
+/// Returns the cache versions, by name, of all measures that an evaluation computes.
+std::map<std::string, int> measure_versions(const EvaluationOptions& options);
 
 /// Parameters of EvaluationOptions other than the protocol, the measures and the curve.
 inline constexpr std::array evaluation_table = {

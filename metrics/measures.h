@@ -22,6 +22,7 @@ struct MeasureDefinition {
   std::string caveat{};
   double (*value)(const RankedList&) = nullptr;
   double (*value_at)(const RankedList&, std::size_t k) = nullptr;
+  int version = 1;  ///< cache version; increment when values change
 };
 
 /// Returns the registry of measures: those of the library (measures.cpp), followed by those added. An entry must have

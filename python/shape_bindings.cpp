@@ -1,10 +1,12 @@
 // Shapes and what is computed from one: fields, parts, features.
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "python/native.h"
@@ -36,23 +38,66 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+bool chooses_offset(const Field& field) {
+  const ParameterValues& settings = field.settings.values;
+  return std::ranges::find(settings.parameters(), "offset", &Parameter::name) != settings.parameters().end() &&
+         !std::holds_alternative<double>(settings.value("offset"));
+}
+
+/// Shape without the outliers of a cloud.
+struct CleanedShape {
+  Shape shape;
+  std::vector<bool> removed;  ///< by vertex
+  std::optional<std::string> warning = {};
+
+  /// Returns the rows of all vertices: those of the remaining ones, and others that are filled.
+  template <typename Rows>
+  [[nodiscard]] Rows spread(const Rows& rows, typename Rows::Scalar fill) const {
+    if (std::ranges::find(removed, true) == removed.end() || rows.rows() == 0) return rows;
+    Rows all = Rows::Constant(std::ssize(removed), rows.cols(), fill);
+    Eigen::Index next = 0;
+    for (std::size_t i = 0; i < removed.size(); ++i) {
+      if (!removed[i]) all.row(static_cast<Eigen::Index>(i)) = rows.row(next++);
+    }
+    return all;
+  }
+};
+
+/// Removes outliers as requested, or warns of them.
+CleanedShape cleaned(Shape shape, bool remove) {
+  CleanedShape result{.shape = {}, .removed = std::vector<bool>(static_cast<std::size_t>(shape.vertices.rows()))};
+  if (!remove) {
+    result.warning = outlier_warning(shape);
+    result.shape = std::move(shape);
+    return result;
+  }
+  result.removed = outliers(shape);
+  if (const auto count = std::ranges::count(result.removed, true); count > 0) {
+    result.warning = outlier_text(static_cast<std::size_t>(count), shape.vertices.rows()) + "; they have no results";
+  }
+  result.shape = without_outliers(std::move(shape));
+  return result;
+}
+
 py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
-               const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
+               const Eigen::Ref<const Points>& normals, const std::string& settings, bool remove_outliers,
+               int threads) {
   struct Computed {
     Samples samples;
     FieldValues values;
     std::optional<double> offset;
     std::optional<std::string> leak;
     std::optional<std::string> hollow;
-    std::optional<std::string> outliers;
+    CleanedShape cleaned;
+    std::optional<std::string> weights;
   };
   Computed computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "field", "the field");
     const Field wanted = read_field(json);
-    const Shape shape = shape_of(vertices, faces, normals);
     Computed result;
-    result.outliers = outlier_warning(shape);
+    result.cleaned = cleaned(shape_of(vertices, faces, normals), remove_outliers || chooses_offset(wanted));
+    const Shape& shape = result.cleaned.shape;
     result.samples = take_samples(shape, wanted.settings.samples);
     FieldSource source(shape);
     result.values = wanted.compute(source, result.samples, true);
@@ -61,12 +106,19 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
       result.leak = leak_warning(*chosen);
       result.hollow = hollow_remark(shape, true);
     }
+    result.weights = weights_warning(result.samples);
+    const double missing = std::numeric_limits<double>::quiet_NaN();
+    result.values.values = result.cleaned.spread(result.values.values, missing);
+    result.values.normals = result.cleaned.spread(result.values.normals, 0);
+    result.samples.weights = result.cleaned.spread(result.samples.weights, 0);
+    if (result.samples.site == SampleSite::vertices) result.samples.points = vertices;
     return result;
   });
   py::dict result;
   std::vector<std::string> without_value = outcome_warnings(computed.values.outcomes);
-  if (computed.outliers) without_value.push_back(*computed.outliers);
-  if (auto warning = weights_warning(computed.samples)) without_value.push_back(*std::move(warning));
+  for (const auto& warning : {computed.cleaned.warning, computed.weights}) {
+    if (warning) without_value.push_back(*warning);
+  }
   result["values"] = array_of(std::move(computed.values.values));
   result["weights"] = array_of(std::move(computed.samples.weights));
   result["points"] = array_of(std::move(computed.samples.points));
@@ -83,7 +135,8 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
 
 /// Returns the parts and warnings.
 py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
-                  const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
+                  const Eigen::Ref<const Points>& normals, const std::string& settings, bool remove_outliers,
+                  int threads) {
   struct Computed {
     Eigen::VectorX<std::int32_t> labels;
     std::vector<std::string> warnings;
@@ -93,11 +146,14 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
     check_against_schema(json, "segmentation_method", "the segmentation");
     if (json.contains("perturbations")) throw InputError("perturbations are of an experiment: use run()");
     const SegmentationMethod method = segmentation_method(json);
-    const Shape shape = shape_of(vertices, faces, normals);
-    const std::vector<std::int32_t> labels = segment_shape(shape, method.options);
+    const CleanedShape clean = cleaned(shape_of(vertices, faces, normals), remove_outliers);
+    const Shape& shape = clean.shape;
+    const std::vector<std::int32_t> parts = segment_shape(shape, method.options);
     Computed result;
     result.labels =
-        Eigen::Map<const Eigen::VectorX<std::int32_t>>(labels.data(), static_cast<Eigen::Index>(labels.size()));
+        Eigen::Map<const Eigen::VectorX<std::int32_t>>(parts.data(), static_cast<Eigen::Index>(parts.size()));
+    result.labels = clean.spread(result.labels, -1);
+    if (clean.warning) result.warnings.push_back(*clean.warning);
     const SegmentationOptions& options = method.options;
     if (options.method == SegmentationAlgorithm::paper && options.field == SegmentedSdf::offset) {
       const auto leak = leak_warning(choose_offset(options.offset, shape));
@@ -110,7 +166,8 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
 
 /// Returns the features and warnings.
 py::tuple describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
-                   const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
+                   const Eigen::Ref<const Points>& normals, const std::string& settings, bool remove_outliers,
+                   int threads) {
   struct Computed {
     Eigen::VectorXf features;
     std::vector<std::string> warnings;
@@ -123,9 +180,11 @@ py::tuple describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
       throw InputError("the descriptor " + std::string(choice.descriptor.name) +
                        " learns from a whole data set: describe one by a configuration, with run()");
     }
-    const Shape shape = prepare_shape(shape_of(vertices, faces, normals), {}).shape;
+    CleanedShape clean = cleaned(shape_of(vertices, faces, normals), remove_outliers);
+    const Shape shape = prepare_shape(std::move(clean.shape), {}).shape;
     FieldSource source(shape);
     DescriptorFields computed = compute_fields(choice, source);
+    if (clean.warning) computed.warnings.push_back(*clean.warning);
     return Computed{.features = compute_features(choice.descriptor,
                                                  {.shape = shape, .fields = computed.fields, .proxy = &source.proxy()},
                                                  {}, choice.values),

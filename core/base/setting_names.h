@@ -11,7 +11,8 @@ namespace shapegauge {
 /// Spells a setting for an interface. `value` is empty if the message gives none.
 using SettingSpelling = std::string (*)(std::string_view name, std::string_view value);
 
-/// Replaces the settings that a message names in backquotes. Other text in backquotes stays.
+/// Replaces the settings that a message names in backquotes, between spaces or punctuation. Other text in backquotes
+/// stays, such as that in names of files.
 std::string spell_settings(std::string_view message, SettingSpelling spelling);
 
 }  // namespace shapegauge

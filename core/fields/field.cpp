@@ -98,13 +98,15 @@ std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes) {
   const char* const missing =
       outcomes.contains("direct")
           ? "missing: vertices without triangles"
-          : "missing: parts that are open or inside out (offset_sdf measures these), or vertices without triangles";
+          : "missing: parts that are open or inside out (offset_sdf measures these), vertices without triangles, or "
+            "points without normals";
   const std::array<std::pair<const char*, const char*>, 4> warned{
       {{"undecided", "undecided"},
        {"missing", missing},
        {"two_sided",
         "have the outside on both sides, closer than half the offset: the shape is open there (a hole, a missing base) "
-        "or a sheet; their thickness is about 0 and the side of their normals arbitrary"},
+        "or a sheet; their thickness is about 0 and the side of their normals arbitrary; the thickness of an open "
+        "shape needs the surface that is missing"},
        {"enlarged", "computed with a larger offset, because the grid of the requested one would not fit into memory"}}};
   std::vector<std::string> warnings;
   for (const auto& [outcome, words] : warned) {

@@ -44,7 +44,7 @@ double rounding_of(const UnitFrame& frame) {
 const Shape& checked(const Shape& shape, const InscribedBallOptions& options) {
   check_options("inscribed_ball", inscribed_ball_table, options);
   require_usable(shape);
-  if (is_cloud(shape) && shape.normals.rows() == 0) {
+  if (is_cloud(shape) && shape.normals.isZero(0)) {
     throw InputError(
         "inscribed balls need outward normals, and the points have none; estimate them first (shapegauge normals)");
   }

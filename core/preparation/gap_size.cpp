@@ -12,6 +12,7 @@
 
 #include "shapegauge/core/base/median.h"
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/preparation/crack_width.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/point_cloud.h"
@@ -53,6 +54,7 @@ class DistanceGrid {
 
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(distances_.size()); }
   [[nodiscard]] double cell() const { return cell_; }
+  [[nodiscard]] const TriangleBVH& tree() const { return tree_; }
   [[nodiscard]] double distance(std::int32_t node) const { return distances_[static_cast<std::size_t>(node)]; }
 
   [[nodiscard]] bool on_border(std::int32_t node) const {
@@ -123,6 +125,9 @@ class Flood {
   /// Returns the radii of the gaps between inner spaces and the outside.
   [[nodiscard]] std::vector<double> gaps() const { return gaps_; }
 
+  /// Returns true if an inner space is closed, or open only through gaps that the grid does not resolve.
+  [[nodiscard]] bool has_sealed_space() const { return sealed_; }
+
  private:
   static constexpr std::int32_t dry = -1;
   static constexpr std::int32_t outside = 0;     // the first node is on the border
@@ -159,22 +164,30 @@ class Flood {
   void note_gap(std::int32_t node, std::size_t axis, std::int32_t space) {
     const double level = grid_.distance(node);
     const double depth = grid_.distance(space);
-    // One of two adjacent nodes on different sides of a wall is within half a cell of it.
-    if (level <= grid_.cell() / 2 || depth < min_depth * level || nodes(space) < min_nodes) return;
-    gaps_.push_back(std::min(grid_.radius_across(node, axis), depth));
+    if (depth < min_depth * level || nodes(space) < min_nodes) return;
+    if (level > grid_.cell() / 2) {
+      gaps_.push_back(std::min(grid_.radius_across(node, axis), depth));
+    } else {
+      sealed_ = true;  // one of two adjacent nodes on different sides of a wall is within half a cell of it
+    }
   }
 
   const DistanceGrid& grid_;
   std::vector<std::int32_t> parent_;
   std::vector<std::int32_t> nodes_;  ///< by deepest node: size of the space
   std::vector<double> gaps_;
+  bool sealed_ = false;
 };
 
 /// Returns the radii as fractions of the diagonal.
-std::vector<double> gaps_on_grid(const Shape& shape) {
+std::vector<double> gaps_in_diagonals(const Shape& shape) {
   const UnitFrame frame = unit_frame(shape);
   if (!(bounding_box_diagonal(shape) > 0) || !std::isfinite(frame.diagonal)) return {};
-  return Flood(DistanceGrid(in_unit_frame(without_duplicates(shape), frame))).gaps();
+  const Shape unit_shape = in_unit_frame(without_duplicates(shape), frame);
+  const DistanceGrid grid(unit_shape);
+  const Flood flood(grid);
+  if (!flood.gaps().empty() || !flood.has_sealed_space() || is_cloud(shape)) return flood.gaps();
+  return {half_crack_width(unit_shape, grid.tree(), grid.cell())};
 }
 
 }  // namespace
@@ -184,7 +197,7 @@ GapSizes gap_sizes(const Shape& shape) {
   if (is_closed(shape)) return {};
   GapSizes sizes;
   const double diagonal = bounding_box_diagonal(shape);
-  for (const double gap : gaps_on_grid(shape)) {
+  for (const double gap : gaps_in_diagonals(shape)) {
     sizes.widest = std::max(sizes.widest, gap * diagonal);
     if (offset_per_gap * gap <= largest_automatic_offset) sizes.closable = std::max(sizes.closable, gap * diagonal);
   }

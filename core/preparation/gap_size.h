@@ -26,8 +26,9 @@ struct GapSizes {
 /// that radius about random points leave hardly a hole.
 ///
 /// Determined on a grid of about 200,000 distances to the shape, whose cells have at most about 1 % of the diagonal.
-/// Gaps below half a cell are not found; radii are accurate to about half a cell. Independent of orientation and of the
-/// order of vertices and triangles. Throws InputError for an unusable shape (require_usable()).
+/// Radii are accurate to about half a cell. If the widest gap is below half a cell, it is half the width of the widest
+/// crack (half_crack_width()). Independent of orientation and of the order of vertices and triangles. Throws InputError
+/// for an unusable shape (require_usable()).
 GapSizes gap_sizes(const Shape& shape);
 
 /// Computes the point spacing of a cloud: the median distance to the sixth neighbour. On a regular surface it is about

@@ -26,14 +26,15 @@ std::size_t outlier_count(const Shape& shape) {
   return static_cast<std::size_t>(std::ranges::count(outliers(shape), true));
 }
 
+std::string outlier_text(std::size_t count, Eigen::Index points) {
+  return fmt::format("{} of {} points are outliers, farther from all others than 10 point spacings", count, points);
+}
+
 std::optional<std::string> outlier_warning(const Shape& shape) {
   const std::size_t count = outlier_count(shape);
   if (count == 0) return std::nullopt;
-  return fmt::format(
-      "{} of {} points are outliers, farther from all others than 10 point spacings: the size and the area of the "
-      "shape "
-      "are too large",
-      count, shape.vertices.rows());
+  return outlier_text(count, shape.vertices.rows()) +
+         ": the size and the area of the shape are too large; use `remove_outliers=true`";
 }
 
 Shape without_outliers(Shape shape) {

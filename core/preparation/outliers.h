@@ -18,6 +18,9 @@ std::vector<bool> outliers(const Shape& shape);
 /// Returns the number of outliers().
 std::size_t outlier_count(const Shape& shape);
 
+/// Says how many of a cloud's points are outliers.
+std::string outlier_text(std::size_t count, Eigen::Index points);
+
 /// Returns the warning about outliers() of a shape, if it has any.
 std::optional<std::string> outlier_warning(const Shape& shape);
 

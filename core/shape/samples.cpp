@@ -150,7 +150,7 @@ Samples sample_faces(const Shape& shape) {
 Samples sample_cloud(const Shape& shape) {
   Samples samples = empty_samples(SampleSite::vertices, shape.vertices.rows());
   samples.points = shape.vertices;
-  samples.normals = shape.normals.rows() > 0 ? shape.normals : unsigned_point_normals(shape.vertices);
+  samples.normals = shape.normals.isZero(0) ? unsigned_point_normals(shape.vertices) : shape.normals;
   samples.weights = point_weights(shape.vertices);
   return samples;
 }

@@ -19,10 +19,11 @@ double rounded_up(double value) {
   return std::ceil(value / unit) * unit;
 }
 
-/// Recommends a replacement for an offset smaller than the gaps of the shape.
+/// Recommends a remedy for gaps wider than the offset.
 std::string advice(const ChosenOffset& chosen) {
+  constexpr double most_advised = 0.2;  // beyond it, little of the shape is left
   const double enough = rounded_up(offset_per_gap * chosen.gap);
-  if (enough > 1) return "no offset closes them";
+  if (enough > most_advised) return "no small offset closes it: fill it, or measure more points of a cloud";
   const bool automatic_is_enough = !chosen.automatic && enough <= largest_automatic_offset;
   return fmt::format("use `offset={:.2g}`{}", enough, automatic_is_enough ? " or `offset=auto`" : "");
 }
@@ -57,10 +58,17 @@ std::string reasons_for_offset(const ChosenOffset& chosen) {
   if (!chosen.automatic) return {};
   const auto& [offset, gap, widest_gap, noise, sufficient] = *chosen.automatic;
   std::vector<std::string> reasons;
-  if (gap > 0)
+  if (gap > offset) {
+    reasons.push_back(fmt::format("closing the gaps would take {:.4g}", gap));
+  } else if (gap > 0) {
     reasons.push_back(fmt::format("{:.4g} closes the {}gaps", gap,
                                   offset_per_gap * widest_gap > largest_automatic_offset ? "narrower " : ""));
-  if (noise > 0) reasons.push_back(fmt::format("{:.4g} smooths the noise", noise));
+  }
+  if (noise > offset) {
+    reasons.push_back(fmt::format("smoothing the noise would take {:.4g}", noise));
+  } else if (noise > 0) {
+    reasons.push_back(fmt::format("{:.4g} smooths the noise", noise));
+  }
   if (!reasons.empty()) return fmt::format("fractions of the diagonal: {}", fmt::join(reasons, ", "));
   return widest_gap > 0 ? "no noise, and no gap that it could close" : "no gaps or noise found";
 }

@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
@@ -126,6 +127,22 @@ void check_size(const OpenMatrix& matrix, const MatrixIds& ids, const ModelSourc
   check(matrix.columns, "columns", ids.columns.size(), sources.columns);
 }
 
+// Returns true for a file of ranked lists. Throws InputError for settings of matrices that it cannot follow.
+bool has_ranked_answers(const EvaluationFiles& files) {
+  if (!is_ranked_answers_file(files.matrix)) return false;
+  const std::array<std::pair<std::string_view, bool>, 5> of_matrices{{{"similarity", files.similarity},
+                                                                      {"distance", !files.distance.empty()},
+                                                                      {"order", files.order != RowOrder::usual},
+                                                                      {"ids", !files.ids.empty()},
+                                                                      {"variable", !files.variable.empty()}}};
+  for (const auto& [setting, given] : of_matrices) {
+    if (!given) continue;
+    throw InputError(fmt::format("{}: `{}` applies to matrices only, and the file has ranked lists",
+                                 files.matrix.string(), setting));
+  }
+  return true;
+}
+
 EvaluationData data_of(const RankedAnswers& answers, RankedTask ranked) {
   return {.distances = {}, .answers = std::move(ranked.answers), .name = answers.name, .task = std::move(ranked.task)};
 }
@@ -213,7 +230,7 @@ std::vector<std::string> label_warnings(const TaskLabels& labels) {
 EvaluationData open_labelled(const EvaluationFiles& files) {
   TaskLabels labels = read_task_labels(files);
   std::vector<std::string> warnings = label_warnings(labels);
-  if (is_ranked_answers_file(files.matrix)) {
+  if (has_ranked_answers(files)) {
     const RankedAnswers answers = read_ranked_answers(files.matrix);
     EvaluationData data = data_of(answers, task_of_answers(answers, labels, files.unanswered));
     std::ranges::move(warnings, std::back_inserter(data.task.warnings));
@@ -247,7 +264,7 @@ EvaluationData open_labelled(const EvaluationFiles& files) {
 EvaluationData open_judged(const EvaluationFiles& files) {
   const Judgements judgements = read_qrels(files.qrels);
   EvaluationData data;
-  if (is_ranked_answers_file(files.matrix)) {
+  if (has_ranked_answers(files)) {
     const RankedAnswers answers = read_ranked_answers(files.matrix);
     data = data_of(answers, task_of_answers(answers, judgements, files.unanswered));
   } else {
@@ -318,6 +335,24 @@ EvaluationData open_evaluation_files(const EvaluationFiles& files) {
     throw InputError("exactly one of `labels` (classes of the models) and `qrels` (judgements) is required");
   }
   return files.qrels.empty() ? open_labelled(files) : open_judged(files);
+}
+
+std::vector<std::string> merged_warnings(std::span<const FileWarning> warnings, std::string_view noun) {
+  std::vector<std::pair<FileWarning, std::size_t>> different;  // the first of each, and their number
+  for (const FileWarning& warning : warnings) {
+    const auto known = std::ranges::find_if(different, [&](const auto& one) { return one.first.text == warning.text; });
+    if (known == different.end()) {
+      different.emplace_back(warning, 1);
+    } else {
+      ++known->second;
+    }
+  }
+  std::vector<std::string> merged;
+  for (const auto& [first, count] : different) {
+    merged.push_back(count == 1 ? fmt::format("{}: {}", first.file, first.text)
+                                : fmt::format("{} {} (first: {}): {}", count, noun, first.file, first.text));
+  }
+  return merged;
 }
 
 EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOptions& options,

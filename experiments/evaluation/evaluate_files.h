@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/datasets/files/open_matrix.h"
@@ -55,6 +56,16 @@ struct EvaluatedFiles {
   MatrixFindings findings;            ///< of the matrix; empty for ranked lists
   std::vector<std::string> warnings;  ///< one sentence each
 };
+
+/// Warning about a file.
+struct FileWarning {
+  std::string file;
+  std::string text;
+};
+
+/// Returns each text once, with the name of its file or, for several, with their number and the first of them. `noun`
+/// stands for files: "submissions".
+std::vector<std::string> merged_warnings(std::span<const FileWarning> warnings, std::string_view noun);
 
 /// Receives the number of evaluated rows of a matrix.
 using RowProgress = std::function<void(Eigen::Index done, Eigen::Index rows)>;

@@ -11,6 +11,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/datasets/files/json_text.h"
+#include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/experiments/engine/manifest.h"
@@ -63,7 +64,8 @@ Json key_of(const EvaluationOptions& options) {
   const auto& [protocol, ties, measures, curve, minimum_class_size] = options;
   Json names = Json::array();
   for (const Measure& measure : measures) names.push_back(measure.name);
-  return {name_of(protocol), name_of(ties), std::move(names), curve ? name_of(*curve) : "", minimum_class_size};
+  return {name_of(protocol),        name_of(ties), std::move(names), curve ? name_of(*curve) : "", minimum_class_size,
+          measure_versions(options)};
 }
 
 Json key_of_file(const std::filesystem::path& path) {
@@ -101,6 +103,13 @@ std::string key_of(const Json& common, const EvaluationFiles& files, const std::
 EvaluationFiles files_of(const Submission& submission, const EvaluationFiles& common) {
   EvaluationFiles files = common;
   files.matrix = submission.file;
+  if (is_ranked_answers_file(submission.file)) {  // the common settings are those of the matrices among submissions
+    files.variable.clear();
+    files.ids.clear();
+    files.distance.clear();
+    files.order = RowOrder::usual;
+    files.similarity = false;
+  }
   files.unanswered = Unanswered::count;
   if (!submission.distance.empty()) files.distance = submission.distance;
   if (!submission.ids.empty()) files.ids = submission.ids;
@@ -213,9 +222,7 @@ std::size_t index_of_measure(const std::string& wanted, const std::vector<std::s
 
 std::vector<std::string> measure_names(const EvaluationOptions& options) {
   std::vector<std::string> names;
-  for (const Measure& measure : options.measures.empty() ? default_measures(options.protocol) : options.measures) {
-    names.push_back(measure.name);
-  }
+  for (const Measure& measure : evaluated_measures(options)) names.push_back(measure.name);
   return names;
 }
 

@@ -138,11 +138,13 @@ ProtocolAudit audit_protocols(std::span<const std::filesystem::path> matrices, c
     const auto evaluated = evaluate_all(matrices, files, columns[i], audit);
     if (!evaluated) continue;
     if (i == 0) {
+      std::vector<FileWarning> warnings;
       for (std::size_t method = 0; method < matrices.size(); ++method) {
-        for (const std::string& warning : (*evaluated)[method].warnings) {
-          audit.warnings.push_back(fmt::format("{}: {}", matrices[method].string(), warning));
+        for (const std::string& text : (*evaluated)[method].warnings) {
+          warnings.push_back({matrices[method].string(), text});
         }
       }
+      audit.warnings = merged_warnings(warnings, "files");
       const AlignedMethods aligned = align_methods(scores_of(matrices, *evaluated), {});
       audit.methods = aligned.methods;
       for (const Eigen::MatrixXd& values : aligned.values) {

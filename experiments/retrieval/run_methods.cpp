@@ -75,7 +75,7 @@ bool is_in_memory(bool in_derived, std::size_t models) {
 /// Number of rows of streamed distances whose scores are stored together.
 constexpr Eigen::Index rows_of_entry = 512;
 
-/// Cache version of the scores of rows; increment when measures change.
+/// Cache version of the scores of rows; increment when ranked lists or curves change.
 constexpr int row_scores_version = 1;
 
 /// Distances and evaluations of all methods of a run.
@@ -218,6 +218,7 @@ class MethodsRun {
                                               {"protocols", protocols},
                                               {"ties", name_of(evaluation.ties)},
                                               {"measures", measures},
+                                              {"measure_versions", measure_versions(evaluations_.front())},
                                               {"minimum_class_size", evaluation.minimum_class_size},
                                               {"rows", {rows.first, rows.last}},
                                               {"version", row_scores_version}});

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <functional>
 #include <mutex>
-#include <numeric>
 #include <tbb/task_arena.h>
 #include <utility>
 
@@ -205,8 +204,15 @@ PartOutcome describe_part(const Dataset& dataset, const Configuration& configura
   std::vector<ModelFailure> failures = check_models(dataset);
   stop_on_failures(dataset, failures, configuration.on_error);
   const std::vector<std::size_t> own = part.of(models_without(failures, dataset.models.size()));
-  failures = describe_each(dataset, own, configuration, fields, context, [](std::size_t, const ModelDescription&) {});
+  std::vector<std::size_t> incomplete;
+  failures = describe_each(dataset, own, configuration, fields, context,
+                           [&](std::size_t model, const ModelDescription& description) {
+                             const auto errors = signature_errors(description, configuration.signatures, fields);
+                             if (!std::ranges::all_of(errors, &std::string::empty)) incomplete.push_back(model);
+                           });
   stop_on_failures(dataset, failures, configuration.on_error);
+  for (const ModelFailure& failure : failures) incomplete.push_back(failure.model);
+  for (const std::size_t model : incomplete) note_failure(dataset, model, configuration, fields, context.cache);
   PartOutcome outcome{.shapes = own.size() - failures.size(), .all = dataset.models.size()};
   for (const ModelFailure& failure : failures) {
     const Model& model = dataset.models[failure.model];
@@ -217,9 +223,8 @@ PartOutcome describe_part(const Dataset& dataset, const Configuration& configura
 
 bool are_described(const Dataset& dataset, const Configuration& configuration, const RunContext& context) {
   const std::vector<Field> fields = distinct_fields(configuration.signatures);
-  // The last shapes are described last.
-  std::vector<std::size_t> models(dataset.models.size());
-  std::iota(models.rbegin(), models.rend(), std::size_t{0});
+  std::vector<std::size_t> models = models_without(check_models(dataset), dataset.models.size());
+  std::ranges::reverse(models);  // the last shapes are described last
   return for_each_model(models, "shapes of other parts", true, context.control,
                         [&](std::size_t model) {
                           if (!is_described(dataset, model, configuration, fields, context.cache))

@@ -46,7 +46,7 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
 PartOutcome describe_part(const Dataset& dataset, const Configuration& configuration, const RunContext& context,
                           const Part& part);
 
-/// Returns true if the cache has what compute_signatures() needs of every model.
+/// Returns true if the cache has what compute_signatures() needs of every model that can be used.
 bool are_described(const Dataset& dataset, const Configuration& configuration, const RunContext& context);
 
 }  // namespace shapegauge

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -198,42 +199,69 @@ namespace {
 /// A result is not in the cache.
 struct NotStored {};
 
-/// Describes a model; `read` returns the shape of its file.
-ModelDescription describe_source(const Dataset& dataset, std::size_t model, const Configuration& configuration,
-                                 std::span<const Field> fields, bool parallel, Cache& cache,
-                                 const std::function<Shape(const ShapeSource&)>& read) {
+/// Model with the bytes of its file.
+struct OpenedModel {
+  ShapeSource file;
+  std::string hash;
+  std::string key;  ///< shape_key()
+};
+
+OpenedModel open_model(const Dataset& dataset, std::size_t model, const Configuration& configuration) {
   const Model& source = dataset.models[model];
-  const ShapeSource file = read_shape_source(source.file);
-  const std::string hash = sha256_of_shape(file);
-  const ModelSource depends_on{.sha256 = hash, .file = source.file, .id = source.id, .index = model};
+  OpenedModel opened{.file = read_shape_source(source.file), .hash = {}, .key = {}};
+  opened.hash = sha256_of_shape(opened.file);
+  opened.key = shape_key({.sha256 = opened.hash, .file = source.file, .id = source.id, .index = model},
+                         configuration.preparation, configuration.perturbations, configuration.seed);
+  return opened;
+}
+
+/// Describes a model; `read` returns the shape of its file.
+ModelDescription describe_opened(const Dataset& dataset, std::size_t model, const OpenedModel& opened,
+                                 const Configuration& configuration, std::span<const PlannedField> plan, bool parallel,
+                                 Cache& cache, const std::function<Shape(const ShapeSource&)>& read) {
   const auto perturbed = [&] {
-    return perturb_model(read(file), configuration.perturbations, configuration.seed, source.id, model);
+    return perturb_model(read(opened.file), configuration.perturbations, configuration.seed, dataset.models[model].id,
+                         model);
   };
-  Bench bench(shape_key(depends_on, configuration.preparation, configuration.perturbations, configuration.seed),
-              perturbed, configuration.preparation, parallel, cache);
+  Bench bench(opened.key, perturbed, configuration.preparation, parallel, cache);
   const bool viewed = configuration.report.views && dataset.models.size() <= most_models_with_views;
   ModelDescription description =
       describe_shape(bench, configuration, fields, viewed ? faces_of_views(dataset.models.size()) : 0);
-  description.sha256 = hash;
+  description.sha256 = opened.hash;
   return description;
+}
+
+/// Returns the key of note_failure().
+std::string failure_key(const std::string& shape, const Configuration& configuration, std::span<const Field> fields) {
+  nlohmann::json results = nlohmann::json::array();
+  for (const Field& field : fields) results.push_back(field_key(shape, field));
+  for (const SignatureConfiguration& signature : configuration.signatures) {
+    if (signature.descriptor) results.push_back(features_key(shape, *signature.descriptor, {}, ""));
+  }
+  return result_key(EntryKind::shape, {{"failed", std::move(results)}, {"shape", shape}});
 }
 
 }  // namespace
 
 ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                                 std::span<const Field> fields, bool parallel, Cache& cache) {
-  return describe_source(dataset, model, configuration, fields, parallel, cache,
-                         [](const ShapeSource& file) { return read_shape(file); });
+  return describe_opened(dataset, model, open_model(dataset, model, configuration), configuration, fields, parallel,
+                         cache, [](const ShapeSource& file) { return read_shape(file); });
 }
 
 bool is_described(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                   std::span<const Field> fields, Cache& cache) {
+  std::string key;
   try {
-    (void)describe_source(dataset, model, configuration, fields, false, cache,
+    const OpenedModel opened = open_model(dataset, model, configuration);
+    key = failure_key(opened.key, configuration, fields);
+    (void)describe_opened(dataset, model, opened, configuration, fields, false, cache,
                           [](const ShapeSource&) -> Shape { throw NotStored(); });
     return true;
   } catch (const NotStored&) {
-    return false;
+    return cache.find<bool>(EntryKind::shape, key).has_value();
+  } catch (const InputError&) {
+    return true;  // the file cannot be read
   }
 }
 
@@ -241,6 +269,17 @@ ModelDescription without_values(ModelDescription model) {
   for (FieldDescription& field : model.fields) field.values = field.weights = Eigen::VectorXf();
   for (FeatureDescription& features : model.features) features.features = Eigen::VectorXf();
   return model;
+}
+
+void note_failure(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                  std::span<const Field> fields, Cache& cache) {
+  std::string key;
+  try {
+    key = failure_key(open_model(dataset, model, configuration).key, configuration, fields);
+  } catch (const InputError&) {
+    return;  // the file cannot be read
+  }
+  cache.put(EntryKind::shape, key, true);
 }
 
 ScalarField kept_field(const FieldDescription& field) {

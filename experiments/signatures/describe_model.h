@@ -94,12 +94,17 @@ ModelDescription describe_shape(Bench& bench, const Configuration& configuration
 ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                                 std::span<const Field> fields, bool parallel, Cache& cache);
 
-/// Returns true if the cache has everything that describe_model() needs of a model.
+/// Returns true if describe_model() has nothing left to compute for a model: the cache has everything it needs, or the
+/// note that some of it cannot be computed, or the model's file cannot be read.
 bool is_described(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                   std::span<const Field> fields, Cache& cache);
 
 /// Returns the description without values and features, when these are in tables.
 ModelDescription without_values(ModelDescription model);
+
+/// Notes in the cache, for is_described(), that some results of a model cannot be computed.
+void note_failure(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                  std::span<const PlannedField> plan, Cache& cache);
 
 /// Returns the values kept by a description.
 ScalarField kept_field(const FieldDescription& field);

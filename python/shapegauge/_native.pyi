@@ -43,16 +43,16 @@ missing_value_words: list[str]
 def read(path: str) -> tuple[ndarray, ndarray, ndarray]: ...
 def write(path: str, vertices: ndarray, faces: ndarray, normals: ndarray) -> Optional[str]: ...
 def field(
-    vertices: ndarray, faces: ndarray, normals: ndarray, settings: str, threads: int
+    vertices: ndarray, faces: ndarray, normals: ndarray, settings: str, remove_outliers: bool, threads: int
 ) -> dict[str, Any]: ...
 def check(
     vertices: ndarray, faces: ndarray, min_wall: float, min_gap: float, min_area: float, separation_angle_degrees: float,
     threads: int
 ) -> dict[str, Any]: ...
 def segment(
-    vertices: ndarray, faces: ndarray, normals: ndarray, settings: str, threads: int
+    vertices: ndarray, faces: ndarray, normals: ndarray, settings: str, remove_outliers: bool, threads: int
 ) -> tuple[ndarray, list[str]]: ...
-def describe(vertices: ndarray, faces: ndarray, normals: ndarray, settings: str,
+def describe(vertices: ndarray, faces: ndarray, normals: ndarray, settings: str, remove_outliers: bool,
              threads: int) -> tuple[ndarray, list[str]]: ...
 def evaluate(
     distances: ndarray,

@@ -145,13 +145,14 @@ def _split_quads(vertices: _numpy.ndarray, faces: Any) -> Any:
 
 def _rows(values: Any, what: str, kind: Any) -> _numpy.ndarray:
     array = array_of(values, what)
+    wanted = "n x 3, or n x 4 for quads" if what == "faces" else "n x 3"
     if array.ndim == 0:
-        raise InputError(f"{what} must be n x 3, not {kind_of(values)}")
+        raise InputError(f"{what} must be {wanted}, not {kind_of(values)}")
     if array.size == 0 and array.ndim <= 2 and (array.ndim == 1 or array.shape[0] == 0):
         array = array.reshape(0, 3)
     if array.ndim != 2 or array.shape[1] != 3:
         hint = "; split polygons into triangles first" if what == "faces" and array.ndim == 2 else ""
-        raise InputError(f"{what} must be n x 3, not {shape_text(array)}{hint}")
+        raise InputError(f"{what} must be {wanted}, not {shape_text(array)}{hint}")
     if kind is _numpy.int32 and array.size > 0:
         if array.dtype.kind not in "iu":
             raise InputError(f"{what} must be whole numbers, not {array.dtype}; convert them with astype(int)")

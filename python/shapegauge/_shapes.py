@@ -9,7 +9,7 @@ from typing import Any, Iterator, Mapping, NamedTuple, Optional, Union
 import numpy as _numpy
 
 from . import _native
-from ._arguments import PathLike, kind_of, number_of_threads, path_of, plain, warn, word
+from ._arguments import PathLike, kind_of, number_of_threads, path_of, plain, switch, warn, word
 from ._native import InputError
 from ._settings import REGISTERED, listing, listing_of_all, settings_of, with_settings
 from ._shape_arrays import ShapeArrays, is_shape_object, settings_after, shape_arrays
@@ -78,23 +78,26 @@ def write(path: PathLike, vertices: Any, faces: Any = None, normals: Any = None)
 
 @with_settings([("Types and their settings", listing_of_all("fields"))])
 def field(vertices: Any, faces: Any = None, type: str = "offset_sdf", *, at: Sites = "faces", normals: Any = None,
-          threads: int = 0, **settings: Any) -> ScalarField:
+          remove_outliers: bool = False, threads: int = 0, **settings: Any) -> ScalarField:
     """A scalar field of any type that configurations know (docs/reference/configuration.md), in the units of the input.
 
-    at: "faces", "vertices" or {"surface": n}; a cloud has its values at its points. settings: those of the type, below.
-    Returns a ScalarField, which unpacks as values and weights.
+    at: "faces", "vertices" or {"surface": n}; a cloud has its values at its points. remove_outliers: ignore isolated
+    points of a cloud, whose values are NaN (done anyway with offset="auto"). settings: those of the type, below. Returns
+    a ScalarField, which unpacks as values and weights.
 
     >>> values, weights = sg.field(mesh, "centricity", sources=24)
     """
     faces, type = settings_after(vertices, faces, (type, "offset_sdf"))
-    found = _field(shape_arrays(vertices, faces, normals), word(type, "type"), at, settings, threads)
+    found = _field(shape_arrays(vertices, faces, normals), word(type, "type"), at, settings, remove_outliers, threads)
     warn(found["leaks"] + found["hollow"] + found["without_value"])
     return _scalar_field(found)
 
 
-def _field(shape: ShapeArrays, type: str, at: Sites, settings: Mapping[str, Any], threads: int) -> dict[str, Any]:
+def _field(shape: ShapeArrays, type: str, at: Sites, settings: Mapping[str, Any], remove_outliers: bool,
+           threads: int) -> dict[str, Any]:
     settings = {"type": type, "at": plain(at, "at"), **{name: plain(value, name) for name, value in settings.items()}}
-    return _native.field(*shape, _json.dumps(settings), number_of_threads(threads))
+    return _native.field(*shape, _json.dumps(settings), switch(remove_outliers, "remove_outliers"),
+                         number_of_threads(threads))
 
 
 def _scalar_field(found: dict[str, Any]) -> ScalarField:
@@ -114,13 +117,13 @@ def sdf(vertices: Any, faces: Any = None, method: Union[str, float] = "offset_sd
         offset: Union[None, float, str] = None, *, accuracy: Optional[str] = None, at: Sites = "faces",
         rays: Optional[int] = None, opening_angle_degrees: Optional[float] = None, engine: Optional[str] = None,
         postprocess: Optional[bool] = None, separation_angle_degrees: Optional[float] = None, normals: Any = None,
-        threads: int = 0) -> ScalarField:
+        remove_outliers: bool = False, threads: int = 0) -> ScalarField:
     """The thickness of a shape by the shape diameter function or inscribed balls, in the units of the input.
 
     method: "offset_sdf" (SDF of the offset surface, robust to noise and cracks, also for point clouds), "cone_sdf" (the
     conventional SDF, for closed meshes) or "inscribed_ball" (diameter of the largest inscribed ball). Each method has its
-    own settings, below. Returns a ScalarField, which unpacks as values and weights; its `offset` is the one that "auto"
-    chose.
+    own settings, below. remove_outliers: ignore isolated points of a cloud, whose values are NaN (done anyway with
+    offset="auto"). Returns a ScalarField, which unpacks as values and weights; its `offset` is the one that "auto" chose.
 
     >>> values, weights = sg.sdf(vertices, faces, method="offset_sdf", offset=0.05, at="faces")
     >>> sg.sdf(points, offset="auto").offset
@@ -141,22 +144,23 @@ def sdf(vertices: Any, faces: Any = None, method: Union[str, float] = "offset_sd
             raise InputError(f'{name} requires method="{other}", not "{method}"')
     if method == "offset_sdf":
         given = {**_SDF_DEFAULTS, **given}
-    found = _field(shape_arrays(vertices, faces, normals), method, at, given, threads)
+    found = _field(shape_arrays(vertices, faces, normals), method, at, given, remove_outliers, threads)
     warn(found["leaks"] + found["hollow"] + found["without_value"])
     return _scalar_field(found)
 
 
 def normals(vertices: Any, faces: Any = None, offset: Union[float, str] = "auto", *, at: Sites = "vertices",
-            threads: int = 0) -> _numpy.ndarray:
+            remove_outliers: bool = False, threads: int = 0) -> _numpy.ndarray:
     """Estimates outward unit normals, n x 3, robust to noise, cracks and orientation.
 
-    sdf() returns the same normals together with the offset chosen by "auto".
+    remove_outliers: ignore isolated points of a cloud, whose normals are 0 (done anyway with offset="auto"). sdf()
+    returns the same normals together with the offset chosen by "auto".
 
     >>> sg.normals(points).shape
     (5000, 3)
     """
     faces, offset = settings_after(vertices, faces, (offset, "auto"))
-    found = _field(shape_arrays(vertices, faces, None), "offset_sdf", at, {"offset": offset}, threads)
+    found = _field(shape_arrays(vertices, faces, None), "offset_sdf", at, {"offset": offset}, remove_outliers, threads)
     warn(found["leaks"] + found["without_value"])
     return found["normals"]
 
@@ -171,11 +175,12 @@ def _with_settings(function: str, own: Mapping[str, str], settings: Mapping[str,
 
 @with_settings([("Settings", listing({
     name: setting for name, setting in settings_of("sections", "segmentation_method").items() if name != "method"}))])
-def segment(vertices: Any, faces: Any = None, method: str = "best", *, normals: Any = None, threads: int = 0,
-            **settings: Any) -> _numpy.ndarray:
+def segment(vertices: Any, faces: Any = None, method: str = "best", *, normals: Any = None,
+            remove_outliers: bool = False, threads: int = 0, **settings: Any) -> _numpy.ndarray:
     """Cuts a shape into parts: int32 numbers of parts from 0 on, one a face, or a point of a cloud.
 
-    method: "best", or the paper's pipeline, "paper". settings: below, as parts=3: how many are wanted.
+    method: "best", or the paper's pipeline, "paper". remove_outliers: ignore isolated points of a cloud, whose numbers are
+    -1. settings: below, as parts=3: how many are wanted.
 
     >>> labels = sg.segment(vertices, faces)
     >>> labels = sg.segment(vertices, faces, "paper", field="cone_sdf", parts=4)
@@ -183,15 +188,18 @@ def segment(vertices: Any, faces: Any = None, method: str = "best", *, normals: 
     """
     faces, method = settings_after(vertices, faces, (method, "best"))
     document = _with_settings("segment", {"name": "parts", "method": word(method, "method")}, settings)
-    labels, warnings = _native.segment(*shape_arrays(vertices, faces, normals), document, number_of_threads(threads))
+    labels, warnings = _native.segment(*shape_arrays(vertices, faces, normals), document,
+                                       switch(remove_outliers, "remove_outliers"), number_of_threads(threads))
     warn(warnings)
     return labels
 
 
 @with_settings([("Descriptors and their settings", listing_of_all("descriptors"))])
 def describe(vertices: Any, faces: Any = None, descriptor: str = "light_field", *, normals: Any = None,
-             threads: int = 0, **settings: Any) -> _numpy.ndarray:
+             remove_outliers: bool = False, threads: int = 0, **settings: Any) -> _numpy.ndarray:
     """The features of a shape under a descriptor (docs/manual/descriptors.md), float32. The shape is scaled to unit area.
+
+    remove_outliers: ignore isolated points of a cloud.
 
     >>> features = sg.describe(vertices, faces, "light_field")
     >>> features = sg.describe(mesh, "d2")
@@ -200,7 +208,8 @@ def describe(vertices: Any, faces: Any = None, descriptor: str = "light_field", 
     shape = shape_arrays(vertices, faces, normals)
     document = _with_settings("describe", {"type": word(descriptor, "descriptor")}, settings)
     try:
-        features, warnings = _native.describe(*shape, document, number_of_threads(threads))
+        features, warnings = _native.describe(*shape, document, switch(remove_outliers, "remove_outliers"),
+                                              number_of_threads(threads))
     except InputError as error:
         raise InputError(str(error).replace("the descriptor: type:", "descriptor:")) from None
     warn(warnings)

@@ -234,6 +234,16 @@ TEST_F(RunParts, EvaluateRowsOfManyModels) {
   const json cache = json::parse(text_of(at("out/manifest.json")))["execution"]["cache"];
   EXPECT_EQ(cache["evaluation"], (json{{"from_cache", 6}, {"computed", 0}}));
   EXPECT_EQ(results, results_of_one());
+
+  // Nothing waits for models that fail: without area, without a file.
+  write_text(at("many/T8.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  fs::remove(at("many/T1500.off"));
+  json skipping = configuration;
+  skipping["on_error"] = "skip";
+  write_text(at("small.json"), skipping.dump());
+  EXPECT_THAT(run_part("2/2").output, testing::Not(HasSubstr("rows"))) << "nobody has tried model 8";
+  EXPECT_THAT(run_part("1/2").output, HasSubstr("scores of 1536 rows"));
+  EXPECT_THAT(run_part("2/2").output, HasSubstr("scores of 1412 rows"));
 }
 
 }  // namespace

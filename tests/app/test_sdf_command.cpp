@@ -211,8 +211,8 @@ TEST_F(SdfCommand, MissingValuesAreTold) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(
       outcome.errors,
-      "shapegauge: warning: 1 of 1 samples missing: parts that are open or inside out (offset_sdf measures these), or "
-      "vertices without triangles\n");
+      "shapegauge: warning: 1 of 1 samples missing: parts that are open or inside out (offset_sdf measures these), "
+      "vertices without triangles, or points without normals\n");
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("0,nan,0.5"));
 }
 

@@ -76,8 +76,8 @@ TEST_F(ShapeFiles, RemarksNameTheShape) {
   const Outcome outcome = run("sdf @sphere.off @sheet.off --method cone_sdf -o @out/");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, fmt::format("shapegauge: warning: {}: 1 of 1 samples missing: parts that are open or "
-                                        "inside out (offset_sdf measures these), or "
-                                        "vertices without triangles\n",
+                                        "inside out (offset_sdf measures these), "
+                                        "vertices without triangles, or points without normals\n",
                                         at("sheet.off").string()));
 }
 

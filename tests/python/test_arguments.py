@@ -101,6 +101,8 @@ CALLS = [
     (lambda: sg.sdf(np.eye(3), [[0.0, 1.0, 2.0]]), "whole numbers"),
     (lambda: sg.sdf(np.eye(3), [[0, 1, -1]]), "indices"),
     (lambda: sg.sdf(np.eye(4), [[0, 1, 2, 3]]), "n x 3"),
+    (lambda: sg.sdf(np.zeros((5, 3)), [[0, 1, 2, 3, 4]]), "n x 4 for quads"),
+    (lambda: sg.sdf(np.zeros((5, 3)), remove_outliers=1), "remove_outliers must be True or False"),
     (lambda: sg.sdf(np.eye(3), [[0, 1, 2, 3]]), "vertex outside"),
     (lambda: sg.sdf(np.eye(3), [[0, 1, 2, 0, 1]]), "triangles"),
     (lambda: sg.sdf(types.SimpleNamespace(points=VERTICES, faces=[4, 0, 1, 2, 3])), "triangles"),

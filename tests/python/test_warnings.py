@@ -107,6 +107,51 @@ def test_the_offset_sdf_of_a_hollow_body_is_of_its_hull():
     assert found == []
 
 
+def ball_with_outliers(count):
+    """Random points of a unit sphere, and outliers at both ends of the array."""
+    points = np.random.default_rng(1).normal(size=(3000, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    return np.concatenate([[[30.0, 0, 0]] * min(count, 1), points, [[0, -40.0, 0]] * (count - min(count, 1))])
+
+
+def test_outliers_are_removed_on_request_or_by_auto(tmp_path):
+    points = ball_with_outliers(2)
+    clean = sg.sdf(points[1:-1], offset="auto")
+    for settings in ({"offset": "auto"}, {"offset": clean.offset, "remove_outliers": True}):
+        found, told = warned(lambda: sg.sdf(points, **settings))
+        assert len(told) == 1 and told[0].startswith("2 of 3002 points are outliers")
+        assert found.offset == clean.offset
+        assert np.isnan(found.values[[0, -1]]).all() and (found.weights[[0, -1]] == 0).all()
+        assert (found.values[1:-1] == clean.values).all() and (found.weights[1:-1] == clean.weights).all()
+        assert (found.points == points).all() and (found.normals[1:-1] == clean.normals).all()
+    kept, told = warned(lambda: sg.sdf(points, offset=0.05))
+    assert np.isfinite(kept.values).all()
+    assert any("use remove_outliers=True" in sentence for sentence in told)
+    sg.write(tmp_path / "cloud.ply", points)
+    lines = program("sdf", tmp_path / "cloud.ply", "--method", "offset_sdf", "--offset", "0.05", "-o",
+                    tmp_path / "x.csv")
+    lines = [line.replace("--remove-outliers", "remove_outliers=True") for line in commands_warnings(lines)]
+    assert sorted(in_python(line) for line in lines) == sorted(told)
+
+
+def test_outliers_have_no_part_and_no_features():
+    points = ball_with_outliers(2)
+    labels, told = warned(lambda: sg.segment(points, remove_outliers=True))
+    assert (labels[[0, -1]] == -1).all() and (labels[1:-1] == sg.segment(points[1:-1])).all() and len(told) == 1
+    features, _ = warned(lambda: sg.describe(points, "d2", remove_outliers=True))
+    assert (features == sg.describe(points[1:-1], "d2")).all()
+    _, told = warned(lambda: sg.describe(points, "d2"))
+    assert any("outliers" in sentence for sentence in told)
+
+
+def test_normals_of_zero_are_none():
+    points = ball_with_outliers(0)
+    zero = np.zeros_like(points)
+    assert (sg.sdf(points, offset="auto", normals=zero).values == sg.sdf(points, offset="auto").values).all()
+    with pytest.raises(sg.InputError, match="the points have none"):
+        sg.sdf(points, method="inscribed_ball", normals=zero)
+
+
 def test_ties_are_counted_and_bounded():
     # All distances but one are equal: FT is what the order of equals makes of it.
     labels = [0, 0, 0, 1, 1, 1]

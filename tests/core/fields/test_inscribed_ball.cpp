@@ -174,6 +174,8 @@ TEST(InscribedBall, MissesWhereNothingStopsTheBall) {
 TEST(InscribedBall, OfPointsWithNormals) {
   Shape cloud = test::random_points(test::sphere(1, 4), 4000, 5);
   EXPECT_THROW(inscribed_ball(cloud, sample_shape(cloud, SampleSite::vertices)), InputError);
+  cloud.normals = Points::Zero(cloud.vertices.rows(), 3);
+  EXPECT_THROW(inscribed_ball(cloud, sample_shape(cloud, SampleSite::vertices)), InputError) << "zero is no normal";
   cloud.normals = cloud.vertices.rowwise().normalized();
   const Eigen::VectorXd diameters = inscribed_ball(cloud, sample_shape(cloud, SampleSite::vertices));
   EXPECT_NEAR(diameters.mean(), 2, 0.05);

@@ -70,8 +70,8 @@ TEST(GapSize, IsZeroWithoutAnInnerSpace) {
 }
 
 TEST(GapSize, OfPatchesIsThatOfTheCracksBetweenThem) {
-  // The six sides of a cube, each moved outwards; the hole of a crack of 1e-6 is far below the resolution.
-  for (const double crack : {1e-6, 0.1}) {
+  // The six sides of a cube, each moved outwards; only the widest crack is above the resolution of the grid.
+  for (const double crack : {1e-6, 1e-4, 1e-2, 0.1}) {
     std::vector<Shape> sides;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       for (const double side : {-1.0, 1.0}) {
@@ -81,10 +81,30 @@ TEST(GapSize, OfPatchesIsThatOfTheCracksBetweenThem) {
       }
     }
     const Shape cube = test::joined(sides);
-    // The widest place of the cracks is at a corner, where three sides end in an equilateral triangle.
-    const double expected = crack > 1e-3 ? crack / 2 * std::numbers::sqrt2 : 0;
-    EXPECT_NEAR(gap_sizes(cube).widest, expected, expected > 0 ? 1.5 * half_cell(cube) : 0) << crack;
+    const double half_width = crack / 2 * std::numbers::sqrt2;
+    const GapSizes sizes = gap_sizes(cube);
+    EXPECT_NEAR(sizes.widest, half_width, crack > 0.05 ? 1.5 * half_cell(cube) : 0.01 * half_width) << crack;
+    EXPECT_EQ(sizes.closable, sizes.widest);
   }
+}
+
+TEST(GapSize, OfTilesIsHalfTheirDistance) {
+  // A closed box of 8 x 8 tiles a side, each shrunk by a thousandth towards its centre.
+  Shape tiles = test::soup(test::box({2, 2, 2}, 8));
+  for (Eigen::Index first = 0; first < tiles.vertices.rows(); first += 3) {
+    auto corners = tiles.vertices.middleRows(first, 3);
+    const Eigen::RowVector3d centre = corners.colwise().mean();
+    corners = (0.999 * (corners.rowwise() - centre)).rowwise() + centre;
+  }
+  // The centre of a right triangle of side 1/4 is 1/12 from its short sides.
+  EXPECT_NEAR(gap_sizes(tiles).widest, 0.001 / 12, 0.01 * 0.001 / 12);
+}
+
+TEST(GapSize, IsZeroWhereEdgesMeetWithoutSharingCorners) {
+  // The lid has one edge where the wall has eight.
+  Shape walls = without(test::box({2, 2, 2}, 8), [](const Eigen::Vector3d& x) { return x.z() > 0.99; });
+  Shape lid = without(test::box({2, 2, 2}, 1), [](const Eigen::Vector3d& x) { return x.z() < 0.99; });
+  EXPECT_EQ(gap_sizes(test::joined({walls, lid})).widest, 0);
 }
 
 TEST(GapSize, OfACloudIncludesItsHoles) {

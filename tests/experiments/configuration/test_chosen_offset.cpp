@@ -52,6 +52,8 @@ TEST(ReasonsForOffset, ClaimOnlyWhatTheOffsetCloses) {
             "fractions of the diagonal: 0.02 closes the gaps, 0.01 smooths the noise");
   EXPECT_EQ(reasons({.offset = 0.02, .gap = 0.02, .widest_gap = 0.1}),
             "fractions of the diagonal: 0.02 closes the narrower gaps");
+  EXPECT_EQ(reasons({.offset = 0.05, .gap = 0.9, .widest_gap = 0.8, .noise = 0.02, .sufficient = false}),
+            "fractions of the diagonal: closing the gaps would take 0.9, 0.02 smooths the noise");
   EXPECT_EQ(reasons({.offset = 0.01, .widest_gap = 0.1}), "no noise, and no gap that it could close");
   EXPECT_EQ(reasons_for_offset({.offset = 0.1, .automatic = {}}), "");
 }
@@ -69,6 +71,9 @@ TEST(LeakWarning, IsOfOffsetsBelowTheGap) {
 TEST(LeakWarning, NamesAnOffsetThatIsEnough) {
   // 1.1 times the gap, 0.0917, rounded up to two digits.
   EXPECT_NE(leak_warning({.offset = 0.01, .gap = gap, .automatic = {}})->find("0.092"), std::string::npos);
+  for (const double wide : {0.2, 0.84, 1.0}) {
+    EXPECT_EQ(leak_warning({.offset = 0.05, .gap = wide, .automatic = {}})->find("`offset"), std::string::npos) << wide;
+  }
 }
 
 }  // namespace

@@ -248,6 +248,28 @@ TEST_F(EvaluateFiles, DistancesAreNoFeatures) {
               AllOf(HasSubstr("d.csv"), HasSubstr("not features")));
 }
 
+TEST_F(EvaluateFiles, SettingsOfMatricesAreErrorsWithRankedLists) {
+  using Change = void (*)(EvaluationFiles&);
+  const std::vector<std::pair<const char*, Change>> changes{
+      {"`similarity`", [](EvaluationFiles& files) { files.similarity = true; }},
+      {"`distance`", [](EvaluationFiles& files) { files.distance = "l1"; }},
+      {"`order`", [](EvaluationFiles& files) { files.order = RowOrder::natural; }},
+      {"`ids`", [](EvaluationFiles& files) { files.ids = "ids.txt"; }},
+      {"`variable`", [](EvaluationFiles& files) { files.variable = "D"; }}};
+  test::write_text(at("lists.run"), "0 Q0 1 1 2 run\n");
+  test::write_text(at("q.qrels"), "0 0 1 1\n");
+  for (const bool judged : {false, true}) {
+    EvaluationFiles files{.matrix = at("lists.run")};
+    (judged ? files.qrels : files.labels) = judged ? at("q.qrels") : at("labels.csv");
+    EXPECT_NO_THROW(open_evaluation_files(files));
+    for (const auto& [setting, change] : changes) {
+      EvaluationFiles changed = files;
+      change(changed);
+      EXPECT_THAT(test::input_error_of([&] { open_evaluation_files(changed); }), HasSubstr(setting));
+    }
+  }
+}
+
 TEST_F(EvaluateFiles, IdsMatchTheEndsOfPaths) {
   test::write_text(at("paths.csv"), "id,class\ncat/a,cat\ncat/b,cat\ndog/c,dog\n");
   test::write_text(at("names.csv"), "id,class\na.obj,cat\nb.obj,cat\nc.obj,dog\n");

@@ -202,6 +202,8 @@ TEST(JudgeSubmissions, EveryInputOfAnEvaluationIsInItsKey) {
     ids += fmt::format("m{}\n", i);
     qrels += fmt::format("m{} 0 m{} 1\n", i, (i + 3) % test_board::models);
   }
+  MeasureDefinition changed = *measure_of("NN").definition;
+  ++changed.version;
   using Change = std::function<void(JudgingOptions&)>;
   const std::vector<std::pair<std::string, Change>> changes{
       {"protocol", [&](JudgingOptions& o) { o.evaluation.protocol = Protocol::paper; }},
@@ -210,6 +212,10 @@ TEST(JudgeSubmissions, EveryInputOfAnEvaluationIsInItsKey) {
       {"order of measures",
        [&](JudgingOptions& o) {
          o.evaluation.measures = {measure_of("FT"), measure_of("NN")};
+       }},
+      {"version of a measure",
+       [&](JudgingOptions& o) {
+         o.evaluation.measures = {{"NN", &changed}};
        }},
       {"curve", [&](JudgingOptions& o) { o.evaluation.curve = CurveKind::trec; }},
       {"minimum class size", [&](JudgingOptions& o) { o.evaluation.minimum_class_size = 3; }},

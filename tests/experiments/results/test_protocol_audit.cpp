@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -58,6 +59,20 @@ TEST_F(ProtocolAuditTest, TablesCompareScoresOfOneQuantity) {
   }
   EXPECT_EQ(audit_csv_table(found).rows.size(), 2 * found.scores.size());
   EXPECT_EQ(audit_json(found)["scores"][1]["values"][1], 1);
+}
+
+// The labels are those of both files.
+TEST_F(ProtocolAuditTest, WarningsAboutLabelsAreGivenOnce) {
+  test::TemporaryFolder folder;
+  const std::vector matrices{folder.file("a.csv", "0,1,2\n1,0,3\n2,3,0\n"),
+                             folder.file("b.csv", "0,1,4\n1,0,3\n4,3,0\n")};
+  const ProtocolAudit found =
+      audit_protocols(matrices, {.matrix = {}, .labels = folder.file("l.csv", "id,class\n0,a\n1,a\n2,nan\n")},
+                      {.resampling = {.resamples = 20}});
+  EXPECT_EQ(std::ranges::count_if(found.warnings,
+                                  [](const std::string& text) { return text.find("nan") != std::string::npos; }),
+            1)
+      << testing::PrintToString(found.warnings);
 }
 
 // All lists are alike, so that all queries of the class a have a first tier of 1 and those of b 0: resampled classes
