@@ -204,11 +204,12 @@ SurfaceWriter surface_writer(const fs::path& name, const std::string& unit) {
   if (is_page(name)) {
     return [unit](const fs::path& path, const CheckedPart& part) { write_page(path, part, unit); };
   }
-  return [write = field_file_writer(name, {.label = fraction_words, .range = Interval{0, 1}})](
-             const fs::path& path, const CheckedPart& part) {
-    const CheckedSurface& surface = part.report.surface;
-    write(path, surface.mesh, sample_shape(surface.mesh, SampleSite::faces), surface.fractions);
-  };
+  return
+      [write = field_file_writer(name, {.label = fraction_words, .value_name = "fraction", .range = Interval{0, 1}})](
+          const fs::path& path, const CheckedPart& part) {
+        const CheckedSurface& surface = part.report.surface;
+        write(path, surface.mesh, sample_shape(surface.mesh, SampleSite::faces), surface.fractions);
+      };
 }
 
 }  // namespace shapegauge
