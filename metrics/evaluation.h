@@ -92,7 +92,7 @@ struct QueryScores {
   Eigen::MatrixXd precisions;         ///< queries x recall levels
   std::vector<std::size_t> relevant;  ///< number of relevant models, by query
   std::vector<char> tied;             ///< flag for ties, by query
-  Eigen::MatrixX2d first_tiers;       ///< by query: FT under Ties::pessimistic and Ties::optimistic
+  Eigen::MatrixX2d first_tiers;       ///< per query: FT under Ties::pessimistic and Ties::optimistic
 };
 
 /// Streaming version of evaluate() for all rows of a matrix or a part of them. Several processes may each evaluate some

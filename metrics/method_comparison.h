@@ -65,7 +65,7 @@ struct PairDifference {
 
 /// Comparison of two or more methods by one measure.
 struct MethodComparison {
-  Eigen::VectorXd averages;                   ///< by method
+  Eigen::VectorXd averages;                   ///< per method
   std::vector<ConfidenceInterval> intervals;  ///< of the averages
   std::vector<PairDifference> pairs;
   Eigen::Index units = 0;  ///< number of classes or queries

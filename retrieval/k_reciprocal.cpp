@@ -20,7 +20,7 @@ namespace shapegauge {
 
 namespace {
 
-using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // by column
+using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // per column
 
 constexpr std::array reciprocal_table = {
     option_of<&ReciprocalOptions::neighbours>(

@@ -30,7 +30,7 @@ inline constexpr std::array boundary_smoothing_table = {
 /// Smooths the borders between parts: makes them shorter and aligns them with concavities. Only nodes near borders
 /// change; the cost is minimised by alpha_expansion(). Changing a node's part costs its area times its distance to the
 /// new part's old border, relative to `width`. A border costs its length, less in concavities. No label disappears.
-/// Throws InputError for options out of range, and ArgumentError unless there is one label a node, from 0 on.
+/// Throws InputError for options out of range, and ArgumentError unless there is one label per node, from 0 on.
 std::vector<std::int32_t> smoothed_boundaries(const ThickSurface& surface, std::span<const std::int32_t> labels,
                                               const BoundarySmoothingOptions& options);
 

@@ -20,7 +20,7 @@ struct PartSegmentationOptions {
   int parts = 0;                   ///< number of parts; 0 for automatic
   int patches = 150;               ///< number of initial patches; more if more parts are requested
   int samples = 1000;              ///< number of surface samples for mutual visibility, at least 1
-  double least_probability = 0.5;  ///< regions with a lower probability of being one part stay apart
+  double least_probability = 0.5;  ///< regions with a lower probability of being one part are not merged
   BoundarySmoothingOptions smoothing{};
   std::uint64_t seed = 1;
 };

@@ -228,9 +228,9 @@ class Assembly {
     return node;
   }
 
-  std::vector<std::int32_t> places_;   ///< by vertex
+  std::vector<std::int32_t> places_;   ///< per vertex
   std::vector<std::int32_t> node_at_;  ///< by place; -1 for none
-  std::vector<double> mass_;           ///< by node
+  std::vector<double> mass_;           ///< per node
   std::vector<Eigen::Triplet<double>> entries_;
 };
 

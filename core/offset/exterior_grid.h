@@ -66,7 +66,7 @@ class ExteriorGrid {
   const GridSurface& surface_;
   std::vector<std::int32_t> state_;
   std::vector<BoundaryBlock> boundary_;
-  std::vector<std::uint64_t> exterior_;  ///< by block of boundary_: cells that belong to E(r)
+  std::vector<std::uint64_t> exterior_;  ///< per block of boundary_: cells that belong to E(r)
   std::vector<Cubes> cubes_;             ///< by state
   std::ptrdiff_t first_cubes_ = 0;       ///< index of those of state 0
 };

@@ -215,7 +215,7 @@ class CubeRepresentatives {
 struct SortedPoints {
   std::vector<Point> list;
   std::vector<std::size_t> begins;       ///< first point of each block with points; one more entry at the end
-  std::vector<std::uint8_t> is_omitted;  ///< by point
+  std::vector<std::uint8_t> is_omitted;  ///< per point
 };
 
 /// Returns the bounding boxes of the groups of the points.

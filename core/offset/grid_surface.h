@@ -29,7 +29,7 @@ struct GridPoints {
   AlignedArray<float> x, y, z;         ///< in cells; padded by infinite ones
   AlignedArray<float> area;            ///< area represented by each; padded
   std::vector<std::int32_t> triangle;  ///< triangle that contains each; padded
-  std::vector<std::uint32_t> first;    ///< by block: index of its first point; one more entry at the end
+  std::vector<std::uint32_t> first;    ///< per block: index of its first point; one more entry at the end
   PointBoxes boxes;                    ///< of groups of points
 
   [[nodiscard]] std::size_t size() const { return first.empty() ? 0 : first.back(); }

@@ -21,7 +21,7 @@ struct OffsetSites {
     static constexpr std::size_t blocks = 64;
     std::vector<float> x, y, z;                     ///< padded
     std::vector<std::int32_t> triangle;             ///< triangle at a distance of r from each
-    std::array<std::uint16_t, blocks + 1> first{};  ///< by block: index of its first site; one more entry at the end
+    std::array<std::uint16_t, blocks + 1> first{};  ///< per block: index of its first site; one more entry at the end
   };
   std::vector<Chunk> chunks;
   /// Occupancy of cubes of `cube_edge` blocks along each axis, and the list of occupied cubes.

@@ -86,8 +86,8 @@ bool DecimationMesh::is_collapse_ok(HalfedgeHandle side) const {
 /// Triangle soup converted to a half-edge mesh for decimation.
 struct DecimationInput {
   DecimationMesh mesh;                   ///< in the shape's unit frame
-  std::vector<std::int32_t> vertices;    ///< by vertex of the mesh: the first coincident vertex of the shape
-  std::vector<bool> turned;              ///< by face of the mesh: reversed with respect to the shape
+  std::vector<std::int32_t> vertices;    ///< per vertex of the mesh: the first coincident vertex of the shape
+  std::vector<bool> turned;              ///< per face of the mesh: reversed with respect to the shape
   std::vector<std::int32_t> left_aside;  ///< triangles of the shape that the mesh cannot represent
 };
 
@@ -138,8 +138,8 @@ std::size_t corner_of(const HalfEdge& use, bool at_low) {
 struct CutSurface {
   ParitySets orientation;              ///< parity of triangles: odd ones are reversed
   ParitySets corners;                  ///< corners of all triangles, united by fan
-  std::vector<bool> locked;            ///< by vertex of the shape, welded
-  std::vector<bool> has_three_places;  ///< by triangle
+  std::vector<bool> locked;            ///< per vertex of the shape, welded
+  std::vector<bool> has_three_places;  ///< per triangle
 };
 
 CutSurface cut_surface(const Shape& shape, const std::vector<std::int32_t>& merged) {
@@ -268,7 +268,7 @@ class DecimationModule : public OpenMesh::Decimater::ModBaseT<DecimationMesh> {
  private:
   [[nodiscard]] bool keeps_faces(const CollapseInfo& collapse);
 
-  std::vector<OpenMesh::Geometry::Quadricd> quadrics_;  ///< by vertex
+  std::vector<OpenMesh::Geometry::Quadricd> quadrics_;  ///< per vertex
   SparseInterruptionCheck check_;
 };
 

@@ -14,7 +14,7 @@ namespace shapegauge {
 /// welded: they have the same neighbours, and only the first of coincident neighbours is listed. Vertices used only by
 /// duplicate triangles have no neighbours (distinct_triangles()).
 struct VertexNeighbours {
-  std::vector<std::size_t> first;        ///< by vertex: begin of its neighbours; one more entry at the end
+  std::vector<std::size_t> first;        ///< per vertex: begin of its neighbours; one more entry at the end
   std::vector<std::int32_t> neighbours;  ///< all neighbours, vertex by vertex
 
   [[nodiscard]] std::span<const std::int32_t> of(Eigen::Index vertex) const {

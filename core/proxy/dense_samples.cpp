@@ -48,8 +48,8 @@ CanonicalTriangle canonical_triangle(const Shape& mesh, Eigen::Index triangle) {
 
 /// Consistent orientation of triangles across edges with exactly two of them.
 struct TriangleSheets {
-  std::vector<std::int32_t> sheet;  ///< by triangle; -1 in a non-orientable piece
-  std::vector<char> reversed;       ///< by triangle: reversed relative to the sheet
+  std::vector<std::int32_t> sheet;  ///< per triangle; -1 in a non-orientable piece
+  std::vector<char> reversed;       ///< per triangle: reversed relative to the sheet
 };
 
 struct AdjacentTriangle {

@@ -101,7 +101,7 @@ class PointConnectivity {
   std::optional<SampleConnectivity> across_samples_;  ///< made when first needed
 };
 
-/// Returns each pair of neighbours once, the lesser point first.
+/// Returns each pair of neighbours once, the smaller point first.
 std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, PointConnectivity connectivity, int neighbours) {
   const PointNeighbours nearest = nearest_neighbours(proxy.at.points, neighbours);
   const double reach = 2.5 * proxy.covering_radius;

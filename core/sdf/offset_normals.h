@@ -8,7 +8,7 @@ namespace shapegauge {
 
 /// Normals estimated from the offset surface.
 struct OffsetNormals {
-  Points normals;  ///< unit vectors, one row a sample; zero if missing
+  Points normals;  ///< unit vectors, one row per sample; zero if missing
   OffsetSdfOutcomes outcomes;
 };
 

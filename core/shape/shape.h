@@ -8,9 +8,9 @@
 
 namespace shapegauge {
 
-/// n x 3 coordinates, one row a point.
+/// n x 3 coordinates, one row per point.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-/// m x 3 vertex indices, one row a triangle.
+/// m x 3 vertex indices, one row per triangle.
 using Triangles = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// Polygons of a file that the triangles of a mesh belong to (polygons.h). The triangles of a polygon are consecutive,

@@ -40,7 +40,7 @@ constexpr int most_models = 1000;
 /// A class of the generator.
 struct GeneratedClass {
   std::string name;
-  std::vector<std::string> parts;  ///< by label
+  std::vector<std::string> parts;  ///< per label
 
   /// Makes a function that draws a model of about so many faces.
   std::function<std::function<SolidMesh(RandomNumbers&)>(int faces)> prepare;

@@ -27,7 +27,7 @@ struct DerivedDistances {
 
 /// Settings of a sum of distances.
 struct SumSettings {
-  std::vector<double> weights;  ///< by term
+  std::vector<double> weights;  ///< per term
   SumOptions options = {};
 };
 

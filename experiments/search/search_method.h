@@ -20,7 +20,7 @@ struct SearchMethod {
   std::string name;                ///< of the signature
   Configuration configuration;     ///< its preparation and the compared signatures; the rest is ignored
   std::vector<std::size_t> terms;  ///< indices of the compared signatures: one, or the terms of a sum
-  std::vector<double> weights;     ///< by term, as given
+  std::vector<double> weights;     ///< per term, as given
   SumWeights weight_kind = SumWeights::given;
   DistanceScale scale = DistanceScale::none;
   DiffusionOptions diffusion;  ///< for re-ranked answers

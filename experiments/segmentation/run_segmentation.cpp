@@ -114,7 +114,7 @@ class SegmentationJob {
   }
 
   SegmentedShape result;
-  std::vector<SegmentationErrors> errors;  ///< by method, then people's
+  std::vector<SegmentationErrors> errors;  ///< per method, then people's
 
  private:
   const Parts& cached_parts(const SegmentationMethod& method) {
@@ -229,7 +229,7 @@ void check_failures(const std::vector<ModelFailure>& failed, const SegmentationE
 /// Results for a shape.
 struct CutShape {
   SegmentedShape shape;
-  std::vector<SegmentationErrors> errors;  ///< by method, then people's
+  std::vector<SegmentationErrors> errors;  ///< per method, then people's
 };
 
 void run_stages(const RunContext& context, SegmentationResults& results) {

@@ -25,12 +25,12 @@ struct ComputedSignatures {
   std::vector<Interval> field_ranges;  ///< by field of the plan, over all models
   std::vector<std::vector<Interval>>
       histogram_ranges;               ///< by signature: range of each model's histogram; empty without a field
-  std::vector<std::string> pictures;  ///< by model; empty if not configured
-  std::vector<std::string> views;     ///< by model, interactive 3D views; empty if not configured
+  std::vector<std::string> pictures;  ///< per model; empty if not configured
+  std::vector<std::string> views;     ///< per model, interactive 3D views; empty if not configured
   std::vector<ViewedField> viewed;  ///< fields of the views, named after the first signature that is a histogram of it,
                                     ///< or the one that has it pictured
   std::vector<FieldReport> fields;
-  std::vector<ShapeReport> shapes;  ///< by model with signatures
+  std::vector<ShapeReport> shapes;  ///< per model with signatures
 };
 
 /// Computes all signatures of the configuration, in parallel over the models. The same bytes for any number of threads.

@@ -191,7 +191,7 @@ void check_axes(const DescriptorSettings& settings) {
   }
 }
 
-/// Returns the data set's ranges, one row an axis.
+/// Returns the data set's ranges, one row per axis.
 LearntFeatures learn_ranges(std::span<const DescriptorInput> shapes, const DescriptorSettings& settings) {
   if (shapes.empty()) return {};
   const std::vector<JointAxis> axes = axes_from(settings);
