@@ -37,7 +37,7 @@ struct PartialOverview {
 
   Eigen::Index first = 0;
   double unit = 1;
-  std::vector<std::int32_t> places;  ///< per model: its position in order_by_class()
+  std::vector<std::int32_t> positions;  ///< per model: its position in order_by_class()
   Eigen::Index block = 1;
   Eigen::Index side = 0;        ///< number of cells along a side
   std::vector<Cell> sums;       ///< row by row; empty if a cell is one entry

@@ -97,7 +97,7 @@ std::optional<CurveKind> curve_kind_of(std::string_view name) { return value_of_
 
 std::vector<std::string> curve_kind_names() { return list_of_words<CurveKind>(); }
 
-CurveKind usual_curve(Protocol protocol) { return curve_kind_of(name_of(protocol)).value(); }
+CurveKind default_curve(Protocol protocol) { return curve_kind_of(name_of(protocol)).value(); }
 
 std::vector<double> recall_levels(CurveKind kind, std::size_t largest_relevant) {
   return levels_of(first_level_of(kind), divisions_of(kind, largest_relevant));

@@ -40,7 +40,7 @@ std::optional<CurveKind> curve_kind_of(std::string_view name);
 std::vector<std::string> curve_kind_names();
 
 /// Returns the default curve of a protocol, which has the same name.
-CurveKind usual_curve(Protocol protocol);
+CurveKind default_curve(Protocol protocol);
 
 /// Precision at fixed levels of recall, averaged over queries.
 struct PrecisionRecallCurve {

@@ -46,7 +46,7 @@ RetrievalTask leave_one_out(std::span<const int> labels);
 int subclass_grade(int query, int model);
 
 /// Numbers subclasses by name: equal names have equal numbers, an empty name is no_subclass. Empty if all names are.
-std::vector<int> numbered_subclasses(std::span<const std::string> names);
+std::vector<int> number_subclasses(std::span<const std::string> names);
 
 /// Returns true if relevant targets may have grades other than 1.
 bool has_grades(const RetrievalTask& task);

@@ -33,7 +33,7 @@ namespace {
 struct WantedEvaluation {
   std::vector<int> labels;                   ///< of the rows; negative for no class
   std::vector<int> targets;                  ///< of the columns, if they are other models; otherwise empty
-  std::vector<int> subclasses;               ///< of the models, see numbered_subclasses(); empty for none
+  std::vector<int> subclasses;               ///< of the models, see number_subclasses(); empty for none
   std::optional<Eigen::MatrixXi> relevance;  ///< grades instead of classes; 0 for not relevant
   bool square = true;                        ///< row i and column i are the same model
   bool negated = false;                      ///< the values are similarities
@@ -159,7 +159,7 @@ py::tuple state_of(const Evaluation& evaluation) {
   return py::make_tuple(name_of(evaluation.protocol), name_of(evaluation.ties), name_of(evaluation.curve),
                         evaluation.measures, evaluation.queries, evaluation.query_classes, evaluation.per_query,
                         evaluation.classes, evaluation.per_class, evaluation.micro, evaluation.macro, curves,
-                        evaluation.models_left_out, evaluation.queries_with_ties,
+                        evaluation.excluded_models, evaluation.queries_with_ties,
                         evaluation.first_tier_bounds.pessimistic, evaluation.first_tier_bounds.optimistic);
 }
 
@@ -190,7 +190,7 @@ Evaluation evaluation_of(const py::tuple& state) {
       evaluation.class_curves.push_back(std::move(curve));
     }
   }
-  take(evaluation.models_left_out);
+  take(evaluation.excluded_models);
   take(evaluation.queries_with_ties);
   take(evaluation.first_tier_bounds.pessimistic);
   take(evaluation.first_tier_bounds.optimistic);
@@ -256,7 +256,7 @@ void bind_evaluation(py::module_& module) {
       .def_readonly("macro", &Evaluation::macro)
       .def_readonly("per_query", &Evaluation::per_query)
       .def_readonly("per_class", &Evaluation::per_class)
-      .def_readonly("models_left_out", &Evaluation::models_left_out)
+      .def_readonly("models_left_out", &Evaluation::excluded_models)
       .def_readonly("queries_with_ties", &Evaluation::queries_with_ties)
       .def_property_readonly("protocol", [](const Evaluation& evaluation) { return name_of(evaluation.protocol); })
       .def_property_readonly("recall", [](const Evaluation& evaluation) { return evaluation.micro_curve.recall; })

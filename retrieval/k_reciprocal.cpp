@@ -157,7 +157,7 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
                      "; it must be at most neighbours, which is " + std::to_string(counts.back()));
   }
   const NearestModels found = nearest_models(models, counts.back(), rows_of(given));
-  if (models < 2) return symmetrised(given);
+  if (models < 2) return symmetrise(given);
   const double factor = safe_factor(found.largest);
   const NearestModels nearest = with_scaled_distances(found, factor);
   const DistanceMatrix distances = factor * given;
@@ -176,7 +176,7 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
                                         : std::numeric_limits<double>::infinity();
     }
   });
-  return symmetrised(result);
+  return symmetrise(result);
 }
 
 RerankMethod k_reciprocal_method() {

@@ -295,8 +295,8 @@ class PlyBody {
     const PlyElement* const face = find_element(header, "face");
     const PlyElement& vertex = *find_element(header, "vertex");
     // The normals of a mesh are ignored.
-    places_read_ = (face == nullptr || face->count == 0) && has_vector(vertex, 3) ? 6 : 3;
-    std::ranges::transform(vertex.properties, std::back_inserter(vertex_places_), place_of);
+    numbers_read_ = (face == nullptr || face->count == 0) && has_vector(vertex, 3) ? 6 : 3;
+    std::ranges::transform(vertex.properties, std::back_inserter(vertex_numbers_), place_of);
     soup_.reserve(std::min<std::size_t>(vertices_, source_.remaining() / 3),
                   std::min<std::size_t>(face == nullptr ? 0 : face->count, source_.remaining() / 4));
   }
@@ -332,15 +332,15 @@ class PlyBody {
 
   bool read_vertex(const PlyElement& element, std::int64_t i) {
     std::array<double, 6> numbers = {};  // the position and the normal
-    for (std::size_t k = 0; k < vertex_places_.size(); ++k) {
+    for (std::size_t k = 0; k < vertex_numbers_.size(); ++k) {
       const PlyProperty& property = element.properties[k];
-      const std::size_t place = vertex_places_[k];
-      if (place >= places_read_ ? !skip(property) : !source_.read_real(numbers[place], property.type)) return false;
+      const std::size_t place = vertex_numbers_[k];
+      if (place >= numbers_read_ ? !skip(property) : !source_.read_real(numbers[place], property.type)) return false;
     }
     const auto [x, y, z, nx, ny, nz] = numbers;
     if (!is_finite({x, y, z})) source_.fail(message_not_finite(i));
     soup_.add_vertex({x, y, z});
-    if (places_read_ == 6) {
+    if (numbers_read_ == 6) {
       if (!is_finite({nx, ny, nz})) source_.fail(message_not_finite(i, "normal"));
       soup_.add_normal({nx, ny, nz});
     }
@@ -355,7 +355,7 @@ class PlyBody {
     std::int64_t corners = 0;
     if (!source_.read_whole(corners, property.count_type)) return false;
     if (corners < 0) source_.fail(fmt::format("face {} cannot have {} vertices", i, corners));
-    if (corners > static_cast<std::int64_t>(most_polygon_corners)) source_.fail(message_too_many_corners(i));
+    if (corners > static_cast<std::int64_t>(max_polygon_corners)) source_.fail(message_too_many_corners(i));
     soup_.begin_face();
     for (std::int64_t k = 0; k < corners; ++k) {
       std::int64_t vertex = 0;
@@ -405,8 +405,8 @@ class PlyBody {
   const PlyHeader& header_;
   Source source_;
   std::int64_t vertices_;
-  std::vector<std::size_t> vertex_places_;  ///< place_of() of the vertices' properties
-  std::size_t places_read_ = 3;             ///< lower ones are read, the others skipped
+  std::vector<std::size_t> vertex_numbers_;  ///< place_of() of the vertices' properties
+  std::size_t numbers_read_ = 3;             ///< lower ones are read, the others skipped
   SoupBuilder soup_;
 };
 

@@ -25,7 +25,7 @@ class ExteriorGrid {
   [[nodiscard]] const GridSurface& surface() const { return surface_; }
   [[nodiscard]] const std::vector<BoundaryBlock>& boundary() const { return boundary_; }
   /// Returns the exterior cells of a block of boundary().
-  [[nodiscard]] std::uint64_t boundary_cells(std::size_t place) const { return exterior_[place]; }
+  [[nodiscard]] std::uint64_t boundary_cells(std::size_t boundary_index) const { return exterior_[boundary_index]; }
 
   /// State of a block: its index in boundary(), all_exterior, or at most none_exterior.
   static constexpr std::int32_t all_exterior = -1;

@@ -38,8 +38,9 @@ struct GridPoints {
   struct Run {
     std::uint32_t begin, end;
   };
-  /// Collects the points of all blocks within `reach` of a place along each axis. The runs are ascending and not empty.
-  void find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, double reach, std::vector<Run>& runs) const;
+  /// Collects the points of all blocks within `reach` of a position along each axis. The runs are ascending and not
+  /// empty.
+  void find_runs(const BlockGrid& grid, const Eigen::Vector3d& position, double reach, std::vector<Run>& runs) const;
 };
 
 /// Surface in cell coordinates: its triangles (degenerate ones for the points of a cloud), and points sampled on them

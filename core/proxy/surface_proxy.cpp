@@ -229,7 +229,7 @@ Triplets cotangent_weights(const SurfaceProxy& proxy) {
 /// Assembles the graph Laplacian of the summed weights, with negative ones set to 0. Segments without weights (links,
 /// and parts too thin for triangles) get those of a regular triangulation, less across wide gaps.
 Eigen::SparseMatrix<double> stiffness_of(const SurfaceProxy& proxy, std::span<const Segment> segments) {
-  constexpr double least_joining = 0.01;
+  constexpr double min_joining = 0.01;
   const Eigen::Index count = proxy.points.rows();
   Triplets entries = cotangent_weights(proxy);
   Eigen::SparseMatrix<double> weights(count, count);
@@ -246,7 +246,7 @@ Eigen::SparseMatrix<double> stiffness_of(const SurfaceProxy& proxy, std::span<co
     for (Eigen::SparseMatrix<double>::InnerIterator entry(weights, column); entry; ++entry) {
       if (!(entry.value() > 0)) continue;
       add(entry.row(), column, entry.value());
-      if (entry.value() < least_joining) continue;
+      if (entry.value() < min_joining) continue;
       pieces.join(static_cast<std::int32_t>(entry.row()), static_cast<std::int32_t>(column));
     }
   }

@@ -63,7 +63,7 @@ double surface_area(const Shape& shape, const Welding& welding);
 
 /// Describes why a shape is unusable: a coordinate that is not finite, or a vertex index out of range. Nothing for a
 /// usable shape. Shapes from readers are always usable.
-std::optional<std::string> defect_of(const Shape& shape);
+std::optional<std::string> find_defect(const Shape& shape);
 
 /// Throws InputError "the shape is unusable: ..." if the shape has a defect.
 void require_usable(const Shape& shape);

@@ -101,7 +101,7 @@ Perturbation make_perturbation(const Json& settings) {
   if (type == nullptr && name != one_of_type.name) {
     std::vector<std::string> names;
     for (const PerturbationType& any : perturbation_types()) names.emplace_back(any.name);
-    throw InputError(no_such_word("perturbation", name, names));
+    throw InputError(unknown_word_message("perturbation", name, names));
   }
   return type == nullptr ? one_of(settings) : make_perturbation(*type, read_parameters(type->parameters, settings));
 }

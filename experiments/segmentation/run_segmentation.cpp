@@ -136,7 +136,8 @@ class SegmentationJob {
     if (method.perturbations.empty()) return {.labels = segment_shape(prepared(mesh_), method.options)};
     PerturbedShape changed = perturb_model(mesh_, method.perturbations, experiment_.seed, model_.id, index_);
     const Labels labels = segment_shape(prepared(changed.shape), method.options);
-    return {.labels = renumbered(carried_over(labels, changed.shape, mesh_)), .remarks = std::move(changed.remarks)};
+    return {.labels = renumber_labels(carried_over(labels, changed.shape, mesh_)),
+            .remarks = std::move(changed.remarks)};
   }
 
   /// Prepares a shape. The default preparation only scales, on which parts do not depend.

@@ -99,7 +99,7 @@ std::vector<std::size_t> viewed_fields(std::span<const PlannedField> plan, const
   for (const bool pictured : {true, false}) {
     for (std::size_t i = 0; i < plan.size(); ++i) {
       if (is_pictured(plan[i], configuration) != pictured || (!pictured && plan[i].signatures.empty())) continue;
-      if (fields.size() < most_viewed_fields) fields.push_back(i);
+      if (fields.size() < max_viewed_fields) fields.push_back(i);
     }
   }
   return fields;
@@ -212,7 +212,7 @@ ModelDescription describe_source(const Dataset& dataset, std::size_t model, cons
   };
   Bench bench(shape_key(depends_on, configuration.preparation, configuration.perturbations, configuration.seed),
               perturbed, configuration.preparation, parallel, cache);
-  const bool viewed = configuration.report.views && dataset.models.size() <= most_models_with_views;
+  const bool viewed = configuration.report.views && dataset.models.size() <= max_models_with_views;
   ModelDescription description =
       describe_shape(bench, configuration, plan, viewed ? faces_of_views(dataset.models.size()) : 0);
   description.sha256 = hash;

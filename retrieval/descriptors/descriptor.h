@@ -46,8 +46,8 @@ struct Descriptor {
   std::string_view description;                     ///< one sentence
   std::span<const Parameter> parameters;            ///< not called type, fields or axes
   std::span<const Parameter> axis_parameters = {};  ///< for each field
-  std::size_t fewest_fields = 0;
-  std::size_t most_fields = 0;
+  std::size_t min_fields = 0;
+  std::size_t max_fields = 0;
   int version = 1;  ///< cache version of the features and the distance; see docs/manual/cache.md
   Eigen::VectorXf (*describe)(const DescriptorInput&, const LearntFeatures&, const DescriptorSettings&) = nullptr;
   DistanceFunction distance = nullptr;

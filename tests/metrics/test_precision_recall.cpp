@@ -100,7 +100,7 @@ TEST(CurveKind, HasItsNamesBothWaysAndIsUsualForAProtocol) {
   for (const std::string& name : curve_kind_names()) EXPECT_EQ(name_of(curve_kind_of(name).value()), name);
   EXPECT_FALSE(curve_kind_of("smooth"));
   for (const std::string& name : protocol_names()) {
-    EXPECT_EQ(name_of(usual_curve(protocol_of(name).value())), name);
+    EXPECT_EQ(name_of(default_curve(protocol_of(name).value())), name);
   }
 }
 
