@@ -145,7 +145,7 @@ std::vector<ViewRegion> view_regions(const PartReport& report, const std::string
 }
 
 void write_page(const fs::path& path, const CheckedPart& part, const std::string& unit) {
-  constexpr Eigen::Index most_faces = 200'000;
+  constexpr Eigen::Index max_faces = 200'000;
   const std::string name = fs::path(part.name).filename().string();
   ShapeView view{.name = name, .note = verdict(part.report), .shape = part.report.surface.mesh};
   view.fields = {
@@ -154,7 +154,7 @@ void write_page(const fs::path& path, const CheckedPart& part, const std::string
   view.regions = view_regions(part.report, unit);
   const Samples samples = sample_shape(view.shape, view.site);
   ViewPage page{.title = name, .shapes = {}, .missing = {}};
-  page.shapes.push_back(coarse_view(std::move(view), samples, most_faces));
+  page.shapes.push_back(coarse_view(std::move(view), samples, max_faces));
   write_file_atomically(path, view_page(page));
 }
 
@@ -204,11 +204,12 @@ SurfaceWriter surface_writer(const fs::path& name, const std::string& unit) {
   if (is_page(name)) {
     return [unit](const fs::path& path, const CheckedPart& part) { write_page(path, part, unit); };
   }
-  return [write = field_file_writer(name, {.label = fraction_words, .range = Interval{0, 1}})](
-             const fs::path& path, const CheckedPart& part) {
-    const CheckedSurface& surface = part.report.surface;
-    write(path, surface.mesh, sample_shape(surface.mesh, SampleSite::faces), surface.fractions);
-  };
+  return
+      [write = field_file_writer(name, {.label = fraction_words, .value_name = "fraction", .range = Interval{0, 1}})](
+          const fs::path& path, const CheckedPart& part) {
+        const CheckedSurface& surface = part.report.surface;
+        write(path, surface.mesh, sample_shape(surface.mesh, SampleSite::faces), surface.fractions);
+      };
 }
 
 }  // namespace shapegauge

@@ -64,10 +64,10 @@ std::string list_of_descriptors() {
   TextTable table{.header = {"descriptor", "setting", "default", "meaning"}, .rows = {}, .text_columns = 4};
   for (const Descriptor& one : descriptors().entries()) {
     table.rows.push_back({std::string(one.name), "", "", std::string(one.description)});
-    if (one.most_fields > 0) {
+    if (one.max_fields > 0) {
       table.rows.push_back(
           {std::string(one.name), "fields", "",
-           fmt::format("Scalar fields to describe, {} to {} of them.", one.fewest_fields, one.most_fields)});
+           fmt::format("Scalar fields to describe, {} to {} of them.", one.min_fields, one.max_fields)});
     }
     add_settings(one.name, one.parameters, "", table);
     add_settings(one.name, one.axis_parameters, "axes.N.", table);

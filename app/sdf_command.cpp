@@ -100,6 +100,7 @@ FieldPicture picture_of(const SdfArguments& arguments) {
   const ColourChoice colours = parse_colours(arguments.colours, arguments.offset.unit);
   const std::string& unit = arguments.offset.unit;
   picture.label = name_of_values(arguments) + (unit.empty() ? "" : fmt::format(" ({})", unit));
+  picture.value_name = arguments.method.ends_with("_sdf") ? "sdf" : arguments.method;
   picture.range = colours.range;
   picture.logarithmic = colours.logarithmic;
   picture.threshold = colours.threshold;

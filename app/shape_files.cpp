@@ -87,7 +87,7 @@ Shape read_input(const fs::path& input, const std::string& format) {
                                  : read_shape_source(input);
   if (!format.empty()) return read_shape(source, "." + format);
   if (is_recognised_shape(source)) return read_shape(source);
-  if (const auto advice = unread_format_advice(input)) {
+  if (const auto advice = unsupported_format_advice(input)) {
     throw InputError(fmt::format("{}: {}", source.name, *advice));
   }
   throw InputError(

@@ -46,7 +46,7 @@ struct ViewArguments {
   ColourArguments colours;
   int parts = 0;
   bool no_parts = false;
-  Eigen::Index most_faces = 200'000;
+  Eigen::Index max_faces = 200'000;
   std::string title;
   std::string up = "auto";
   CleaningArguments cleaning;
@@ -192,7 +192,7 @@ ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField
   remark_on_cavities(view.shape, measures_hull, remarks);
   if (view.normals.rows() == 0) view.normals = samples.normals;
   const Eigen::Index count = samples.points.rows();
-  view = coarse_view(std::move(view), samples, arguments.most_faces);
+  view = coarse_view(std::move(view), samples, arguments.max_faces);
   if (!arguments.no_parts) add_parts(arguments.parts, view, remarks);  // of what is shown: they would take longest
   const Eigen::Index kept = cloud ? view.shape.vertices.rows() : view.shape.triangles.rows();
   const std::string counts = fmt::format("{} {}", count, cloud ? "points" : "faces");
@@ -280,7 +280,7 @@ void add_view_command(CLI::App& app, int& status) {
   command->add_flag("--no-parts", arguments->no_parts, "Do not segment the shapes")->excludes(parts);
   begin_option_group(*command, "Display");
   command
-      ->add_option("--max-faces", arguments->most_faces,
+      ->add_option("--max-faces", arguments->max_faces,
                    "Maximum number of faces, or of points of a cloud, that are shown; larger shapes are measured in "
                    "full and displayed simplified")
       ->check(CLI::Range(Eigen::Index{100}, Eigen::Index{10'000'000}))

@@ -100,7 +100,7 @@ double wall_clock_seconds() {
 
 /// Minimum of up to five runs, or of two if they are long.
 template <typename Clock, typename Task>
-double least_seconds(const Clock& clock, const Task& task) {
+double min_seconds(const Clock& clock, const Task& task) {
   double least = std::numeric_limits<double>::infinity();
   for (int run = 0; run < 2 || (run < 5 && least < 0.5); ++run) {
     const double start = clock();
@@ -111,11 +111,11 @@ double least_seconds(const Clock& clock, const Task& task) {
 }
 
 void measure_times(const Case& one, const Settings& settings) {
-  const double cone = least_seconds(processor_seconds, [&] { cone_sdf(one.shape, one.faces, {.parallel = false}); });
+  const double cone = min_seconds(processor_seconds, [&] { cone_sdf(one.shape, one.faces, {.parallel = false}); });
   fmt::print("| {} | {} | {:.1f} |", one.name, one.faces.points.rows(), 1e3 * cone);
   for (const double offset : settings.offsets) {
     OffsetResults found;
-    const double seconds = least_seconds(
+    const double seconds = min_seconds(
         processor_seconds, [&] { found = answers(one.shape, one.faces.points, one.faces.normals, offset); });
     const auto undecided = std::count(found.outcomes.begin(), found.outcomes.end(), OffsetOutcome::undecided);
     fmt::print(" {:.1f} ({:.2f}), {} undecided |", 1e3 * seconds, cone / seconds, undecided);
@@ -131,7 +131,7 @@ void measure_threads(const Case& one, const Settings& settings) {
   for (const double offset : settings.offsets) {
     std::array<double, 2> seconds;
     for (const bool parallel : {false, true}) {
-      seconds[parallel ? 1 : 0] = least_seconds(
+      seconds[parallel ? 1 : 0] = min_seconds(
           wall_clock_seconds, [&] { answers(one.shape, one.faces.points, one.faces.normals, offset, 3, parallel); });
     }
     fmt::print(" {:.1f} / {:.1f} = {:.2f} |", 1e3 * seconds[0], 1e3 * seconds[1], seconds[0] / seconds[1]);

@@ -27,12 +27,12 @@ std::int64_t in_units(double distance, double unit) {
 }
 
 void add_to_sums(std::span<const double> row, Eigen::Index model, PartialOverview& seen) {
-  const std::int32_t cell_row = seen.places[static_cast<std::size_t>(model)] / static_cast<std::int32_t>(seen.block);
+  const std::int32_t cell_row = seen.positions[static_cast<std::size_t>(model)] / static_cast<std::int32_t>(seen.block);
   PartialOverview::Cell* const cells = seen.sums.data() + cell_row * seen.side;
   for (std::size_t other = 0; other < row.size(); ++other) {
     const double distance = static_cast<Eigen::Index>(other) == model ? 0 : row[other];
     if (!std::isfinite(distance)) continue;
-    PartialOverview::Cell& cell = cells[seen.places[other] / seen.block];
+    PartialOverview::Cell& cell = cells[seen.positions[other] / seen.block];
     cell.sum += in_units(distance, seen.unit);
     ++cell.count;
   }
@@ -43,7 +43,9 @@ std::vector<std::vector<Eigen::Index>> rows_by_cell(Eigen::Index first, Eigen::I
                                                     const PartialOverview& seen) {
   std::vector<Eigen::Index> rows(static_cast<std::size_t>(count));
   std::iota(rows.begin(), rows.end(), Eigen::Index{0});
-  const auto cell = [&](Eigen::Index row) { return seen.places[static_cast<std::size_t>(first + row)] / seen.block; };
+  const auto cell = [&](Eigen::Index row) {
+    return seen.positions[static_cast<std::size_t>(first + row)] / seen.block;
+  };
   std::ranges::stable_sort(rows, {}, cell);
   std::vector<std::vector<Eigen::Index>> groups;
   for (const Eigen::Index row : rows) {
@@ -81,10 +83,10 @@ PartialOverview begin_overview(std::span<const int> labels, double largest, Eige
   seen.unit = unit_for(largest);
   seen.block = std::max<Eigen::Index>(1, (models + largest_heat_map - 1) / largest_heat_map);
   seen.side = (models + seen.block - 1) / seen.block;
-  seen.places.resize(labels.size());
+  seen.positions.resize(labels.size());
   const std::vector<Eigen::Index> order = order_by_class(labels);
-  for (std::size_t place = 0; place < order.size(); ++place) {
-    seen.places[static_cast<std::size_t>(order[place])] = static_cast<std::int32_t>(place);
+  for (std::size_t position = 0; position < order.size(); ++position) {
+    seen.positions[static_cast<std::size_t>(order[position])] = static_cast<std::int32_t>(position);
   }
   if (seen.block > 1) {
     seen.sums.resize(static_cast<std::size_t>(seen.side * seen.side));
@@ -118,7 +120,7 @@ void accumulate(const DistanceTable& rows, Eigen::Index first, PartialOverview& 
 
 DistanceOverview overview_of(std::span<const PartialOverview> parts) {
   const PartialOverview& any = parts.front();
-  const auto models = static_cast<Eigen::Index>(any.places.size());
+  const auto models = static_cast<Eigen::Index>(any.positions.size());
   DistanceOverview overview;
   overview.block = any.block;
   overview.cells.resize(any.side, any.side);
@@ -136,7 +138,7 @@ DistanceOverview overview_of(std::span<const PartialOverview> parts) {
       const auto row = part.first + static_cast<Eigen::Index>(i) / models;
       const auto column = static_cast<Eigen::Index>(i) % models;
       const double entry = row == column ? 0 : part.entries[i];
-      overview.cells(any.places[static_cast<std::size_t>(row)], any.places[static_cast<std::size_t>(column)]) =
+      overview.cells(any.positions[static_cast<std::size_t>(row)], any.positions[static_cast<std::size_t>(column)]) =
           std::isfinite(entry) ? entry : std::numeric_limits<double>::infinity();
     }
   }

@@ -21,7 +21,7 @@ struct DistanceOverview {
   /// Heat map with rows and columns in order_by_class(). Each cell is the mean of the finite entries of a block x block
   /// part of the matrix, or infinity without any. The diagonal counts as 0.
   Eigen::MatrixXd cells;
-  NearestIndices nearest;            ///< by model: up to ten others, as first_ranked() returns them
+  NearestIndices nearest;            ///< per model: up to ten others, as first_ranked() returns them
   DistanceMatrix nearest_distances;  ///< distances to `nearest`
 };
 
@@ -36,7 +36,7 @@ struct PartialOverview {
 
   Eigen::Index first = 0;
   double unit = 1;
-  std::vector<std::int32_t> places;  ///< by model: its position in order_by_class()
+  std::vector<std::int32_t> positions;  ///< per model: its position in order_by_class()
   Eigen::Index block = 1;
   Eigen::Index side = 0;        ///< number of cells along a side
   std::vector<Cell> sums;       ///< row by row; empty if a cell is one entry

@@ -60,7 +60,7 @@ void choose_queries(const RetrievalTask& task, int minimum_class_size, Evaluatio
   for (std::size_t row = 0; row < relevant.size(); ++row) {
     if (task.query_classes[row] == no_class) continue;
     if (relevant[row] + 1 < minimum) {
-      ++evaluation.models_left_out;
+      ++evaluation.excluded_models;
       continue;
     }
     evaluation.queries.push_back(static_cast<Eigen::Index>(row));
@@ -142,7 +142,7 @@ RowJudge::RowJudge(const RetrievalTask& task, const EvaluationOptions& options, 
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
   blank_.protocol = options.protocol;
   blank_.ties = options.ties;
-  blank_.curve = options.curve.value_or(usual_curve(options.protocol));
+  blank_.curve = options.curve.value_or(default_curve(options.protocol));
   for (const Measure& measure : measures_) blank_.measures.push_back(measure.name);
   choose_queries(task, options.minimum_class_size, blank_);
   largest_ = std::ranges::max(relevant_counts(task)) + (blank_.protocol == Protocol::paper ? 1 : 0);
@@ -158,7 +158,7 @@ RowJudge::RowJudge(const RetrievalTask& task, const EvaluationOptions& options, 
 }
 
 template <typename ListOf>
-void RowJudge::judge_rows(Eigen::Index first, Eigen::Index last, const ListOf& list_of) {
+void RowEvaluator::evaluate_rows(Eigen::Index first, Eigen::Index last, const ListOf& list_of) {
   const auto begin = std::ranges::lower_bound(blank_.queries, first) - blank_.queries.begin();
   const auto end = std::ranges::lower_bound(blank_.queries, last) - blank_.queries.begin();
   parallel_for(begin, end, [&](std::ptrdiff_t query) {
@@ -171,22 +171,22 @@ void RowJudge::judge_rows(Eigen::Index first, Eigen::Index last, const ListOf& l
   });
 }
 
-void RowJudge::judge(const DistanceTable& rows, Eigen::Index first) {
+void RowEvaluator::evaluate(const DistanceTable& rows, Eigen::Index first) {
   check_numbers(rows, first);
-  judge_rows(first, first + rows.rows(), [&](Eigen::Index row, Ties ties) {
+  evaluate_rows(first, first + rows.rows(), [&](Eigen::Index row, Ties ties) {
     const std::span<const double> distances(&rows.coeffRef(row - first, 0), static_cast<std::size_t>(rows.cols()));
     return ranked_list(distances, relevance_, row, {.protocol = blank_.protocol, .ties = ties});
   });
 }
 
-void RowJudge::judge(const RankedAnswerLists& answers) {
-  judge_rows(0, std::ssize(answers), [&](Eigen::Index row, Ties ties) {
+void RowEvaluator::evaluate(const RankedAnswerLists& answers) {
+  evaluate_rows(0, std::ssize(answers), [&](Eigen::Index row, Ties ties) {
     return ranked_list(answers[static_cast<std::size_t>(row)], relevance_, row,
                        {.protocol = blank_.protocol, .ties = ties});
   });
 }
 
-void RowJudge::keep(std::size_t score, const RankedList& list) {
+void RowEvaluator::keep(std::size_t score, const RankedList& list) {
   const auto row = static_cast<Eigen::Index>(score);
   for (std::size_t j = 0; j < measures_.size(); ++j) {
     scores_.measures(row, static_cast<Eigen::Index>(j)) = measures_[j].value(list);
@@ -196,7 +196,7 @@ void RowJudge::keep(std::size_t score, const RankedList& list) {
   scores_.tied[score] = list.tied ? 1 : 0;
 }
 
-Evaluation RowJudge::evaluation_of(const QueryScores& all) const {
+Evaluation RowEvaluator::evaluation_of(const QueryScores& all) const {
   Evaluation evaluation = blank_;
   const std::vector<std::vector<Eigen::Index>> groups = queries_by_class(evaluation);
   evaluation.per_query = all.measures;
@@ -212,16 +212,16 @@ Evaluation RowJudge::evaluation_of(const QueryScores& all) const {
 
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options) {
   check_task(static_cast<std::size_t>(distances.rows()), static_cast<std::size_t>(distances.cols()), task, options);
-  RowJudge judge(task, options, 0, distances.rows());
-  judge.judge(distances, 0);
-  return judge.evaluation_of(judge.scores());
+  RowEvaluator evaluator(task, options, 0, distances.rows());
+  evaluator.evaluate(distances, 0);
+  return evaluator.evaluation_of(evaluator.scores());
 }
 
 Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const EvaluationOptions& options) {
   constexpr Eigen::Index together = 256;
   const auto rows = static_cast<Eigen::Index>(task.query_classes.size());
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
-  RowJudge judge(task, options, 0, rows);
+  RowEvaluator evaluator(task, options, 0, rows);
   for (Eigen::Index first = 0; first < rows; first += together) {
     const Eigen::Index count = std::min(together, rows - first);
     const DistanceMatrix some = distances(first, count);
@@ -230,16 +230,16 @@ Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const
                           std::to_string(task.target_classes.size()) + " distances, got " +
                           std::to_string(some.rows()) + " of " + std::to_string(some.cols()));
     }
-    judge.judge(some, first);
+    evaluator.evaluate(some, first);
   }
-  return judge.evaluation_of(judge.scores());
+  return evaluator.evaluation_of(evaluator.scores());
 }
 
 Evaluation evaluate(const RankedAnswerLists& answers, const RetrievalTask& task, const EvaluationOptions& options) {
   check_task(answers.size(), task.target_classes.size(), task, options);
-  RowJudge judge(task, options, 0, std::ssize(answers));
-  judge.judge(answers);
-  return judge.evaluation_of(judge.scores());
+  RowEvaluator evaluator(task, options, 0, std::ssize(answers));
+  evaluator.evaluate(answers);
+  return evaluator.evaluation_of(evaluator.scores());
 }
 
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options) {

@@ -24,7 +24,7 @@ struct EvaluationOptions {
   Protocol protocol = Protocol::psb;
   Ties ties = Ties::index;
   std::vector<Measure> measures{};   ///< default_measures(protocol) if empty
-  std::optional<CurveKind> curve{};  ///< usual_curve(protocol) if not set
+  std::optional<CurveKind> curve{};  ///< default_curve(protocol) if not set
   /// Models of smaller classes are not queries. The size includes the query (psbTable: 3). Every query then has at
   /// least one relevant model less, whether or not it is itself a target.
   int minimum_class_size = 2;
@@ -68,7 +68,7 @@ struct Evaluation {
   PrecisionRecallCurve micro_curve;
   PrecisionRecallCurve macro_curve;
   std::vector<PrecisionRecallCurve> class_curves;  ///< by classes
-  Eigen::Index models_left_out = 0;                ///< queries excluded because they have too few relevant models
+  Eigen::Index excluded_models = 0;                ///< queries excluded because they have too few relevant models
   Eigen::Index queries_with_ties = 0;              ///< queries with a relevant and another model at equal distance
   FirstTierBounds first_tier_bounds;               ///< independent of `measures`; equal if ties have no effect
 };
@@ -115,22 +115,22 @@ struct QueryScores {
   Eigen::MatrixXd precisions;         ///< queries x recall levels
   std::vector<std::size_t> relevant;  ///< number of relevant models, by query
   std::vector<char> tied;             ///< flag for ties, by query
-  Eigen::MatrixX2d first_tiers;       ///< by query: FT under Ties::pessimistic and Ties::optimistic
+  Eigen::MatrixX2d first_tiers;       ///< per query: FT under Ties::pessimistic and Ties::optimistic
 };
 
 /// Streaming version of evaluate() for all rows of a matrix or a part of them. Several processes may each evaluate some
 /// rows; evaluation_of() combines their scores. The task must outlive the object.
-class RowJudge {
+class RowEvaluator {
  public:
   /// Prepares the evaluation of the rows [first, last). Throws as evaluate() does.
-  RowJudge(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last);
+  RowEvaluator(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last);
 
   /// Evaluates the queries among rows of the matrix, from the row `first` on. Parallel. Throws ArgumentError for a
   /// distance that is NaN.
-  void judge(const DistanceTable& rows, Eigen::Index first);
+  void evaluate(const DistanceTable& rows, Eigen::Index first);
 
   /// Evaluates the answers to the queries of all rows. Parallel.
-  void judge(const RankedAnswerLists& answers);
+  void evaluate(const RankedAnswerLists& answers);
 
   /// Returns the scores of the queries among the rows evaluated.
   [[nodiscard]] const QueryScores& scores() const { return scores_; }
@@ -140,7 +140,7 @@ class RowJudge {
 
  private:
   template <typename ListOf>
-  void judge_rows(Eigen::Index first, Eigen::Index last, const ListOf& list_of);
+  void evaluate_rows(Eigen::Index first, Eigen::Index last, const ListOf& list_of);
   void keep(std::size_t score, const RankedList& list);
 
   Relevance relevance_;

@@ -156,7 +156,7 @@ std::vector<std::string> evaluator_names() {
 
 EvaluationOptions options_of_evaluator(std::string_view name) {
   const auto found = std::ranges::find(evaluators(), name, &Evaluator::name);
-  if (found == evaluators().end()) throw ArgumentError(no_such_word("evaluator", name, evaluator_names()));
+  if (found == evaluators().end()) throw ArgumentError(unknown_word_message("evaluator", name, evaluator_names()));
   EvaluationOptions options{.protocol = found->protocol,
                             .ties = Ties::index,
                             .curve = found->curve,

@@ -31,7 +31,7 @@ struct RankDifference {
 /// Comparison of several methods on several data sets by ranks.
 struct RankComparison {
   Eigen::MatrixXd ranks;       ///< data sets x methods, 1 the best; equal values (are_equal_scores()) share the mean
-  Eigen::VectorXd mean_ranks;  ///< by method
+  Eigen::VectorXd mean_ranks;  ///< per method
   FriedmanTest friedman;       ///< defaults for one method or one data set
   double critical_difference = 0;        ///< of mean ranks (Nemenyi); infinite for one data set, 0 for one method
   std::vector<std::size_t> order;        ///< methods by increasing mean rank; ties in their own order

@@ -384,7 +384,7 @@ Measure measure_of(std::string_view name) {
   const MeasureDefinition* const definition =
       measure_definitions().find(at == std::string_view::npos ? stem : stem + std::string(ranks_suffix));
   if (definition == nullptr) {
-    throw ArgumentError(no_such_word("measure", name, measure_definitions().names()));
+    throw ArgumentError(unknown_word_message("measure", name, measure_definitions().names()));
   }
   const std::size_t k = at == std::string_view::npos ? 0 : ranks_of(name, name.substr(at + 1));
   return {.name = std::string(name), .definition = definition, .k = k};

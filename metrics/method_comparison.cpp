@@ -119,8 +119,8 @@ MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<con
     class_p_values.push_back(class_p_value(per_query.col(a) - per_query.col(b), classes));
     comparison.pairs.push_back(pair);
   }
-  const std::vector<double> adjusted = holm_adjusted(p_values);
-  const std::vector<double> adjusted_by_class = holm_adjusted(class_p_values);
+  const std::vector<double> adjusted = adjust_by_holm(p_values);
+  const std::vector<double> adjusted_by_class = adjust_by_holm(class_p_values);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     comparison.pairs[i].p_holm = adjusted[i];
     comparison.pairs[i].p_classes = adjusted_by_class[i];

@@ -38,8 +38,8 @@ inline constexpr std::array comparison_table = {
         "blocks", "Unit of resampling: queries (claims about these classes), or classes (about classes like these)."),
     option_of<&ComparisonOptions::average>("average", "Average over queries (micro) or over classes (macro)."),
     option_of<&ComparisonOptions::confidence>("confidence", confidence_bounds, "Confidence level of intervals."),
-    option_within<&ComparisonOptions::resampling, resampling_table, 0>(),
-    option_within<&ComparisonOptions::resampling, resampling_table, 1>(),
+    nested_option<&ComparisonOptions::resampling, resampling_table, 0>(),
+    nested_option<&ComparisonOptions::resampling, resampling_table, 1>(),
 };
 
 /// Difference between two methods, first minus second, with its significance.
@@ -58,7 +58,7 @@ struct PairDifference {
 
 /// Comparison of two or more methods by one measure.
 struct MethodComparison {
-  Eigen::VectorXd averages;                   ///< by method
+  Eigen::VectorXd averages;                   ///< per method
   std::vector<ConfidenceInterval> intervals;  ///< of the averages
   std::vector<PairDifference> pairs;
   Eigen::Index units = 0;  ///< number of classes or queries

@@ -29,7 +29,7 @@ template <>
 inline constexpr std::array<std::string_view, 5> words_of<CurveKind>{"psb", "paper", "trec", "raw", "trec_eval"};
 
 /// Returns the default curve of a protocol, which has the same name.
-CurveKind usual_curve(Protocol protocol);
+CurveKind default_curve(Protocol protocol);
 
 /// Precision at fixed levels of recall, averaged over queries.
 struct PrecisionRecallCurve {

@@ -94,8 +94,8 @@ struct Misses {
 struct Answer {
   std::vector<Hit> hits;               // by distance and column
   std::vector<double> distances;       // of the groups, ascending
-  std::vector<std::size_t> first_hit;  // by group, and the number of hits
-  std::vector<Misses> before;          // by group, and those behind the last
+  std::vector<std::size_t> first_hit;  // per group, and the number of hits
+  std::vector<Misses> before;          // per group, and those behind the last
   std::vector<TiedMiss> tied;          // by group and column
 };
 

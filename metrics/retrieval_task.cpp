@@ -20,7 +20,7 @@ int subclass_grade(int query, int model) {
   return model == no_subclass ? 2 : 1;
 }
 
-std::vector<int> numbered_subclasses(std::span<const std::string> names) {
+std::vector<int> number_subclasses(std::span<const std::string> names) {
   std::unordered_map<std::string, int> known;
   std::vector<int> numbers;
   numbers.reserve(names.size());

@@ -21,8 +21,8 @@ inline constexpr int no_subclass = -1;
 /// Interpretation of a distance matrix: which rows are queries, which columns are the models to be retrieved (the
 /// targets), and which targets are relevant to which query.
 struct RetrievalTask {
-  std::vector<int> query_classes;   ///< by row; no_class if the row is not a query
-  std::vector<int> target_classes;  ///< by column; no_class if the column is not a target
+  std::vector<int> query_classes;   ///< per row; no_class if the row is not a query
+  std::vector<int> target_classes;  ///< per column; no_class if the column is not a target
   /// By row: the column of the query itself, which is excluded from its answer; -1 if there is none.
   std::vector<Eigen::Index> own_column;
   /// By row: the relevant columns, ascending. If empty, the targets of the query's class are relevant.
@@ -46,7 +46,7 @@ RetrievalTask leave_one_out(std::span<const int> labels);
 int subclass_grade(int query, int model);
 
 /// Numbers subclasses by name: equal names have equal numbers, an empty name is no_subclass. Empty if all names are.
-std::vector<int> numbered_subclasses(std::span<const std::string> names);
+std::vector<int> number_subclasses(std::span<const std::string> names);
 
 /// Returns true if relevant targets may have grades other than 1.
 bool has_grades(const RetrievalTask& task);
@@ -83,7 +83,7 @@ class Relevance {
 
  private:
   const RetrievalTask* task_;
-  std::vector<std::size_t> relevant_;  // by row
+  std::vector<std::size_t> relevant_;  // per row
   std::size_t targets_ = 0;
   std::unordered_map<int, std::vector<Eigen::Index>> columns_of_class_;  // with subclasses
 };

@@ -41,8 +41,8 @@ const std::array<SegmentationErrorEntry, 7>& segmentation_error_entries();
 ///   segmentation and apart in the other (Rand 1971; one minus his index).
 /// - missing_rate: sum over the truth's segments of |T| minus its largest overlap with any segment P, as a share of the
 ///   whole. false_alarm_rate: the same with the segmentations exchanged. hamming: their mean (Huang and Dom 1995).
-/// - global_consistency: the lesser of the means over elements of |P \ T| / |P| and |T \ P| / |T|. local_consistency:
-///   the mean of the lesser of the two (Martin et al. 2001). Both are 0 if one segmentation refines the other.
+/// - global_consistency: the smaller of the means over elements of |P \ T| / |P| and |T \ P| / |T|. local_consistency:
+///   the mean of the smaller of the two (Martin et al. 2001). Both are 0 if one segmentation refines the other.
 ///
 /// Takes O(n log n) time. With fewer than two elements of positive weight the Rand error is 0. Throws ArgumentError
 /// without elements, for different numbers of labels, truth or weights, for a weight that is negative or not finite,

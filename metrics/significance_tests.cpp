@@ -121,7 +121,7 @@ double smallest_tukey_p_value(Eigen::Index methods, Eigen::Index units, const Re
   return std::max(1.0 / (1.0 + options.resamples), std::pow(k * (k - 1), 1.0 - static_cast<double>(units)));
 }
 
-std::vector<double> holm_adjusted(std::span<const double> p_values) {
+std::vector<double> adjust_by_holm(std::span<const double> p_values) {
   const std::vector<std::size_t> ascending = ascending_order(p_values);
   std::vector<double> adjusted(p_values.size());
   double largest = 0;

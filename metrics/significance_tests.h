@@ -44,7 +44,7 @@ double smallest_tukey_p_value(Eigen::Index methods, Eigen::Index units, const Re
 /// Adjusts p-values for multiple testing by Holm's method, which controls the family-wise error rate under any
 /// dependence. With p-values in ascending order, the i-th of m becomes the maximum of (m - j + 1) p_j for j <= i, at
 /// most 1. Holm, "A simple sequentially rejective multiple test procedure", Scandinavian Journal of Statistics 6, 1979.
-std::vector<double> holm_adjusted(std::span<const double> p_values);
+std::vector<double> adjust_by_holm(std::span<const double> p_values);
 
 /// Computes Cohen's d for paired differences (d_z): their mean divided by their sample standard deviation. About 0.2 is
 /// called small, 0.5 medium, 0.8 large. 0 if all differences are 0, infinite if they are equal and not 0. Unlike a

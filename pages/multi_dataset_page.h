@@ -27,7 +27,7 @@ struct MultiDatasetPageTable {
   Eigen::MatrixXd values;                      ///< data sets x methods, fractions
   Eigen::MatrixXd deviations{};                ///< of the values over repetitions, NaN for single ones; may be empty
   const RankComparison* ranks = nullptr;       ///< must outlive the page
-  std::vector<RankInterval> rank_intervals{};  ///< by method; may be empty
+  std::vector<RankInterval> rank_intervals{};  ///< per method; may be empty
   std::vector<std::string> letters;            ///< by position in the order of the ranks
   std::string words;                           ///< about the tests
 };

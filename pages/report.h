@@ -16,8 +16,8 @@ namespace shapegauge {
 
 /// Histograms of a method in a report; empty for a distance matrix from elsewhere.
 struct ReportHistograms {
-  const Signatures* table = nullptr;  ///< one histogram a row
-  std::vector<Interval> ranges;       ///< by row: range of the histogram
+  const Signatures* table = nullptr;  ///< one histogram per row
+  std::vector<Interval> ranges;       ///< per row: range of the histogram
   std::vector<std::size_t> parts;     ///< instead of a table: methods whose histograms are concatenated
 };
 

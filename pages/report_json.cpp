@@ -45,7 +45,7 @@ Json intervals_json(const ReportIntervals& intervals) {
 
 Json page_data_of_evaluation(const Evaluation& evaluation) {
   Json json = charted_json(evaluation);
-  json["left_out"] = evaluation.models_left_out;
+  json["left_out"] = evaluation.excluded_models;
   json["queries"] = evaluation.queries;
   json["per_query"] = rounded_rows(evaluation.per_query);
   json["worst"] = worst_of(evaluation);
@@ -55,7 +55,7 @@ Json page_data_of_evaluation(const Evaluation& evaluation) {
 /// Returns the models whose nearest ones are listed, ascending.
 std::vector<Eigen::Index> models_with_neighbours(const Report& report, const ReportMethod& method) {
   std::set<Eigen::Index> models;
-  if (report.ids.size() <= most_models_with_neighbours) {
+  if (report.ids.size() <= max_models_with_neighbours) {
     for (std::size_t i = 0; i < report.ids.size(); ++i) models.insert(static_cast<Eigen::Index>(i));
   }
   for (const Evaluation& evaluation : method.evaluations) {

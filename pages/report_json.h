@@ -18,7 +18,7 @@ nlohmann::ordered_json heat_map(const DistanceOverview& distances);
 
 /// Maximum number of models for which the report lists the nearest ones of each; for larger data sets it does so for
 /// the worst queries only.
-inline constexpr std::size_t most_models_with_neighbours = 2000;
+inline constexpr std::size_t max_models_with_neighbours = 2000;
 
 /// Encodes the report for the page's scripts (pages/report/): the contents of `report`, the nearest models, confusion
 /// matrices and worst queries computed from it, and the program's version. Contains no times and no paths.

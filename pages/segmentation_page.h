@@ -25,7 +25,7 @@ struct SegmentationFigure {
 /// Mean Rand errors of a class.
 struct SegmentationClassErrors {
   std::string name;
-  std::vector<double> errors;  ///< by method; NaN if undefined
+  std::vector<double> errors;  ///< per method; NaN if undefined
 };
 
 /// Errors relative to human segmentations.
@@ -47,7 +47,7 @@ struct SegmentationPage {
   TextTable moved;                                            ///< errors under perturbations; no rows without any
   TextTable consistency;                                      ///< consistency of parts among the shapes of a class
   std::vector<std::pair<std::string, std::string>> failures;  ///< omitted shapes and the reasons
-  std::vector<SegmentationFigure> typical;                    ///< one shape a class
+  std::vector<SegmentationFigure> typical;                    ///< one shape per class
   std::vector<SegmentationFigure> shown;  ///< all shapes, largest errors first; empty without pictures
 };
 

@@ -47,7 +47,7 @@ struct ShapeView {
   SampleSite site = SampleSite::faces;  ///< faces or vertices; vertices for a cloud
   std::vector<ViewField> fields = {};
   std::vector<std::int32_t> parts = {};   ///< one an element, or empty
-  std::vector<Colour> part_colours = {};  ///< by part
+  std::vector<Colour> part_colours = {};  ///< per part
   Points normals = {};                    ///< unit or zero, one an element, or empty
   std::optional<Eigen::Vector3d> up =
       {};  ///< vertical direction of the initial position; if absent, that of principal_view()

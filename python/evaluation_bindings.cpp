@@ -36,7 +36,7 @@ namespace {
 struct WantedEvaluation {
   std::vector<int> labels;                   ///< of the rows; negative for no class
   std::vector<int> targets;                  ///< of the columns, if they are other models; otherwise empty
-  std::vector<int> subclasses;               ///< of the models, see numbered_subclasses(); empty for none
+  std::vector<int> subclasses;               ///< of the models, see number_subclasses(); empty for none
   std::optional<Eigen::MatrixXi> relevance;  ///< grades instead of classes; 0 for not relevant
   bool square = true;                        ///< row i and column i are the same model
   bool negated = false;                      ///< the values are similarities
@@ -215,7 +215,7 @@ void bind_evaluation(py::module_& module) {
       .def_readonly("macro", &Evaluation::macro)
       .def_readonly("per_query", &Evaluation::per_query)
       .def_readonly("per_class", &Evaluation::per_class)
-      .def_readonly("models_left_out", &Evaluation::models_left_out)
+      .def_readonly("models_left_out", &Evaluation::excluded_models)
       .def_readonly("queries_with_ties", &Evaluation::queries_with_ties)
       .def_property_readonly("protocol", [](const Evaluation& evaluation) { return name_of(evaluation.protocol); })
       .def_property_readonly("recall", [](const Evaluation& evaluation) { return evaluation.micro_curve.recall; })

@@ -15,10 +15,10 @@ namespace shapegauge {
 /// of the collection and for others.
 struct CollectionSum {
   DistanceScale scale = DistanceScale::none;
-  std::vector<double> weights;            ///< by term, those of sum_weights()
-  std::vector<double> units;              ///< by term: distance_unit(), or 1
-  std::vector<LocalScales> local_scales;  ///< by term with DistanceScale::local or ranks and a positive weight
-  std::vector<DistanceMatrix> at_ranks;   ///< by term with DistanceScale::ranks: distances_at_ranks() of each model
+  std::vector<double> weights;            ///< per term, those of sum_weights()
+  std::vector<double> units;              ///< per term: distance_unit(), or 1
+  std::vector<LocalScales> local_scales;  ///< per term with DistanceScale::local or ranks and a positive weight
+  std::vector<DistanceMatrix> at_ranks;   ///< per term with DistanceScale::ranks: distances_at_ranks() of each model
 };
 
 /// Computes the statistics of a weighted sum of the terms' distances. Distances are streamed in blocks of rows, at most

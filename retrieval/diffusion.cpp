@@ -396,7 +396,7 @@ DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions&
   const NearestModels nearest =
       nearest_models(distances.rows(), neighbour_counts(options.neighbours).back(), rows_of(distances));
   const Diffusion diffusion(nearest, options);
-  DistanceMatrix result = symmetrised(diffusion.distances_of(dense_similarities(diffusion), distances, 0));
+  DistanceMatrix result = symmetrise(diffusion.distances_of(dense_similarities(diffusion), distances, 0));
   if (options.keep_nearest) put_nearest_first(nearest, 0, result);
   return result;
 }

@@ -50,7 +50,7 @@ void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions&
 /// diffuse() does and for a matrix that is not square.
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options = {});
 
-/// Returns the `count` nearest models of one model after diffusion, without itself, nearest first (ties: lesser index
+/// Returns the `count` nearest models of one model after diffusion, without itself, nearest first (ties: smaller index
 /// first). The result agrees with the model's row of diffuse() to about 1e-6, without computing the other rows.
 /// `nearest` are the nearest models before diffusion, as many as the largest of neighbour_counts(); `distances` are
 /// those of the model to all others before diffusion. Throws ArgumentError for options out of range.

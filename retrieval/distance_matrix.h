@@ -11,7 +11,7 @@ namespace shapegauge {
 /// Cache version of distances; see docs/manual/cache.md.
 inline constexpr int distances_version = 2;
 
-/// Signatures, one shape a row.
+/// Signatures, one shape per row.
 using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Computes all pairwise distances of signatures by the named distance: a symmetric matrix with zero diagonal.

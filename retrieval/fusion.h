@@ -109,10 +109,10 @@ struct Disagreement {
   std::size_t first = 0;
   std::size_t second = 0;
   double agreement = 0;
-  double cohesion = 0;  ///< the lesser of both
+  double cohesion = 0;  ///< the smaller of both
 };
 
-/// Finds the two matrices of positive weight whose agreement is smallest, relative to the lesser of their cohesions
+/// Finds the two matrices of positive weight whose agreement is smallest, relative to the smaller of their cohesions
 /// (sum_weights()). Nothing unless it is below a half: their neighbours then form groups, but different ones. Throws as
 /// sum_of_distances() does.
 std::optional<Disagreement> find_disagreement(std::span<const DistanceMatrix> matrices,

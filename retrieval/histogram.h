@@ -30,10 +30,10 @@ struct HistogramOptions {
 /// Parameters of HistogramOptions.
 inline constexpr std::array histogram_table = {
     option_of<&HistogramOptions::bins>("bins", {.low = 1, .high = 100'000}, "Number of bins."),
-    measured_in("bins", option_of<&HistogramOptions::smoothing_bins>(
-                            "smoothing_bins", {.low = 0, .high = 1000},
-                            "Standard deviation of a Gaussian that smooths the histogram; at most the number of bins; "
-                            "0: none.")),
+    with_unit("bins", option_of<&HistogramOptions::smoothing_bins>(
+                          "smoothing_bins", {.low = 0, .high = 1000},
+                          "Standard deviation of a Gaussian that smooths the histogram; at most the number of bins; "
+                          "0: none.")),
 };
 
 /// Returns the smallest and largest finite value of positive weight, if any.

@@ -20,7 +20,7 @@ namespace shapegauge {
 
 namespace {
 
-using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // by column
+using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // per column
 
 constexpr std::array reciprocal_table = {
     option_of<&ReciprocalOptions::neighbours>(
@@ -162,7 +162,7 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
   const Eigen::Index models = given.rows();
   const std::vector<int> counts = neighbour_counts(options.neighbours);
   const NearestModels found = nearest_models(models, counts.back(), rows_of(given));
-  if (models < 2) return symmetrised(given);
+  if (models < 2) return symmetrise(given);
   const double factor = safe_factor(found.largest);
   const NearestModels nearest = with_scaled_distances(found, factor);
   const DistanceMatrix distances = factor * given;
@@ -181,7 +181,7 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
                                         : std::numeric_limits<double>::infinity();
     }
   });
-  return symmetrised(result);
+  return symmetrise(result);
 }
 
 RerankMethod k_reciprocal_method() {

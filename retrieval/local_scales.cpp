@@ -26,11 +26,11 @@ double mean_distance_to_nearest(std::span<const double> distances, Eigen::Index 
 }
 
 LocalScales LocalScales::of_means(const Eigen::VectorXd& means) {
-  constexpr double least_share = 0.01;  // of the median
+  constexpr double min_share = 0.01;  // of the median
   LocalScales scales;
   std::vector<double> known;
   std::ranges::copy_if(means, std::back_inserter(known), [](double mean) { return !std::isnan(mean); });
-  if (!known.empty()) scales.least = least_share * upper_median(known);
+  if (!known.empty()) scales.least = min_share * upper_median(known);
   scales.roots = means.unaryExpr([&](double mean) { return scales.root_of(mean); });
   return scales;
 }

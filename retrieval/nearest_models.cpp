@@ -82,7 +82,7 @@ double overflow_safe_mean(std::span<const double> distances) {
   return std::min(mean, std::numeric_limits<double>::max());
 }
 
-DistanceMatrix symmetrised(const DistanceMatrix& distances) {
+DistanceMatrix symmetrise(const DistanceMatrix& distances) {
   DistanceMatrix result = distances / 2 + distances.transpose() / 2;
   result.diagonal().setZero();
   return result;

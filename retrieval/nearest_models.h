@@ -77,6 +77,6 @@ double mean_distance(const Distances& distances) {
 }
 
 /// Returns the mean of the matrix and its transpose, with a zero diagonal.
-DistanceMatrix symmetrised(const DistanceMatrix& distances);
+DistanceMatrix symmetrise(const DistanceMatrix& distances);
 
 }  // namespace shapegauge

@@ -73,7 +73,7 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
       if (is_far_from_all(distances, nearest, i, j)) result(i, j) = std::numeric_limits<double>::infinity();
     }
   });
-  return symmetrised(result);
+  return symmetrise(result);
 }
 
 RerankMethod query_expansion_method() {

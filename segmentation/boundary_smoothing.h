@@ -19,9 +19,9 @@ struct BoundarySmoothingOptions {
 
 /// Parameters of BoundarySmoothingOptions.
 inline constexpr std::array boundary_smoothing_table = {
-    measured_in("square roots of the area",
-                option_of<&BoundarySmoothingOptions::width>("border_width", {.low = 0, .high = 1},
-                                                            "Largest distance that smoothing may move borders.")),
+    with_unit("square roots of the area",
+              option_of<&BoundarySmoothingOptions::width>("border_width", {.low = 0, .high = 1},
+                                                          "Largest distance that smoothing may move borders.")),
     option_of<&BoundarySmoothingOptions::strength>("strength", {.low = 0}, "Cost of a border per length."),
     option_of<&BoundarySmoothingOptions::concavity>("concavity", {.low = 0, .low_open = true},
                                                     "Curvature of a concavity that halves the cost of a border."),
@@ -30,8 +30,8 @@ inline constexpr std::array boundary_smoothing_table = {
 /// Smooths the borders between parts: makes them shorter and aligns them with concavities. Only nodes near borders
 /// change; the cost is minimised by alpha_expansion(). Changing a node's part costs its area times its distance to the
 /// new part's old border, relative to `width`. A border costs its length, less in concavities. No label disappears.
-/// Throws InputError for options out of range, and ArgumentError unless there is one label a node, from 0 on.
-std::vector<std::int32_t> smoothed_boundaries(const ThickSurface& surface, std::span<const std::int32_t> labels,
-                                              const BoundarySmoothingOptions& options);
+/// Throws InputError for options out of range, and ArgumentError unless there is one label per node, from 0 on.
+std::vector<std::int32_t> smooth_boundaries(const ThickSurface& surface, std::span<const std::int32_t> labels,
+                                            const BoundarySmoothingOptions& options);
 
 }  // namespace shapegauge

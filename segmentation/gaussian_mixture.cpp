@@ -16,10 +16,10 @@ namespace shapegauge {
 
 namespace {
 
-constexpr double least_gain = 1e-9;  ///< of the log-likelihood, relative to its size, for another iteration
+constexpr double min_gain = 1e-9;  ///< of the log-likelihood, relative to its size, for another iteration
 
 /// Returns the minimum variance of components by coordinate.
-Eigen::RowVectorXd least_variances(const Eigen::MatrixXd& points, double share) {
+Eigen::RowVectorXd min_variances(const Eigen::MatrixXd& points, double share) {
   const Eigen::RowVectorXd mean = points.colwise().mean();
   const Eigen::RowVectorXd variance = (points.rowwise() - mean).array().square().colwise().mean();
   // A constant coordinate gets any variance, since it distinguishes no points.
@@ -77,7 +77,7 @@ GaussianMixture fitted_from(const Eigen::MatrixXd& points, const Eigen::MatrixXd
     const Eigen::MatrixXd densities = log_densities(mixture, points);
     const Eigen::VectorXd sums = log_sums(densities);
     mixture.log_likelihood = sums.sum();
-    if (!(mixture.log_likelihood - before > least_gain * std::abs(mixture.log_likelihood))) break;
+    if (!(mixture.log_likelihood - before > min_gain * std::abs(mixture.log_likelihood))) break;
     before = mixture.log_likelihood;
     mixture = maximised(points, (densities.colwise() - sums).array().exp(), least);
     mixture.log_likelihood = log_sums(log_densities(mixture, points)).sum();
@@ -86,7 +86,7 @@ GaussianMixture fitted_from(const Eigen::MatrixXd& points, const Eigen::MatrixXd
 }
 
 GaussianMixture best_fit(const Eigen::MatrixXd& points, int components, const MixtureOptions& options) {
-  const Eigen::RowVectorXd least = least_variances(points, options.regularisation);
+  const Eigen::RowVectorXd least = min_variances(points, options.regularisation);
   GaussianMixture best;
   for (int restart = 0; restart < options.restarts; ++restart) {
     RandomNumbers random(options.seed, static_cast<std::uint64_t>(restart));
@@ -106,8 +106,8 @@ void check(const Eigen::MatrixXd& points, const MixtureOptions& options) {
   if (points.rows() == 0 || points.cols() == 0) throw ArgumentError("a mixture needs points");
   if (!points.allFinite()) throw ArgumentError("a mixture needs points that are finite");
   if (options.components < 0) throw InputError(fmt::format("there cannot be {} components", options.components));
-  if (options.most_components < 1) {
-    throw InputError(fmt::format("at least 1 component must be allowed, not {}", options.most_components));
+  if (options.max_components < 1) {
+    throw InputError(fmt::format("at least 1 component must be allowed, not {}", options.max_components));
   }
   if (options.restarts < 1) throw InputError(fmt::format("at least 1 start is needed, not {}", options.restarts));
   if (options.iterations < 1)
@@ -137,7 +137,7 @@ Eigen::MatrixXd component_probabilities(const GaussianMixture& mixture, const Ei
 
 GaussianMixture fit_gaussian_mixture(const Eigen::MatrixXd& points, const MixtureOptions& options) {
   check(points, options);
-  const int most = static_cast<int>(std::min<Eigen::Index>(points.rows(), options.most_components));
+  const int most = static_cast<int>(std::min<Eigen::Index>(points.rows(), options.max_components));
   if (options.components > 0) {
     const auto components = static_cast<int>(std::min<Eigen::Index>(points.rows(), options.components));
     return best_fit(points, components, options);

@@ -17,7 +17,7 @@ struct GaussianMixture {
 struct MixtureOptions {
   int components =
       0;  ///< number of components, limited by the number of points. 0: chosen by the Bayesian information criterion
-  int most_components = 10;      ///< maximum number chosen by the criterion; at least 1
+  int max_components = 10;       ///< maximum number chosen by the criterion; at least 1
   int restarts = 5;              ///< number of starts, of which the best is kept; at least 1
   int iterations = 200;          ///< maximum number of iterations of expectation maximisation; at least 1
   double regularisation = 1e-2;  ///< added to each variance, relative to that of all points in that coordinate; > 0

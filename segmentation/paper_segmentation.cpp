@@ -20,13 +20,13 @@ namespace shapegauge {
 
 namespace {
 
-constexpr double least_probability = 1e-6;
-constexpr double least_turn = 1e-3;  ///< radians, so that flat borders cost a finite amount
+constexpr double min_probability = 1e-6;
+constexpr double min_turn = 1e-3;  ///< radians, so that flat borders cost a finite amount
 constexpr double convex_share = 0.1;
 
 /// Returns the cost per length of a border: small where the surface is folded.
 double cost_of_turn(double concavity) {
-  const double turn = std::max(least_turn, concavity > 0 ? concavity : -convex_share * concavity);
+  const double turn = std::max(min_turn, concavity > 0 ? concavity : -convex_share * concavity);
   return -std::log(turn / std::numbers::pi);
 }
 
@@ -62,7 +62,7 @@ std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::spa
   const std::vector<std::int32_t> patch = patches(graph, options.patches);
   const Eigen::MatrixXd features = patch_features(patch, fields, options.levels);
   const GaussianMixture mixture = fit_gaussian_mixture(features, options.mixture);
-  const Eigen::MatrixXd costs = -component_probabilities(mixture, features).array().max(least_probability).log();
+  const Eigen::MatrixXd costs = -component_probabilities(mixture, features).array().max(min_probability).log();
   std::vector<std::int32_t> start;
   for (Eigen::Index p = 0; p < costs.rows(); ++p) {
     Eigen::Index cheapest = 0;
@@ -74,7 +74,7 @@ std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::spa
   std::vector<std::int32_t> labels;
   labels.reserve(patch.size());
   for (const std::int32_t p : patch) labels.push_back(clusters[static_cast<std::size_t>(p)]);
-  return renumbered(without_slivers(graph, connected_parts(graph, labels), least_patch / options.patches.count));
+  return renumber_labels(without_slivers(graph, connected_parts(graph, labels), min_patch / options.patches.count));
 }
 
 std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<double> offset,

@@ -6,7 +6,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr double most_deviations = 4;
+constexpr double max_deviations = 4;
 
 #include "part_model_weights.inc"
 
@@ -28,7 +28,7 @@ PartModel unpacked() {
 }  // namespace
 
 double PartModel::probability(const RegionFeatures& features) const {
-  const RegionFeatures x = ((features - mean).array() / deviation.array()).max(-most_deviations).min(most_deviations);
+  const RegionFeatures x = ((features - mean).array() / deviation.array()).max(-max_deviations).min(max_deviations);
   const Eigen::VectorXd units = (hidden * x + hidden_bias).array().tanh();
   return 1 / (1 + std::exp(-(output.dot(units) + output_bias)));
 }

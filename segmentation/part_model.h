@@ -14,7 +14,7 @@ inline constexpr int part_model_version = 1;
 struct PartModel {
   RegionFeatures mean = RegionFeatures::Zero();       ///< mean of the features
   RegionFeatures deviation = RegionFeatures::Ones();  ///< standard deviation of the features, positive
-  Eigen::Matrix<double, Eigen::Dynamic, region_features, Eigen::RowMajor> hidden;  ///< a row a hidden unit
+  Eigen::Matrix<double, Eigen::Dynamic, region_features, Eigen::RowMajor> hidden;  ///< one row per hidden unit
   Eigen::VectorXd hidden_bias;
   Eigen::VectorXd output;
   double output_bias = 0;

@@ -23,7 +23,7 @@ constexpr int patches_per_part = 3;
 constexpr Eigen::Index triangles_per_part = 20;
 
 /// Maximum number of regions, unless more patches were requested: memory for pairs grows quadratically.
-constexpr std::int32_t most_regions = 600;
+constexpr std::int32_t max_regions = 600;
 
 void check(const PartSegmentationOptions& options, std::int32_t nodes) {
   check_options("segmentation into parts", part_segmentation_table, options);
@@ -41,7 +41,7 @@ PatchOptions patch_options_of(const PartSegmentationOptions& options) {
 /// Gives parts of less than a part of a patch's usual area to their neighbours.
 std::vector<std::int32_t> without_small(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
                                         const PartSegmentationOptions& options) {
-  return renumbered(without_slivers(graph, labels, least_patch / patch_options_of(options).count));
+  return renumber_labels(without_slivers(graph, labels, min_patch / patch_options_of(options).count));
 }
 
 /// Numbers the patches by decreasing area, or -1 beyond a maximum. Only components increase the number of patches;
@@ -75,18 +75,18 @@ std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const P
   const PatchOptions patch_options = patch_options_of(options);
   const std::vector<std::int32_t> patch =
       without_small(surface.graph, patches(surface.graph, patch_options, patch_costs(surface)), options);
-  const std::int32_t most = std::max(most_regions, patch_options.count);
+  const std::int32_t most = std::max(max_regions, patch_options.count);
   const std::vector<std::int32_t> initial = largest_patches(surface.graph, patch, most);
   Regions regions = surface_regions(surface, initial, options.samples);
   const auto probability = [&](const Regions& now, std::int32_t a, std::int32_t b) {
     return model.probability(features_of(now, a, b));
   };
-  merge_regions(regions, probability, {.least_affinity = options.least_probability, .parts = options.parts});
+  merge_regions(regions, probability, {.min_affinity = options.min_probability, .parts = options.parts});
   std::vector<std::int32_t> labels;
   for (std::size_t i = 0; i < patch.size(); ++i) {
     labels.push_back(initial[i] >= 0 ? regions.region_of(initial[i]) : most + patch[i]);
   }
-  return renumbered(smoothed_boundaries(surface, renumbered(labels), options.smoothing));
+  return renumber_labels(smooth_boundaries(surface, renumber_labels(labels), options.smoothing));
 }
 
 std::vector<std::int32_t> part_segmentation(const Shape& given, const PartSegmentationOptions& options,
@@ -97,9 +97,9 @@ std::vector<std::int32_t> part_segmentation(const Shape& given, const PartSegmen
   if (triangles_per_part * options.parts > shape.triangles.rows()) {
     return mesh.extended(part_segmentation(thick_surface(shape), options, model));
   }
-  const SegmentationProxy cut = segmentation_proxy(facing_outward(shape));
+  const SegmentationProxy cut = segmentation_proxy(orient_outward(shape));
   const std::vector<std::int32_t> labels =
-      renumbered(cut.transferred(part_segmentation(thick_surface(cut.shape), options, model)));
+      renumber_labels(cut.transfer(part_segmentation(thick_surface(cut.shape), options, model)));
   return mesh.extended(options.parts > 0 ? labels : without_small(surface_graph(shape), labels, options));
 }
 

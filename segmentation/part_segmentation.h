@@ -17,10 +17,10 @@ inline constexpr int part_segmentation_version = 6;
 
 /// Options of part_segmentation().
 struct PartSegmentationOptions {
-  int parts = 0;                   ///< number of parts; 0 for automatic
-  int patches = 150;               ///< number of initial patches; more if more parts are requested
-  int samples = 1000;              ///< number of surface samples for mutual visibility, at least 1
-  double least_probability = 0.5;  ///< regions with a lower probability of being one part stay apart
+  int parts = 0;                 ///< number of parts; 0 for automatic
+  int patches = 150;             ///< number of initial patches; more if more parts are requested
+  int samples = 1000;            ///< number of surface samples for mutual visibility, at least 1
+  double min_probability = 0.5;  ///< regions with a lower probability of being one part are not merged
   BoundarySmoothingOptions smoothing{};
   std::uint64_t seed = 1;
 };
@@ -30,9 +30,9 @@ inline constexpr std::array part_segmentation_table = {
     option_of<&PartSegmentationOptions::parts>("parts", {.low = 0, .high = 1'000'000},
                                                "Number of parts; 0 for automatic."),
     option_of<&PartSegmentationOptions::patches>("patches", {.low = 1, .high = 100'000}, "Number of initial patches."),
-    option_of<&PartSegmentationOptions::least_probability>("least_probability", {.low = 0, .high = 1},
-                                                           "Least probability at which two regions are merged."),
-    option_within<&PartSegmentationOptions::smoothing, boundary_smoothing_table, 0>(),
+    option_of<&PartSegmentationOptions::min_probability>("least_probability", {.low = 0, .high = 1},
+                                                         "Least probability at which two regions are merged."),
+    nested_option<&PartSegmentationOptions::smoothing, boundary_smoothing_table, 0>(),
 };
 
 /// Segments a shape into parts as people would: returns a part number for each triangle, or point of a cloud, from 0 on

@@ -16,7 +16,7 @@ struct PatchOptions {
 };
 
 /// Smallest area of a patch or part, as a fraction of the mean area of patches: smaller ones are slivers.
-inline constexpr double least_patch = 0.1;
+inline constexpr double min_patch = 0.1;
 
 /// Divides a surface into compact, connected patches: returns a patch number for each node, from 0 on without gaps.
 ///

@@ -11,28 +11,28 @@ namespace shapegauge {
 
 namespace {
 
-constexpr double least_area = 1e-9;
-constexpr double least_length = 1e-9;
-constexpr double least_spread = 1e-6;
-constexpr double least_sight = 0.05;
+constexpr double min_area = 1e-9;
+constexpr double min_length = 1e-9;
+constexpr double min_spread = 1e-6;
+constexpr double min_sight = 0.05;
 constexpr double usual_tilt = -0.3;  ///< where no samples are near each other
 
 /// Form of a region from its second moments.
 struct Form {
   double area;
-  Eigen::Vector3d place;
+  Eigen::Vector3d position;
   Eigen::Vector3d spread;   ///< standard deviations along the principal axes, ascending
   Eigen::Vector3d normals;  ///< eigenvalues of the mean n n^T, ascending; (0, 0, 1): flat
 };
 
 Form form_of(const RegionSum& sum) {
   Form form;
-  form.area = std::max(sum.area, least_area);
-  form.place = sum.place / form.area;
-  const Eigen::Matrix3d covariance = sum.squared_place / form.area - form.place * form.place.transpose();
+  form.area = std::max(sum.area, min_area);
+  form.position = sum.position / form.area;
+  const Eigen::Matrix3d covariance = sum.squared_position / form.area - form.position * form.position.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  form.spread = solver.eigenvalues().cwiseMax(least_spread * least_spread).cwiseSqrt();
+  form.spread = solver.eigenvalues().cwiseMax(min_spread * min_spread).cwiseSqrt();
   solver.computeDirect(sum.squared_normal / form.area, Eigen::EigenvaluesOnly);
   form.normals = solver.eigenvalues().cwiseMax(0);
   return form;
@@ -47,7 +47,7 @@ struct Thickness {
 };
 
 Thickness thickness_of(const RegionSum& sum) {
-  const double area = std::max(sum.area, least_area);
+  const double area = std::max(sum.area, min_area);
   const double mean = sum.thickness / area;
   return {mean, std::sqrt(std::max(0.0, sum.squared_thickness / area - mean * mean))};
 }
@@ -57,7 +57,7 @@ double earth_movers_distance(const RegionSum& a, const RegionSum& b) {
   double moved = 0;
   double carried = 0;
   for (Eigen::Index k = 0; k < thickness_bins; ++k) {
-    carried += a.histogram[k] / std::max(a.area, least_area) - b.histogram[k] / std::max(b.area, least_area);
+    carried += a.histogram[k] / std::max(a.area, min_area) - b.histogram[k] / std::max(b.area, min_area);
     moved += std::abs(carried);
   }
   return moved * -std::log(lowest_thickness) / thickness_bins;
@@ -92,19 +92,19 @@ class Features {
   }
 
   void add_sights() {
-    const auto least_own = [&](PairSum what) {
+    const auto min_own = [&](PairSum what) {
       return std::min(share(small_, small_, what), share(large_, large_, what));
     };
     const double shallow = share(small_, large_, PairSum::seen_shallow);
     const double deep = share(small_, large_, PairSum::seen_deep);
-    const double own_shallow = least_own(PairSum::seen_shallow);
-    const double own_deep = least_own(PairSum::seen_deep);
+    const double own_shallow = min_own(PairSum::seen_shallow);
+    const double own_deep = min_own(PairSum::seen_deep);
     add("seen shallow", shallow);
     add("seen deep", deep);
     add("own seen shallow", own_shallow);
     add("own seen deep", own_deep);
-    add("seen shallow / own", shallow / std::max(least_sight, own_shallow));
-    add("seen deep / own", deep / std::max(least_sight, own_deep));
+    add("seen shallow / own", shallow / std::max(min_sight, own_shallow));
+    add("seen deep / own", deep / std::max(min_sight, own_deep));
     add("seen outside", share(small_, large_, PairSum::seen_outside));
     add("small seen outside", share(small_, small_, PairSum::seen_outside));
     add("large seen outside", share(large_, large_, PairSum::seen_outside));
@@ -113,25 +113,25 @@ class Features {
   void add_thickness() {
     const Thickness small = thickness_of(regions_.of(small_));
     const Thickness large = thickness_of(regions_.of(large_));
-    const double border = between(PairSum::thickness) / std::max(between(PairSum::border), least_length);
+    const double border = between(PairSum::thickness) / std::max(between(PairSum::border), min_length);
     add("thickness apart", std::abs(small.mean - large.mean));
     add("thickness small - large", small.mean - large.mean);
     add("thickness moved", earth_movers_distance(regions_.of(small_), regions_.of(large_)));
     add("thickness spread", std::max(small.deviation, large.deviation));
     add("thickness small", small.mean);
-    add("thickness / size small", small.mean - std::log(std::max(regions_.of(small_).area, least_area)) / 2);
-    add("thickness / size large", large.mean - std::log(std::max(regions_.of(large_).area, least_area)) / 2);
+    add("thickness / size small", small.mean - std::log(std::max(regions_.of(small_).area, min_area)) / 2);
+    add("thickness / size large", large.mean - std::log(std::max(regions_.of(large_).area, min_area)) / 2);
     add("border thickness - least", border - std::min(small.mean, large.mean));
     add("border thickness - most", border - std::max(small.mean, large.mean));
     add("border / girth",
-        std::log(std::max(between(PairSum::border), least_length) / (std::numbers::pi * std::exp(border))));
+        std::log(std::max(between(PairSum::border), min_length) / (std::numbers::pi * std::exp(border))));
   }
 
   void add_border() {
-    const double length = std::max(between(PairSum::border), least_length);
-    const double area = std::max(regions_.of(small_).area, least_area);
-    const double small_perimeter = std::max(regions_.perimeter(small_), least_length);
-    const double large_perimeter = std::max(regions_.perimeter(large_), least_length);
+    const double length = std::max(between(PairSum::border), min_length);
+    const double area = std::max(regions_.of(small_).area, min_area);
+    const double small_perimeter = std::max(regions_.perimeter(small_), min_length);
+    const double large_perimeter = std::max(regions_.perimeter(large_), min_length);
     add("border concave", between(PairSum::concave) / length);
     add("border convex", between(PairSum::convex) / length);
     add("border folded", between(PairSum::folded) / length);
@@ -147,8 +147,8 @@ class Features {
   }
 
   void add_opposites() {
-    const double small = std::max(regions_.of(small_).area, least_area);
-    const double large = std::max(regions_.of(large_).area, least_area);
+    const double small = std::max(regions_.of(small_).area, min_area);
+    const double large = std::max(regions_.of(large_).area, min_area);
     const double own_small = regions_.of(small_, small_, PairSum::opposite);
     const double own_large = regions_.of(large_, large_, PairSum::opposite);
     add("opposite", between(PairSum::opposite) / small);
@@ -172,7 +172,7 @@ class Features {
     add("one normal small", small.normals[2]);
     add("one normal large", large.normals[2]);
     add("one normal both", both.normals[2]);
-    add("distance", (small.place - large.place).norm());
+    add("distance", (small.position - large.position).norm());
     add("area small", std::log(small.area));
     add("area large", std::log(large.area));
     add("regions", std::log(static_cast<double>(regions_.size())));

@@ -42,7 +42,7 @@ class Merging {
       const Candidate best = queue_.top();
       queue_.pop();
       if (best.age != age_of(best.a, best.b)) continue;
-      if (options.parts == 0 && best.affinity < options.least_affinity) return;
+      if (options.parts == 0 && best.affinity < options.min_affinity) return;
       regions_.merge(best.a, best.b);
       ++merges_[static_cast<std::size_t>(best.a)];
       merges_[static_cast<std::size_t>(best.b)] = gone;

@@ -12,8 +12,8 @@ using RegionAffinity = std::function<double(const Regions&, std::int32_t, std::i
 
 /// Options of merge_regions().
 struct MergingOptions {
-  double least_affinity = 0.5;  ///< regions of a lower affinity stay apart, unless `parts` is given
-  std::int32_t parts = 0;  ///< number of regions to reach, as far as adjacency permits; 0: determined by least_affinity
+  double min_affinity = 0.5;  ///< regions of a lower affinity are not merged, unless `parts` is given
+  std::int32_t parts = 0;  ///< number of regions to reach, as far as adjacency permits; 0: determined by min_affinity
 };
 
 /// Merges adjacent regions greedily by highest affinity (ties: the pair of lower numbers). Affinities of a merged

@@ -9,8 +9,8 @@ RegionSum& RegionSum::operator+=(const RegionSum& other) {
   area += other.area;
   thickness += other.thickness;
   squared_thickness += other.squared_thickness;
-  place += other.place;
-  squared_place += other.squared_place;
+  position += other.position;
+  squared_position += other.squared_position;
   squared_normal += other.squared_normal;
   histogram += other.histogram;
   return *this;

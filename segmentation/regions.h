@@ -22,8 +22,8 @@ struct RegionSum {
   double area = 0;
   double thickness = 0;
   double squared_thickness = 0;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squared_place = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squared_position = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d squared_normal = Eigen::Matrix3d::Zero();
   Eigen::Array<double, thickness_bins, 1> histogram = Eigen::Array<double, thickness_bins, 1>::Zero();
 

@@ -10,8 +10,8 @@
 
 namespace shapegauge {
 
-/// Reads a segmentation in the Princeton Segmentation Benchmark's format: one line a face of the mesh's file, in order,
-/// with the non-negative number of its segment. Returns the numbers by triangle, each from its polygon. Throws
+/// Reads a segmentation in the Princeton Segmentation Benchmark's format: one line per face of the mesh's file, in
+/// order, with the non-negative number of its segment. Returns the numbers by triangle, each from its polygon. Throws
 /// InputError if the file cannot be read, for a number of lines that differs from the number of faces, and for an
 /// invalid line.
 std::vector<std::int32_t> read_seg(const std::filesystem::path& path, const Shape& mesh);
@@ -23,7 +23,7 @@ std::vector<std::int32_t> parse_seg(const std::string& text, const std::string& 
 /// largest area in it. Throws InputError if the file cannot be written.
 void write_seg(const std::filesystem::path& path, const Shape& shape, std::span<const std::int32_t> labels);
 
-/// Writes one line a label, atomically. Throws InputError if the file cannot be written.
+/// Writes one line per label, atomically. Throws InputError if the file cannot be written.
 void write_seg(const std::filesystem::path& path, std::span<const std::int32_t> labels);
 
 }  // namespace shapegauge

@@ -55,7 +55,7 @@ LabelBorders borders_of(const SurfaceGraph& graph, std::span<const std::int32_t>
 
 }  // namespace
 
-std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels) {
+std::vector<std::int32_t> renumber_labels(std::span<const std::int32_t> labels) {
   std::unordered_map<std::int32_t, std::int32_t> numbers;
   std::vector<std::int32_t> result;
   result.reserve(labels.size());
@@ -76,14 +76,14 @@ std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<c
   }
   std::vector<std::int32_t> parts(labels.size());
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = sets.find(static_cast<std::int32_t>(i));
-  return renumbered(parts);
+  return renumber_labels(parts);
 }
 
 std::vector<std::int32_t> without_slivers(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
-                                          double least_share) {
+                                          double min_share) {
   check(graph, labels);
   LabelBorders borders = borders_of(graph, labels);
-  const double least_area = least_share * graph.samples.weights.sum();
+  const double min_area = min_share * graph.samples.weights.sum();
   std::vector<std::int32_t> merged_into(borders.areas.size());
   std::iota(merged_into.begin(), merged_into.end(), 0);
   std::vector<std::int32_t> order = merged_into;
@@ -91,7 +91,7 @@ std::vector<std::int32_t> without_slivers(const SurfaceGraph& graph, std::span<c
                            [&](std::int32_t label) { return borders.areas[static_cast<std::size_t>(label)]; });
   for (const std::int32_t label : order) {
     auto& lengths = borders.lengths[static_cast<std::size_t>(label)];
-    if (borders.areas[static_cast<std::size_t>(label)] >= least_area || lengths.empty()) continue;
+    if (borders.areas[static_cast<std::size_t>(label)] >= min_area || lengths.empty()) continue;
     const std::int32_t other =
         std::ranges::max_element(lengths, {}, [](const auto& border) { return border.second; })->first;
     borders.areas[static_cast<std::size_t>(other)] += borders.areas[static_cast<std::size_t>(label)];
@@ -113,7 +113,7 @@ std::vector<std::int32_t> without_slivers(const SurfaceGraph& graph, std::span<c
 
 std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
   check(graph, labels);
-  const std::vector<std::int32_t> numbers = renumbered(labels);
+  const std::vector<std::int32_t> numbers = renumber_labels(labels);
   const LabelBorders borders = borders_of(graph, numbers);
   std::vector<std::int32_t> order(borders.areas.size());
   std::iota(order.begin(), order.end(), 0);

@@ -10,7 +10,7 @@
 namespace shapegauge {
 
 /// Renumbers labels 0, 1, ... in order of first appearance.
-std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels);
+std::vector<std::int32_t> renumber_labels(std::span<const std::int32_t> labels);
 
 /// Computes the connected components of each label: nodes have the same number if a path within their label connects
 /// them. Components are numbered from 0 on in the order of their first nodes. Throws ArgumentError unless there is one
@@ -20,7 +20,7 @@ std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<c
 /// Gives each label of less than a share of the area to the adjacent label with the longest common border, smallest
 /// first (ties: the lowest label). Labels without neighbours stay. Labels start at 0; throws as connected_parts() does.
 std::vector<std::int32_t> without_slivers(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
-                                          double least_share);
+                                          double min_share);
 
 /// Assigns a colour to each node by its label, such that adjacent labels differ as far as a dozen colours permit.
 /// Labels are coloured greedily, largest first, preferring unused colours and then colours that no neighbour has.

@@ -35,23 +35,23 @@ struct SegmentationOptions {
 inline constexpr std::array segmentation_table = {
     option_of<&SegmentationOptions::method>(
         "method", "best: parts as people choose them; paper: clusters of patches by their SDF, as in the paper."),
-    described("Number of parts (paper: of clusters); 0 for automatic (paper: 5 clusters).",
-              option_within<&SegmentationOptions::best, part_segmentation_table, 0>()),
-    described("best: number of initial patches.",
-              option_within<&SegmentationOptions::best, part_segmentation_table, 1>()),
-    described("best: least probability at which two regions are merged.",
-              option_within<&SegmentationOptions::best, part_segmentation_table, 2>()),
-    described("best: largest distance that smoothing may move borders.",
-              option_within<&SegmentationOptions::best, part_segmentation_table, 3>()),
+    with_description("Number of parts (paper: of clusters); 0 for automatic (paper: 5 clusters).",
+                     nested_option<&SegmentationOptions::best, part_segmentation_table, 0>()),
+    with_description("best: number of initial patches.",
+                     nested_option<&SegmentationOptions::best, part_segmentation_table, 1>()),
+    with_description("best: least probability at which two regions are merged.",
+                     nested_option<&SegmentationOptions::best, part_segmentation_table, 2>()),
+    with_description("best: largest distance that smoothing may move borders.",
+                     nested_option<&SegmentationOptions::best, part_segmentation_table, 3>()),
     option_of<&SegmentationOptions::field>("field", "paper: SDF of the offset surface, or conventional SDF."),
-    measured_in(bounding_box_diagonals, option_of<&SegmentationOptions::offset>(
-                                            "offset", OffsetSdfOptions::offset_bounds, "paper: offset distance.")),
+    with_unit(bounding_box_diagonals, option_of<&SegmentationOptions::offset>("offset", OffsetSdfOptions::offset_bounds,
+                                                                              "paper: offset distance.")),
 };
 
 /// Returns the only algorithm that has the parameter of segmentation_table; nothing if both have it.
 std::optional<SegmentationAlgorithm> algorithm_with(std::string_view parameter);
 
-/// Segments a shape by the chosen algorithm: one label a triangle, or a point of a cloud. Throws InputError as the
+/// Segments a shape by the chosen algorithm: one label per triangle, or a point of a cloud. Throws InputError as the
 /// algorithms do.
 std::vector<std::int32_t> segment_shape(const Shape& shape, const SegmentationOptions& options);
 

@@ -13,9 +13,9 @@ namespace shapegauge {
 
 namespace {
 
-constexpr Eigen::Index fewest_triangles = 8000;
+constexpr Eigen::Index min_triangles = 8000;
 constexpr Eigen::Index points_of_cracked = 10000;
-constexpr double most_open_edges = 0.05;
+constexpr double max_open_edges = 0.05;
 
 /// Subdivides each triangle into four at the midpoints of its edges, in order, the middle one first.
 Shape cut_into_four(const Shape& mesh) {
@@ -58,7 +58,7 @@ bool is_cracked(const Shape& mesh) {
     ++edges;
     open += uses.size() == 1 ? 1 : 0;
   });
-  return static_cast<double>(open) > most_open_edges * static_cast<double>(edges);
+  return static_cast<double>(open) > max_open_edges * static_cast<double>(edges);
 }
 
 SegmentationProxy itself(const Shape& shape) {
@@ -70,7 +70,7 @@ SegmentationProxy itself(const Shape& shape) {
 
 SegmentationProxy refined(const Shape& mesh) {
   SegmentationProxy result = itself(mesh);
-  while (result.shape.triangles.rows() < fewest_triangles) {
+  while (result.shape.triangles.rows() < min_triangles) {
     result.shape = cut_into_four(result.shape);
     for (std::int32_t& node : result.node_of) node *= 4;  // the middle one of the four
   }
@@ -79,7 +79,7 @@ SegmentationProxy refined(const Shape& mesh) {
 
 }  // namespace
 
-std::vector<std::int32_t> SegmentationProxy::transferred(std::span<const std::int32_t> labels) const {
+std::vector<std::int32_t> SegmentationProxy::transfer(std::span<const std::int32_t> labels) const {
   std::vector<std::int32_t> carried;
   carried.reserve(node_of.size());
   for (const std::int32_t node : node_of) carried.push_back(labels[static_cast<std::size_t>(node)]);

@@ -14,7 +14,7 @@ struct SegmentationProxy {
   std::vector<std::int32_t> node_of;  ///< by triangle (or point) of the given shape: its node of the proxy
 
   /// Transfers the proxy's labels to the given shape.
-  [[nodiscard]] std::vector<std::int32_t> transferred(std::span<const std::int32_t> labels) const;
+  [[nodiscard]] std::vector<std::int32_t> transfer(std::span<const std::int32_t> labels) const;
 };
 
 /// Chooses the shape to segment instead of a given one.

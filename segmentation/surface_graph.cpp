@@ -21,7 +21,7 @@ namespace {
 constexpr Eigen::Index neighbours_in_cloud = 8;
 
 /// Maximum number of boundary edges at a vertex; with more, triangles meet there by chance.
-constexpr std::size_t most_border_ends = 12;
+constexpr std::size_t max_border_ends = 12;
 
 struct Pair {
   std::int32_t from;
@@ -91,7 +91,7 @@ void add_bridges(std::vector<Pair>& pairs, const Shape& mesh, const Samples& sam
   for (std::size_t begin = 0; begin < ends.size();) {
     std::size_t end = begin + 1;
     while (end < ends.size() && ends[end].vertex == ends[begin].vertex) ++end;
-    for (std::size_t i = begin; i < end && end - begin <= most_border_ends; ++i) {
+    for (std::size_t i = begin; i < end && end - begin <= max_border_ends; ++i) {
       for (std::size_t k = i + 1; k < end; ++k) {
         if (ends[i].triangle != ends[k].triangle) add_bridge(pairs, mesh, samples, ends[i], ends[k]);
       }

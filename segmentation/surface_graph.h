@@ -22,7 +22,7 @@ struct SurfaceLink {
 /// shape's triangles or points.
 struct SurfaceGraph {
   Samples samples;                 ///< of the nodes: at the triangles' centroids or the cloud's points
-  std::vector<std::size_t> first;  ///< by node: begin of its links; one more entry at the end
+  std::vector<std::size_t> first;  ///< per node: begin of its links; one more entry at the end
   std::vector<SurfaceLink> links;  ///< links of each node, by increasing neighbour
 
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(samples.points.rows()); }

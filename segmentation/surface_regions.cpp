@@ -15,13 +15,13 @@ namespace {
 
 // All lengths are in units (ThickSurface::unit).
 constexpr double turn_cost = 0.01;  ///< of a link in a concavity, a radian
-constexpr double most_turn = 1;     ///< radians
+constexpr double max_turn = 1;      ///< radians
 constexpr double thickness_cost = 0.01;
 constexpr double near_distance = 0.1;
 constexpr double wide_distance = 0.25;
 constexpr double outside_distance = 0.01;  ///< of what looks at others from outside
-constexpr double least_slope = 0.1;        ///< sine of a ray's angle with the surface that it leaves for the outside
-constexpr double most_border_turn = 1.5;
+constexpr double min_slope = 0.1;          ///< sine of a ray's angle with the surface that it leaves for the outside
+constexpr double max_border_turn = 1.5;
 constexpr double fold = 0.1;  ///< turn of a border that counts as folded
 
 /// Starting depths of lines of sight below the surface, as fractions of the thickness.
@@ -72,15 +72,15 @@ void add_nodes(Regions& regions, const ThickSurface& surface, std::span<const st
     if (patch[static_cast<std::size_t>(i)] < 0) continue;
     const double area = samples.weights[i] / whole;
     const double thickness = surface.log_thickness[i];
-    const Eigen::Vector3d place = (samples.points.row(i) - centre).transpose() / surface.unit;
+    const Eigen::Vector3d position = (samples.points.row(i) - centre).transpose() / surface.unit;
     const Eigen::Vector3d normal = samples.normals.row(i).transpose();
     RegionSum sum;
     sum.nodes = 1;
     sum.area = area;
     sum.thickness = area * thickness;
     sum.squared_thickness = area * thickness * thickness;
-    sum.place = area * place;
-    sum.squared_place = area * place * place.transpose();
+    sum.position = area * position;
+    sum.squared_position = area * position * position.transpose();
     sum.squared_normal = area * normal * normal.transpose();
     const double bin = (thickness - std::log(lowest_thickness)) / bin_width;
     sum.histogram[static_cast<Eigen::Index>(std::clamp(bin, 0.0, thickness_bins - 1.0))] = area;
@@ -99,7 +99,7 @@ void add_borders(Regions& regions, const ThickSurface& surface, std::span<const 
       const double turn = surface.turn(i, link);
       regions.add(a, b, PairSum::border, length);
       regions.add(a, b, turn > 0 ? PairSum::concave : PairSum::convex,
-                  length * std::min(std::abs(turn), most_border_turn));
+                  length * std::min(std::abs(turn), max_border_turn));
       if (turn > fold) regions.add(a, b, PairSum::folded, length);
       regions.add(a, b, PairSum::thickness, length * (surface.log_thickness[i] + surface.log_thickness[link.to]) / 2);
     }
@@ -130,18 +130,18 @@ void add_opposites(Regions& regions, const ThickSurface& surface, std::span<cons
 /// Returns, for every pair of points, row by row above the diagonal, whether the straight line between them is free;
 /// only for `wanted` pairs.
 template <typename Wanted>
-std::vector<std::vector<char>> free_lines(const RayCaster& caster, const Points& places, Wanted wanted) {
-  const auto count = static_cast<std::size_t>(places.rows());
+std::vector<std::vector<char>> free_lines(const RayCaster& caster, const Points& positions, Wanted wanted) {
+  const auto count = static_cast<std::size_t>(positions.rows());
   std::vector<std::vector<char>> free(count);
   parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const auto from = static_cast<Eigen::Index>(i);
-    const Eigen::Vector3d origin = places.row(from);
+    const Eigen::Vector3d origin = positions.row(from);
     std::vector<Eigen::Vector3d> directions;
     std::vector<std::pair<std::size_t, double>> targets;
     free[i].assign(count - i, 0);
-    for (Eigen::Index to = from + 1; to < places.rows(); ++to) {
+    for (Eigen::Index to = from + 1; to < positions.rows(); ++to) {
       if (!wanted(from, to)) continue;
-      const Eigen::Vector3d way = places.row(to).transpose() - origin;
+      const Eigen::Vector3d way = positions.row(to).transpose() - origin;
       const double length = way.norm();
       if (!(length > 0)) continue;
       directions.emplace_back(way / length);
@@ -173,20 +173,20 @@ class Sights {
 
   void add_inside() {
     for (std::size_t d = 0; d < depths.size(); ++d) {
-      Points places = points_;
-      for (Eigen::Index i = 0; i < places.rows(); ++i) {
+      Points positions = points_;
+      for (Eigen::Index i = 0; i < positions.rows(); ++i) {
         const double thickness = std::exp(surface_.log_thickness[sample(i).node]) * surface_.unit;
-        places.row(i) -= depths[d] * thickness * normals_.row(i);
+        positions.row(i) -= depths[d] * thickness * normals_.row(i);
       }
-      add_free(places, seen_sums[d], [](Eigen::Index, Eigen::Index) { return true; });
+      add_free(positions, seen_sums[d], [](Eigen::Index, Eigen::Index) { return true; });
     }
   }
 
   void add_outside() {
-    const Points places = points_ + outside_distance * surface_.unit * normals_;
-    add_free(places, PairSum::seen_outside, [&](Eigen::Index i, Eigen::Index j) {
-      const Eigen::RowVector3d way = places.row(j) - places.row(i);
-      const double least = least_slope * way.norm();
+    const Points positions = points_ + outside_distance * surface_.unit * normals_;
+    add_free(positions, PairSum::seen_outside, [&](Eigen::Index i, Eigen::Index j) {
+      const Eigen::RowVector3d way = positions.row(j) - positions.row(i);
+      const double least = min_slope * way.norm();
       return normals_.row(i).dot(way) >= least && normals_.row(j).dot(way) <= -least;
     });
   }
@@ -222,8 +222,8 @@ class Sights {
   }
 
   template <typename Wanted>
-  void add_free(const Points& places, PairSum what, Wanted wanted) {
-    const std::vector<std::vector<char>> free = free_lines(caster_, places, wanted);
+  void add_free(const Points& positions, PairSum what, Wanted wanted) {
+    const std::vector<std::vector<char>> free = free_lines(caster_, positions, wanted);
     for (std::size_t i = 0; i < free.size(); ++i) {
       for (std::size_t k = 1; k < free[i].size(); ++k) {
         if (free[i][k] != 0) add(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i + k), what, 1);
@@ -242,9 +242,9 @@ class Sights {
 /// Returns false for a surface that is narrower than rays resolve, which are of single precision: every ray then meets
 /// all triangles.
 bool is_resolved(const ThickSurface& surface) {
-  constexpr double least_share = 1e-7;
+  constexpr double min_share = 1e-7;
   const double diagonal = bounding_box_diagonal(surface.barrier);
-  return surface.unit * surface.unit > least_share * diagonal * diagonal;
+  return surface.unit * surface.unit > min_share * diagonal * diagonal;
 }
 
 }  // namespace
@@ -254,7 +254,7 @@ std::vector<double> patch_costs(const ThickSurface& surface) {
   costs.reserve(surface.graph.links.size());
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
     for (const SurfaceLink& link : surface.graph.links_of(i)) {
-      const double turn = std::clamp(surface.turn(i, link), 0.0, most_turn);
+      const double turn = std::clamp(surface.turn(i, link), 0.0, max_turn);
       const double change = std::abs(surface.log_thickness[i] - surface.log_thickness[link.to]);
       costs.push_back(link.distance + surface.unit * (turn_cost * turn + thickness_cost * change));
     }

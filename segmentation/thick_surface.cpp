@@ -17,11 +17,11 @@ namespace shapegauge {
 
 namespace {
 
-constexpr double most_missing = 0.25;      ///< share of the area
-constexpr double least_thickness = 1e-4;   ///< in units
+constexpr double max_missing = 0.25;       ///< share of the area
+constexpr double min_thickness = 1e-4;     ///< in units
 constexpr double usual_thickness = 0.1;    ///< in units, where nothing is known
 constexpr double smoothing_width = 0.012;  ///< of normals, in units
-constexpr int most_smoothing_rounds = 30;
+constexpr int max_smoothing_rounds = 30;
 constexpr int thickness_rounds = 3;
 constexpr double same_thickness = 0.3;  ///< difference of logarithms beyond which neighbours do not count
 
@@ -35,7 +35,7 @@ double missing_area(const Eigen::VectorXd& values, const Samples& samples) {
 Eigen::VectorXd diameters(const Shape& shape, Samples& samples) {
   if (!is_cloud(shape)) {
     Eigen::VectorXd values = cone_sdf(shape, samples, {}).values;
-    if (missing_area(values, samples) <= most_missing * samples.weights.sum()) return values;
+    if (missing_area(values, samples) <= max_missing * samples.weights.sum()) return values;
   }
   OffsetSdfOptions options;
   options.offset = automatic_offset(shape).offset;
@@ -92,7 +92,7 @@ int smoothing_rounds(const SurfaceGraph& graph, double unit) {
   double sum = 0;
   for (const SurfaceLink& link : graph.links) sum += link.distance;
   const double steps = smoothing_width * unit * static_cast<double>(graph.links.size()) / sum;
-  return static_cast<int>(std::min<double>(most_smoothing_rounds, steps * steps));
+  return static_cast<int>(std::min<double>(max_smoothing_rounds, steps * steps));
 }
 
 Points smoothed_normals(const SurfaceGraph& graph, double unit) {
@@ -117,7 +117,7 @@ Points smoothed_normals(const SurfaceGraph& graph, double unit) {
 
 }  // namespace
 
-Shape facing_outward(Shape shape) {
+Shape orient_outward(Shape shape) {
   if (is_closed_and_oriented(shape) && signed_volume(shape) < 0) shape.triangles.col(1).swap(shape.triangles.col(2));
   return shape;
 }
@@ -131,7 +131,7 @@ double ThickSurface::turn(std::int32_t node, const SurfaceLink& link) const {
 }
 
 ThickSurface thick_surface(const Shape& given) {
-  const Shape shape = facing_outward(given);
+  const Shape shape = orient_outward(given);
   ThickSurface surface;
   surface.graph = surface_graph(shape);
   const double area = surface.graph.samples.weights.sum();
@@ -139,7 +139,7 @@ ThickSurface thick_surface(const Shape& given) {
   surface.unit = std::sqrt(area);
   const Eigen::VectorXd diameter = diameters(shape, surface.graph.samples);
   surface.log_thickness = diameter.unaryExpr([&](double d) {
-    return d > 0 ? std::log(std::max(d / surface.unit, least_thickness)) : std::numeric_limits<double>::quiet_NaN();
+    return d > 0 ? std::log(std::max(d / surface.unit, min_thickness)) : std::numeric_limits<double>::quiet_NaN();
   });
   fill(surface.log_thickness, surface.graph);
   for (int round = 0; round < thickness_rounds; ++round) {

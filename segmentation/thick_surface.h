@@ -22,7 +22,7 @@ struct ThickSurface {
 };
 
 /// Reverses a closed mesh whose triangles face inwards; returns any other shape unchanged.
-Shape facing_outward(Shape shape);
+Shape orient_outward(Shape shape);
 
 /// Computes the thickness of a shape at every triangle or point.
 ///

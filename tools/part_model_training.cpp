@@ -17,7 +17,7 @@ namespace {
 
 constexpr double examples_end = 0.3;
 constexpr std::size_t batch_size = 256;
-constexpr float most_deviations = 4;
+constexpr float max_deviations = 4;
 
 /// Tracks labels from human segmentations through merges of regions.
 class PeoplesView {
@@ -154,7 +154,7 @@ TrainingSet standardised(const std::vector<PartExample>& examples, PartModel& mo
   for (Eigen::Index i = 0; i < columns; ++i) {
     const PartExample& example = examples[static_cast<std::size_t>(i)];
     const RegionFeatures x = (example.features - model.mean).array() / model.deviation.array();
-    set.features.col(i) = x.cast<float>().cwiseMax(-most_deviations).cwiseMin(most_deviations);
+    set.features.col(i) = x.cast<float>().cwiseMax(-max_deviations).cwiseMin(max_deviations);
     set.together[i] = static_cast<float>(example.together);
     set.weights[i] = static_cast<float>(example.weight / weight);
   }
@@ -189,7 +189,7 @@ std::vector<PartExample> part_examples(Regions regions, const Eigen::MatrixXd& t
     examples.push_back(example);
     return model != nullptr ? model->probability(example.features) : example.together;
   };
-  merge_regions(regions, affinity, {.least_affinity = examples_end});
+  merge_regions(regions, affinity, {.min_affinity = examples_end});
   double sum = 0;
   for (const PartExample& example : examples) sum += example.weight;
   for (PartExample& example : examples) example.weight /= sum;

@@ -136,7 +136,7 @@ double rand_error(const TrainingModel& training, const PartModel& model) {
   const auto probability = [&](const Regions& now, std::int32_t a, std::int32_t b) {
     return model.probability(features_of(now, a, b));
   };
-  merge_regions(regions, probability, {.least_affinity = PartSegmentationOptions{}.least_probability});
+  merge_regions(regions, probability, {.min_affinity = PartSegmentationOptions{}.min_probability});
   std::vector<std::int32_t> labels;
   for (const std::int32_t p : training.patch) labels.push_back(regions.region_of(p));
   double sum = 0;

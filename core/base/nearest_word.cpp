@@ -55,7 +55,8 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
   return fmt::format("; known here: \"{}\"", fmt::join(candidates, "\", \""));
 }
 
-std::string no_such_word(std::string_view kind, std::string_view word, std::span<const std::string> candidates) {
+std::string unknown_word_message(std::string_view kind, std::string_view word,
+                                 std::span<const std::string> candidates) {
   return fmt::format("there is no {} \"{}\"{}", kind, word.substr(0, 40), suggestion(word, candidates));
 }
 

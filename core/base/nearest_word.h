@@ -22,6 +22,6 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
 
 /// Formats the message about an unknown word, with the nearest candidate: `there is no field "ofset"; did you
 /// mean "offset"?`. Quotes 40 bytes of the word at most.
-std::string no_such_word(std::string_view kind, std::string_view word, std::span<const std::string> candidates);
+std::string unknown_word_message(std::string_view kind, std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace shapegauge

@@ -45,7 +45,7 @@ using HeldValue = std::conditional_t<is_integer<Value>, std::int64_t,
 
 /// Converts a member's value to the type that the parameter stores.
 template <typename Value>
-constexpr HeldValue<Value> held_value(const Value& value) {
+constexpr HeldValue<Value> to_parameter_value(const Value& value) {
   if constexpr (std::is_enum_v<Value>) {
     return word_of(value);
   } else {
@@ -89,11 +89,11 @@ constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view 
                             : is_integer<Value>             ? ParameterKind::integer
                             : std::is_same_v<Value, double> ? ParameterKind::number
                                                             : ParameterKind::boolean,
-                    .default_value = held_value(Options{}.*member),
+                    .default_value = to_parameter_value(Options{}.*member),
                     .bounds = bounds,
                     .choices = choices,
                     .description = description},
-      .value = [](const Options& options) { return ParameterValue(held_value(options.*member)); },
+      .value = [](const Options& options) { return ParameterValue(to_parameter_value(options.*member)); },
       .set = [](Options& options, const ParameterValue& value) { options.*member = member_value<Value>(value); }};
 }
 
@@ -112,21 +112,21 @@ constexpr OptionParameter<Options> without_default(OptionParameter<Options> opti
 
 /// Adds a unit (Parameter::unit) to an option.
 template <typename Options>
-constexpr OptionParameter<Options> measured_in(std::string_view unit, OptionParameter<Options> option) {
+constexpr OptionParameter<Options> with_unit(std::string_view unit, OptionParameter<Options> option) {
   option.parameter.unit = unit;
   return option;
 }
 
 /// Replaces the description of an option, for a table in which it needs another one.
 template <typename Options>
-constexpr OptionParameter<Options> described(std::string_view description, OptionParameter<Options> option) {
+constexpr OptionParameter<Options> with_description(std::string_view description, OptionParameter<Options> option) {
   option.parameter.description = description;
   return option;
 }
 
 /// Makes an OptionParameter for an option of a nested options struct. `table` is the table of the nested struct.
 template <auto member, const auto& table, std::size_t index>
-constexpr auto option_within() {
+constexpr auto nested_option() {
   using Options = typename MemberOf<decltype(member)>::Options;
   return OptionParameter<Options>{
       .parameter = table.at(index).parameter,

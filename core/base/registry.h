@@ -75,7 +75,7 @@ class Registry {
   /// lists all.
   [[nodiscard]] const Entry& at(std::string_view name) const {
     if (const Entry* const found = find(name)) return *found;
-    throw ArgumentError(no_such_word(kind_, name, names()));
+    throw ArgumentError(unknown_word_message(kind_, name, names()));
   }
 
   /// Returns all entries.

@@ -21,12 +21,12 @@ struct BilateralOptions {
 /// Parameters of BilateralOptions.
 inline constexpr std::array bilateral_table = {
     option_of<&BilateralOptions::iterations>("iterations", {.low = 0, .high = 100}, "Number of iterations."),
-    measured_in("square roots of the area",
-                option_of<&BilateralOptions::spatial_width>("spatial_width", {.low = 0, .high = 1, .low_open = true},
-                                                            "Standard deviation of the spatial Gaussian.")),
-    measured_in("standard deviations of the field",
-                option_of<&BilateralOptions::value_width>("value_width", {.low = 0, .high = 1e6, .low_open = true},
-                                                          "Standard deviation of the value Gaussian.")),
+    with_unit("square roots of the area",
+              option_of<&BilateralOptions::spatial_width>("spatial_width", {.low = 0, .high = 1, .low_open = true},
+                                                          "Standard deviation of the spatial Gaussian.")),
+    with_unit("standard deviations of the field",
+              option_of<&BilateralOptions::value_width>("value_width", {.low = 0, .high = 1e6, .low_open = true},
+                                                        "Standard deviation of the value Gaussian.")),
 };
 
 /// Smooths a field along the surface with an edge-preserving bilateral filter (Tomasi and Manduchi 1998; on surfaces as

@@ -39,7 +39,7 @@ std::int32_t outermost(const Points& points, const Sites& sites) {
   return sites.vertices[static_cast<std::size_t>(farthest)];
 }
 
-/// Distances from landmarks in farthest-point order, one landmark a column, with their Voronoi areas.
+/// Distances from landmarks in farthest-point order, one landmark per column, with their Voronoi areas.
 struct Landmarks {
   Eigen::MatrixXd distances;
   Eigen::VectorXd areas;

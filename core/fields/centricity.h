@@ -35,8 +35,8 @@ struct CentricityOptions {
 inline constexpr std::array centricity_table = {
     option_of<&CentricityOptions::measure>(
         "measure", "Statistic of the geodesic distances: mean, by area, or eccentricity, the maximum."),
-    option_within<&CentricityOptions::geodesics, geodesic_table, 0>(),
-    option_within<&CentricityOptions::geodesics, geodesic_table, 1>(),
+    nested_option<&CentricityOptions::geodesics, geodesic_table, 0>(),
+    nested_option<&CentricityOptions::geodesics, geodesic_table, 1>(),
     option_of<&CentricityOptions::sources>(
         "sources", {.low = 1, .high = 1000},
         "Number of landmarks from which distances are computed; the proxy always has 500."),

@@ -41,9 +41,9 @@ struct WaveKernelOptions {
 inline constexpr std::array wave_kernel_table = {
     option_of<&WaveKernelOptions::energies>("energies", {.low = 2, .high = 1000},
                                             "Number of energies, evenly spaced by logarithm."),
-    measured_in("hundredths of the energy range",
-                option_of<&WaveKernelOptions::width_steps>("width_steps", {.low = 0.1, .high = 100},
-                                                           "Standard deviation of a filter.")),
+    with_unit("hundredths of the energy range",
+              option_of<&WaveKernelOptions::width_steps>("width_steps", {.low = 0.1, .high = 100},
+                                                         "Standard deviation of a filter.")),
 };
 
 /// Computes the wave kernel signature (Aubry, Schlickewei, Cremers 2011) at the vertices. Column k is the mean of

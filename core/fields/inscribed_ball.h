@@ -23,10 +23,10 @@ struct InscribedBallOptions {
 
 /// Parameters of InscribedBallOptions.
 inline constexpr std::array inscribed_ball_table = {
-    measured_in("degrees",
-                option_of<&InscribedBallOptions::separation_angle_degrees>(
-                    "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
-                    "Minimum angle at the ball's centre between the sample and the contact that stops the ball.")),
+    with_unit("degrees",
+              option_of<&InscribedBallOptions::separation_angle_degrees>(
+                  "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
+                  "Minimum angle at the ball's centre between the sample and the contact that stops the ball.")),
 };
 
 /// Side of the surface on which a ball lies.

@@ -27,10 +27,10 @@ struct CentricityField {
 };
 
 constexpr std::array centricity_field_table = {
-    option_within<&CentricityField::options, centricity_table, 0>(),
-    option_within<&CentricityField::options, centricity_table, 1>(),
-    option_within<&CentricityField::options, centricity_table, 2>(),
-    option_within<&CentricityField::options, centricity_table, 3>(),
+    nested_option<&CentricityField::options, centricity_table, 0>(),
+    nested_option<&CentricityField::options, centricity_table, 1>(),
+    nested_option<&CentricityField::options, centricity_table, 2>(),
+    nested_option<&CentricityField::options, centricity_table, 3>(),
     option_of<&CentricityField::on>("on", meaning_of_on),
 };
 
@@ -94,11 +94,11 @@ struct HeatKernelField {
 };
 
 constexpr std::array heat_kernel_table = {
-    measured_in("areas of the surface",
-                option_of<&HeatKernelField::time>("time", {.low = 1e-6, .high = 100},
-                                                  "Diffusion time: about the square of the neighbourhood's size.")),
-    option_within<&HeatKernelField::spectrum, spectrum_table, 0>(),
-    option_within<&HeatKernelField::spectrum, spectrum_table, 1>(),
+    with_unit("areas of the surface",
+              option_of<&HeatKernelField::time>("time", {.low = 1e-6, .high = 100},
+                                                "Diffusion time: about the square of the neighbourhood's size.")),
+    nested_option<&HeatKernelField::spectrum, spectrum_table, 0>(),
+    nested_option<&HeatKernelField::spectrum, spectrum_table, 1>(),
 };
 
 FieldComputation heat_kernel_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
@@ -116,8 +116,8 @@ struct ScaleInvariantField {
 constexpr std::array scale_invariant_table = {
     option_of<&ScaleInvariantField::frequency>("frequency", {.low = 0, .high = 63},
                                                "Index of the Fourier coefficient over the logarithm of time."),
-    option_within<&ScaleInvariantField::spectrum, spectrum_table, 0>(),
-    option_within<&ScaleInvariantField::spectrum, spectrum_table, 1>(),
+    nested_option<&ScaleInvariantField::spectrum, spectrum_table, 0>(),
+    nested_option<&ScaleInvariantField::spectrum, spectrum_table, 1>(),
 };
 
 FieldComputation scale_invariant_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
@@ -136,10 +136,10 @@ struct WaveKernelField {
 
 constexpr std::array wave_kernel_field_table = {
     option_of<&WaveKernelField::energy>("energy", {.low = 0, .high = 999}, "Index of the energy, in ascending order."),
-    option_within<&WaveKernelField::options, wave_kernel_table, 0>(),
-    option_within<&WaveKernelField::options, wave_kernel_table, 1>(),
-    option_within<&WaveKernelField::spectrum, spectrum_table, 0>(),
-    option_within<&WaveKernelField::spectrum, spectrum_table, 1>(),
+    nested_option<&WaveKernelField::options, wave_kernel_table, 0>(),
+    nested_option<&WaveKernelField::options, wave_kernel_table, 1>(),
+    nested_option<&WaveKernelField::spectrum, spectrum_table, 0>(),
+    nested_option<&WaveKernelField::spectrum, spectrum_table, 1>(),
 };
 
 FieldComputation wave_kernel_field(const ParameterValues& values, const SamplePlan& /*samples*/) {

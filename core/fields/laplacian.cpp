@@ -30,7 +30,7 @@ namespace shapegauge {
 namespace {
 
 /// Every component of a mesh adds a zero eigenvalue, and each takes time.
-constexpr int most_components = 1000;
+constexpr int max_components = 1000;
 
 /// Contribution of a triangle.
 struct Element {
@@ -121,10 +121,10 @@ Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift, s
   Eigen::VectorXd start(inverse.rows());
   for (double& entry : start) entry = random.uniform(-1, 1);
   solver.init(start.data());
-  constexpr Eigen::Index most_iterations = 300;
+  constexpr Eigen::Index max_iterations = 300;
   constexpr double tolerance = 1e-9;
   try {
-    solver.compute(Spectra::SortRule::LargestMagn, most_iterations, tolerance, Spectra::SortRule::SmallestAlge);
+    solver.compute(Spectra::SortRule::LargestMagn, max_iterations, tolerance, Spectra::SortRule::SmallestAlge);
   } catch (const Interrupted&) {
     throw;
   } catch (const std::runtime_error&) {  // Spectra's, of numbers out of range: it has no result, as below
@@ -133,7 +133,7 @@ Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift, s
     throw InputError(
         fmt::format("the {} smallest eigenvalues of the mesh's Laplacian did not converge in {} "
                     "iterations; ask for fewer, or repair the mesh",
-                    count, most_iterations));
+                    count, max_iterations));
   }
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
@@ -155,8 +155,8 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, d
   }
   ShiftedInverse inverse(matrix, shift);
   Eigenpairs pairs = iterated(inverse, count, shift, 0);
-  constexpr int most_rounds = 20;
-  for (int round = 1; round <= most_rounds; ++round) {
+  constexpr int max_rounds = 20;
+  for (int round = 1; round <= max_rounds; ++round) {
     const double last = pairs.values[count - 1] * (1 - 1e-6);
     const Eigen::Index missing = count_below(matrix, last) - (pairs.values.array() < last).count();
     if (missing <= 0) return pairs;
@@ -228,9 +228,9 @@ class Assembly {
     return node;
   }
 
-  std::vector<std::int32_t> places_;   ///< by vertex
+  std::vector<std::int32_t> places_;   ///< per vertex
   std::vector<std::int32_t> node_at_;  ///< by place; -1 for none
-  std::vector<double> mass_;           ///< by node
+  std::vector<double> mass_;           ///< per node
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
@@ -254,11 +254,11 @@ Spectrum laplacian_spectrum(const Shape& mesh, int count) {
 Spectrum laplacian_spectrum(const Laplacian& laplacian, int count) {
   if (count < 1) throw InputError(fmt::format("the number of eigenvalues must be at least 1, not {}", count));
   const int components = component_count(laplacian.stiffness);
-  if (components > most_components) {
+  if (components > max_components) {
     throw InputError(
         fmt::format("the mesh has {} components that share no vertices; the eigenvalues of its Laplacian are supported "
                     "for at most {}; join the components, or use another descriptor",
-                    components, most_components));
+                    components, max_components));
   }
   const Eigen::VectorXd inverse_root = laplacian.mass.cwiseSqrt().cwiseInverse();
   SparseMatrix matrix = inverse_root.asDiagonal() * laplacian.stiffness * inverse_root.asDiagonal();

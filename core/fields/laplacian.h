@@ -14,7 +14,7 @@ namespace shapegauge {
 struct Laplacian {
   Eigen::SparseMatrix<double> stiffness;  ///< symmetric, positive semidefinite, rows sum to 0
   Eigen::VectorXd mass;                   ///< lumped: each corner gets a third of its triangle's area
-  std::vector<std::int32_t> node_of;      ///< by vertex; -1 for none
+  std::vector<std::int32_t> node_of;      ///< per vertex; -1 for none
 };
 
 /// Assembles the Laplacian of a triangle mesh of any kind. All triangles at an edge contribute: one (the natural,
@@ -27,7 +27,7 @@ Laplacian cotangent_laplacian(const Shape& mesh);
 struct Spectrum {
   Eigen::VectorXd eigenvalues;   ///< ascending, with one zero a component first; in units of 1 / squared length
   int components = 1;            ///< number of components of the mesh, and of zero eigenvalues
-  Eigen::MatrixXd eigenvectors;  ///< a column an eigenvalue, at the shape's vertices; orthonormal by area; NaN at
+  Eigen::MatrixXd eigenvectors;  ///< one column per eigenvalue, at the shape's vertices; orthonormal by area; NaN at
                                  ///< vertices without a node
 };
 

@@ -21,8 +21,8 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::size_t most_gltf_items = 100'000'000;  // vertices or triangles: nodes repeat their meshes
-constexpr std::size_t most_nesting = 200;             // of JSON: the library reads it recursively
+constexpr std::size_t max_gltf_items = 100'000'000;  // vertices or triangles: nodes repeat their meshes
+constexpr std::size_t max_nesting = 200;             // of JSON: the library reads it recursively
 constexpr std::string_view glb_magic = "glTF";
 
 [[noreturn]] void fail(const std::string& name, std::string_view what) {
@@ -83,7 +83,7 @@ void require_flat(std::string_view json, const std::string& name) {
     } else if (c == '"') {
       in_string = !in_string;
     } else if (!in_string && (c == '{' || c == '[')) {
-      if (++depth > most_nesting) fail(name, fmt::format("its JSON is nested more than {} levels deep", most_nesting));
+      if (++depth > max_nesting) fail(name, fmt::format("its JSON is nested more than {} levels deep", max_nesting));
     } else if (!in_string && (c == '}' || c == ']') && depth > 0) {
       --depth;
     }
@@ -417,8 +417,8 @@ class GltfScene {
   }
 
   void require_room(std::size_t present, std::size_t more, std::string_view what) const {
-    if (more <= most_gltf_items - present) return;
-    fail(name_, fmt::format("its scene has more than {} {}", most_gltf_items, what));
+    if (more <= max_gltf_items - present) return;
+    fail(name_, fmt::format("its scene has more than {} {}", max_gltf_items, what));
   }
 
   void add_vertices(const Positions& positions, const Eigen::Affine3d& transform) {

@@ -104,7 +104,7 @@ class ObjReader {
     ++faces_;
     soup_.begin_face();
     while (!at_statement_end()) {
-      if (soup_.corners() == most_polygon_corners) scanner_.fail(message_too_many_corners(faces_));
+      if (soup_.corners() == max_polygon_corners) scanner_.fail(message_too_many_corners(faces_));
       soup_.add_corner(read_corner());
     }
   }

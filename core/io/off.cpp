@@ -202,7 +202,7 @@ class BinaryOffBody {
     std::int32_t corners = 0;
     if (!bytes_.read(corners)) fail_end(i, counts_.faces, "faces");
     if (corners < 0) text_.fail_whole(fmt::format("face {} cannot have {} vertices", i, corners));
-    if (static_cast<std::size_t>(corners) > most_polygon_corners) text_.fail_whole(message_too_many_corners(i));
+    if (static_cast<std::size_t>(corners) > max_polygon_corners) text_.fail_whole(message_too_many_corners(i));
     soup_.begin_face();
     for (std::int32_t k = 0; k < corners; ++k) {
       std::int32_t vertex = 0;
@@ -304,7 +304,7 @@ class OffBody {
     if (corners < (layout_ == OffLayout::words ? 3 : 0)) {
       scanner_.fail(fmt::format("face {} cannot have {} vertices", i, corners));
     }
-    if (corners > static_cast<std::int64_t>(most_polygon_corners)) scanner_.fail(message_too_many_corners(i));
+    if (corners > static_cast<std::int64_t>(max_polygon_corners)) scanner_.fail(message_too_many_corners(i));
     soup_.begin_face();
     for (std::int64_t k = 0; k < corners; ++k) {
       std::int64_t vertex = 0;
@@ -328,7 +328,7 @@ class OffBody {
     };
     double corners = 0;
     double vertex = 0;
-    if (!is_number_below(static_cast<double>(most_polygon_corners), corners) || corners < 3) return false;
+    if (!is_number_below(static_cast<double>(max_polygon_corners), corners) || corners < 3) return false;
     for (int k = 0; k < static_cast<int>(corners); ++k) {
       if (!is_number_below(static_cast<double>(counts_.vertices), vertex)) return false;
     }

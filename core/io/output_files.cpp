@@ -36,8 +36,8 @@ std::string identity_of(fs::path path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) == 0) return fmt::format("{}:{}", status.st_dev, status.st_ino);
   std::error_code unknown;
-  constexpr int most_links = 40;
-  for (int links = 0; links < most_links && fs::is_symlink(path, unknown); ++links) {
+  constexpr int max_links = 40;
+  for (int links = 0; links < max_links && fs::is_symlink(path, unknown); ++links) {
     path = path.parent_path() / fs::read_symlink(path, unknown);
   }
   return fs::weakly_canonical(fs::absolute(path, unknown), unknown).string();

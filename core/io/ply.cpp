@@ -121,15 +121,15 @@ class PlyBody {
 
   bool read_vertex(const PlyElement& element, std::int64_t i) {
     std::array<double, 6> numbers = {};  // the position and the normal
-    for (std::size_t k = 0; k < vertex_places_.size(); ++k) {
+    for (std::size_t k = 0; k < vertex_numbers_.size(); ++k) {
       const PlyProperty& property = element.properties[k];
-      const std::size_t place = vertex_places_[k];
-      if (place >= places_read_ ? !skip(property) : !source_.read_real(numbers[place], property.type)) return false;
+      const std::size_t place = vertex_numbers_[k];
+      if (place >= numbers_read_ ? !skip(property) : !source_.read_real(numbers[place], property.type)) return false;
     }
     const auto [x, y, z, nx, ny, nz] = numbers;
     if (!is_finite({x, y, z})) source_.fail(message_not_finite(i));
     soup_.add_vertex({x, y, z});
-    if (places_read_ == 6) {
+    if (numbers_read_ == 6) {
       if (!is_finite({nx, ny, nz})) source_.fail(message_not_finite(i, "normal"));
       soup_.add_normal({nx, ny, nz});
     }
@@ -144,7 +144,7 @@ class PlyBody {
     std::int64_t corners = 0;
     if (!source_.read_whole(corners, property.count_type)) return false;
     if (corners < 0) source_.fail(fmt::format("face {} cannot have {} vertices", i, corners));
-    if (corners > static_cast<std::int64_t>(most_polygon_corners)) source_.fail(message_too_many_corners(i));
+    if (corners > static_cast<std::int64_t>(max_polygon_corners)) source_.fail(message_too_many_corners(i));
     soup_.begin_face();
     for (std::int64_t k = 0; k < corners; ++k) {
       std::int64_t vertex = 0;

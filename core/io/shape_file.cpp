@@ -60,7 +60,8 @@ const ShapeFormat* find_format(std::string extension, std::string_view bytes) {
 
 const ShapeFormat& format_of(std::string_view name, const std::string& extension, std::string_view bytes) {
   if (const ShapeFormat* const format = find_format(extension, bytes)) return *format;
-  if (const auto advice = unread_format_advice("x" + extension)) throw InputError(fmt::format("{}: {}", name, *advice));
+  if (const auto advice = unsupported_format_advice("x" + extension))
+    throw InputError(fmt::format("{}: {}", name, *advice));
   throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", name, extension,
                                fmt::join(shape_extensions(), ", ")));
 }
@@ -129,7 +130,7 @@ Registry<ShapeFormat>& shape_formats() {
   return all;
 }
 
-std::optional<std::string> unread_format_advice(const fs::path& file) {
+std::optional<std::string> unsupported_format_advice(const fs::path& file) {
   struct UnreadFormat {
     std::string_view extension;
     std::string_view advice;

@@ -80,7 +80,7 @@ struct ShapeFormat {
 Registry<ShapeFormat>& shape_formats();
 
 /// Returns advice on a common format that is not supported (.step, .fbx), as a sentence; nothing for other files.
-std::optional<std::string> unread_format_advice(const std::filesystem::path& file);
+std::optional<std::string> unsupported_format_advice(const std::filesystem::path& file);
 
 /// Returns the extensions that read_shape() recognises.
 std::vector<std::string_view> shape_extensions();

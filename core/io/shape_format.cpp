@@ -119,11 +119,11 @@ std::string message_no_triangles(std::int64_t faces) {
 }
 
 std::string message_too_many_corners(std::int64_t face) {
-  return fmt::format("face {} has more than {} vertices; triangulate it", face, most_polygon_corners);
+  return fmt::format("face {} has more than {} vertices; triangulate it", face, max_polygon_corners);
 }
 
 void require_writable(const std::filesystem::path& path, const Shape& shape) {
-  if (const auto defect = defect_of(shape))
+  if (const auto defect = find_defect(shape))
     throw InputError(fmt::format("cannot write {}: {}", path.string(), *defect));
   if (has_cloud_normals(shape) && shape.normals.rows() != shape.vertices.rows()) {
     throw InputError(fmt::format("cannot write {}: {} normals for {} points", path.string(), shape.normals.rows(),

@@ -14,7 +14,7 @@ namespace shapegauge {
 using PolygonTriangle = std::array<std::int32_t, 3>;
 
 /// Maximum number of corners of a polygon.
-inline constexpr std::size_t most_polygon_corners = 100000;
+inline constexpr std::size_t max_polygon_corners = 100000;
 
 /// Triangulates a polygon that is not covered by the fan of triangles about its first corner. Projects the polygon onto
 /// its plane (Newell's normal) and computes the constrained Delaunay triangulation. A corner may touch other corners or

@@ -8,9 +8,9 @@ namespace shapegauge {
 
 struct ShapeFormat;
 
-/// Reads a point cloud from the bytes of a text file with one point a line (.xyz, .pwn, .pts, .txt). Every line has the
-/// same number of columns, at least three, separated by white space, commas or semicolons. `#` and `//` begin comments.
-/// Blank lines, any line ends and a byte order mark are accepted.
+/// Reads a point cloud from the bytes of a text file with one point per line (.xyz, .pwn, .pts, .txt). Every line has
+/// the same number of columns, at least three, separated by white space, commas or semicolons. `#` and `//` begin
+/// comments. Blank lines, any line ends and a byte order mark are accepted.
 ///
 /// The first three columns are coordinates. Columns 4 to 6 are normals if at least nine in ten of their non-zero
 /// vectors have a length from 0.95 to 1.05 and a component is negative, unlike in colours and labels; otherwise they

@@ -20,7 +20,7 @@ inline constexpr BlockCells low_z_cells = 0x000000000000FFFF;
 inline constexpr BlockCells high_z_cells = low_z_cells << 48U;
 
 /// Flood-fills the free cells of a block from some cells, across faces.
-inline BlockCells flood_filled(BlockCells cells, BlockCells free) {
+inline BlockCells flood_fill(BlockCells cells, BlockCells free) {
   cells &= free;
   while (true) {
     BlockCells wider = cells | ((cells & ~high_x_cells) << 1U) | ((cells & ~low_x_cells) >> 1U) |

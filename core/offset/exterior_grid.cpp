@@ -124,7 +124,7 @@ class ExteriorGrid::Flood {
     const auto place = static_cast<std::size_t>(seeded_queue_.back());
     seeded_queue_.pop_back();
     BlockCells& cells = exterior_.exterior_[place];
-    const BlockCells wider = flood_filled(cells | seeds_[place], exterior_.boundary_[place].free);
+    const BlockCells wider = flood_fill(cells | seeds_[place], exterior_.boundary_[place].free);
     const BlockCells added = wider & ~cells;
     seeds_[place] = 0;
     cells = wider;

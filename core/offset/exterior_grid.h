@@ -24,7 +24,7 @@ class ExteriorGrid {
   [[nodiscard]] const GridSurface& surface() const { return surface_; }
   [[nodiscard]] const std::vector<BoundaryBlock>& boundary() const { return boundary_; }
   /// Returns the exterior cells of a block of boundary().
-  [[nodiscard]] std::uint64_t boundary_cells(std::size_t place) const { return exterior_[place]; }
+  [[nodiscard]] std::uint64_t boundary_cells(std::size_t boundary_index) const { return exterior_[boundary_index]; }
 
   /// State of a block: its index in boundary(), all_exterior, or at most none_exterior.
   static constexpr std::int32_t all_exterior = -1;
@@ -65,7 +65,7 @@ class ExteriorGrid {
   const GridSurface& surface_;
   std::vector<std::int32_t> state_;
   std::vector<BoundaryBlock> boundary_;
-  std::vector<std::uint64_t> exterior_;  ///< by block of boundary_: cells that belong to E(r)
+  std::vector<std::uint64_t> exterior_;  ///< per block of boundary_: cells that belong to E(r)
   std::vector<Cubes> cubes_;             ///< by state
   std::ptrdiff_t first_cubes_ = 0;       ///< index of those of state 0
 };

@@ -27,10 +27,10 @@ int part_count(double length, double max_length) {
   return whole < exact ? whole + 1 : whole;
 }
 
-constexpr int most_parts = 8;
+constexpr int max_parts = 8;
 /// By number of parts of 1, the middle of each.
 constexpr auto middles = [] {
-  std::array<std::array<double, most_parts>, most_parts + 1> table{};
+  std::array<std::array<double, max_parts>, max_parts + 1> table{};
   for (std::size_t parts = 1; parts < table.size(); ++parts) {
     for (std::size_t i = 0; i < parts; ++i) {
       table[parts][i] = (static_cast<double>(i) + 0.5) / static_cast<double>(parts);
@@ -41,7 +41,7 @@ constexpr auto middles = [] {
 
 /// Returns the middle of part i of n equal parts of 1. The table saves most divisions.
 double middle_of_part(int i, int n) {
-  return n <= most_parts ? middles[static_cast<std::size_t>(n)][static_cast<std::size_t>(i)] : (i + 0.5) / n;
+  return n <= max_parts ? middles[static_cast<std::size_t>(n)][static_cast<std::size_t>(i)] : (i + 0.5) / n;
 }
 
 /// Columns of points on a triangle, perpendicular to its longest edge. Each point represents a part no larger than the
@@ -215,7 +215,7 @@ class CubeRepresentatives {
 struct SortedPoints {
   std::vector<Point> list;
   std::vector<std::size_t> begins;       ///< first point of each block with points; one more entry at the end
-  std::vector<std::uint8_t> is_omitted;  ///< by point
+  std::vector<std::uint8_t> is_omitted;  ///< per point
 };
 
 /// Returns the bounding boxes of the groups of the points.

@@ -29,7 +29,7 @@ struct GridPoints {
   AlignedArray<float> x, y, z;         ///< in cells; padded by infinite ones
   AlignedArray<float> area;            ///< area represented by each; padded
   std::vector<std::int32_t> triangle;  ///< triangle that contains each; padded
-  std::vector<std::uint32_t> first;    ///< by block: index of its first point; one more entry at the end
+  std::vector<std::uint32_t> first;    ///< per block: index of its first point; one more entry at the end
   PointBoxes boxes;                    ///< of groups of points
 
   [[nodiscard]] std::size_t size() const { return first.empty() ? 0 : first.back(); }
@@ -38,8 +38,9 @@ struct GridPoints {
   struct Run {
     std::uint32_t begin, end;
   };
-  /// Collects the points of all blocks within `reach` of a place along each axis. The runs are ascending and not empty.
-  void find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, double reach, std::vector<Run>& runs) const;
+  /// Collects the points of all blocks within `reach` of a position along each axis. The runs are ascending and not
+  /// empty.
+  void find_runs(const BlockGrid& grid, const Eigen::Vector3d& position, double reach, std::vector<Run>& runs) const;
 };
 
 /// Surface in cell coordinates: its triangles (degenerate ones for the points of a cloud), and points sampled on them

@@ -44,7 +44,7 @@ const NearbySites::Site* OffsetSearch::next_start(Search& search) const {
   Side& side = search.side();
   while (side.next_start < side.start_count) {
     const NearbySites::Site& start = side.starts[side.next_start++];
-    const bool is_known = search.is_found() && (sites_.place(start.site) - search.q).norm() < start_spacing;
+    const bool is_known = search.is_found() && (sites_.position(start.site) - search.q).norm() < start_spacing;
     if (!is_known && static_cast<double>(start.distance) - gain() <= search.best) return &start;
   }
   return nullptr;
@@ -64,7 +64,7 @@ OffsetSearch::State OffsetSearch::advance(Search& search, OffsetPointTask& task)
   Side& side = search.side();
   if (const NearbySites::Site* start = next_start(search)) {
     task = {.p = side.raised,
-            .start = sites_.place(start->site),
+            .start = sites_.position(start->site),
             .triangle = sites_.triangle(start->site),
             .known = side.found,
             .found = {}};
@@ -206,7 +206,7 @@ void OffsetSearch::iterate() {
 Eigen::Vector3d OffsetSearch::nearest_site(const Search& search) const {
   const Side& side = search.sides[search.sides[0].distance <= search.sides[1].distance ? 0 : 1];
   if (side.start_count == 0) return search.sample.p + r_ * Eigen::Vector3d::UnitZ();
-  return sites_.place(side.starts.front().site);
+  return sites_.position(side.starts.front().site);
 }
 
 }  // namespace shapegauge

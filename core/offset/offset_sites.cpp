@@ -139,7 +139,7 @@ double NearbySites::distance_to_nearest(const Eigen::Vector3d& x) {
   return std::sqrt(best2);
 }
 
-/// Returns the lesser of the limit and the squared distance to the nearest site of the cube.
+/// Returns the smaller of the limit and the squared distance to the nearest site of the cube.
 double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Vector3d& x, double limit) {
   constexpr int edge = OffsetSites::cube_edge;
   const BlockGrid& grid = exterior_.grid();

@@ -21,7 +21,7 @@ struct OffsetSites {
     static constexpr std::size_t blocks = 64;
     std::vector<float> x, y, z;                     ///< padded
     std::vector<std::int32_t> triangle;             ///< triangle at a distance of r from each
-    std::array<std::uint16_t, blocks + 1> first{};  ///< by block: index of its first site; one more entry at the end
+    std::array<std::uint16_t, blocks + 1> first{};  ///< per block: index of its first site; one more entry at the end
   };
   std::vector<Chunk> chunks;
   /// Occupancy of cubes of `cube_edge` blocks along each axis, and the list of occupied cubes.
@@ -36,7 +36,7 @@ struct OffsetSites {
 
   /// A site's number is its chunk's index times this, plus its index in the chunk.
   static constexpr std::uint32_t max_in_chunk = Chunk::blocks * cells_per_block;
-  [[nodiscard]] Eigen::Vector3d place(std::uint32_t site) const {
+  [[nodiscard]] Eigen::Vector3d position(std::uint32_t site) const {
     const Chunk& chunk = chunks[site / max_in_chunk];
     const std::uint32_t i = site % max_in_chunk;
     return {static_cast<double>(chunk.x[i]), static_cast<double>(chunk.y[i]), static_cast<double>(chunk.z[i])};
@@ -74,13 +74,13 @@ class NearbySites {
     std::uint32_t site;  ///< number of the site
     float distance;
   };
-  /// Computes the distances from two places to all collected sites, and returns those to the nearest; infinite without
+  /// Computes the distances from two points to all collected sites, and returns those to the nearest; infinite without
   /// sites.
-  std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places);
-  /// Returns starting points for the search from one of the measured places, by ascending distance: sites whose
+  std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& points);
+  /// Returns starting points for the search from one of the measured points, by ascending distance: sites whose
   /// distance exceeds the smallest by less than the margin, each farther than `apart` from those before; at most
   /// max_count.
-  void start_sites(std::size_t place, double margin, double apart, std::size_t max_count, std::vector<Site>& found);
+  void start_sites(std::size_t point, double margin, double apart, std::size_t max_count, std::vector<Site>& found);
 
  private:
   void collect_blocks(const Eigen::Vector3i& begin, const Eigen::Vector3i& end, const Eigen::AlignedBox3d& box,
@@ -91,7 +91,7 @@ class NearbySites {
   const ExteriorGrid& exterior_;
   const OffsetSites& sites_;
   std::vector<float> x_, y_, z_, squared_scratch_;
-  std::array<std::vector<float>, 2> squared_;  ///< squared distances from the two places
+  std::array<std::vector<float>, 2> squared_;  ///< squared distances from the two points
   std::array<double, 2> nearest_{};
   std::vector<std::uint32_t> site_, candidates_;
   std::vector<Site> within_margin_;

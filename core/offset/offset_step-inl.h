@@ -104,7 +104,7 @@ class Projector {
   }
 
  private:
-  static constexpr float least_determinant = 1e-5F;
+  static constexpr float min_determinant = 1e-5F;
 
   /// A single active plane can only be the one farthest from p.
   HWY_INLINE void project_on_worst() {
@@ -173,8 +173,8 @@ class Projector {
   HWY_INLINE Mask is_satisfied(V violation) const { return violation <= number<V>(tolerance); }
 
   /// Returns whether there is no projection yet, the system is regular and no multiplier negative.
-  HWY_INLINE Mask unresolved(V determinant, V least_push) const {
-    const Mask is_solution = And(determinant >= number<V>(least_determinant), least_push >= number<V>(0));
+  HWY_INLINE Mask unresolved(V determinant, V min_push) const {
+    const Mask is_solution = And(determinant >= number<V>(min_determinant), min_push >= number<V>(0));
     return AndNot(result_.is_found, is_solution);
   }
 

@@ -127,10 +127,10 @@ std::int32_t closest_of_candidates(const std::vector<PointBlock>& blocks, const 
                                    const Eigen::Vector3f& x, float margin, std::vector<std::int32_t>& triangles) {
   const PointLanes d;
   const std::size_t count = find_candidates(blocks, x, margin, triangles);
-  const LaneVectors<PointLanes> place{hn::Set(d, x.x()), hn::Set(d, x.y()), hn::Set(d, x.z())};
+  const LaneVectors<PointLanes> position{hn::Set(d, x.x()), hn::Set(d, x.y()), hn::Set(d, x.z())};
   FirstSmallest closest;
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    closest.add(vectors_from_triangles(d, records, &triangles[i], place).squared, i);
+    closest.add(vectors_from_triangles(d, records, &triangles[i], position).squared, i);
   }
   const std::size_t found = closest.index();
   return found == FirstSmallest::none ? -1 : triangles[found];
@@ -153,13 +153,13 @@ namespace {
 /// Returns the edge of regions, in cells, that have up to about 130 points, or half as many where each search reads
 /// them twice.
 double edge_of_regions(const GridSurface& surface) {
-  const double most_points = surface.squared_margin == 0 ? 130 : 65;
+  const double max_points = surface.squared_margin == 0 ? 130 : 65;
   constexpr double block_area = 1.25 * block_edge * block_edge;  // of a surface in a block, in the mean
   const double density = surface.points_per_block / block_area;
   double edge = block_edge;
   for (; edge > 0.5; edge /= 2) {
     const double whole = edge + 2 * ClosestTriangles::reach;
-    if (density * whole * whole <= most_points) break;
+    if (density * whole * whole <= max_points) break;
   }
   return edge;
 }
@@ -177,16 +177,16 @@ void find_points_within(const BlockGrid& grid, const GridPoints& points, const E
 ClosestTriangles::ClosestTriangles(const BlockGrid& grid, const GridSurface& surface)
     : grid_(grid), surface_(surface), edge_(edge_of_regions(surface)), shift_(edge_ > 1 ? edge_ / 2 : 0) {}
 
-std::int32_t ClosestTriangles::closest_near(const Eigen::Vector3d& place, const Eigen::Vector3d& x) {
-  const Eigen::Vector3i at = ((place.array() + shift_) / edge_).cast<int>();
+std::int32_t ClosestTriangles::closest_near(const Eigen::Vector3d& position, const Eigen::Vector3d& x) {
+  const Eigen::Vector3i at = ((position.array() + shift_) / edge_).cast<int>();
   std::size_t index = 0;
   for (int k = 0; k < 3; ++k) {
     constexpr unsigned last = (1U << bits_per_axis) - 1;
     index |= std::size_t{static_cast<unsigned>(at[k]) & last} << (bits_per_axis * static_cast<unsigned>(k));
   }
   Region& region = regions_[index];
-  if (region.place != at) {
-    region.place = at;
+  if (region.position != at) {
+    region.position = at;
     collect(edge_ * (at.cast<double>().array() + 0.5) - shift_, edge_ / 2 + reach, region.points);
   }
   return closest_of(region.points, x);

@@ -28,16 +28,16 @@ struct CollectedPoints {
   std::vector<std::int32_t> triangle;
 };
 
-/// Searches for the closest triangles near places on a surface. The space is divided into regions, which are cubes; the
-/// points about the region of a place are collected when it is first needed. Used by one thread.
+/// Searches for the closest triangles near positions on a surface. The space is divided into regions, which are cubes;
+/// the points about the region of a position are collected when it is first needed. Used by one thread.
 class ClosestTriangles {
  public:
   ClosestTriangles(const BlockGrid& grid, const GridSurface& surface);
 
-  /// Returns the triangle closest to x among those with points within `reach` of the region of a place; -1 if there is
-  /// none. The result depends on the place and x only. It is approximate for triangles much smaller than the
+  /// Returns the triangle closest to x among those with points within `reach` of the region of a position; -1 if there
+  /// is none. The result depends on the position and x only. It is approximate for triangles much smaller than the
   /// spacing of the points.
-  std::int32_t closest_near(const Eigen::Vector3d& place, const Eigen::Vector3d& x);
+  std::int32_t closest_near(const Eigen::Vector3d& position, const Eigen::Vector3d& x);
 
   /// Returns the triangle closest to x among those with points within a distance of x along each axis; -1 if there is
   /// none.
@@ -52,7 +52,7 @@ class ClosestTriangles {
 
  private:
   struct Region {
-    Eigen::Vector3i place = Eigen::Vector3i::Constant(-1);
+    Eigen::Vector3i position = Eigen::Vector3i::Constant(-1);
     std::vector<PointBlock> points;
   };
 

@@ -86,8 +86,8 @@ bool DecimationMesh::is_collapse_ok(HalfedgeHandle side) const {
 /// Triangle soup converted to a half-edge mesh for decimation.
 struct DecimationInput {
   DecimationMesh mesh;                   ///< in the shape's unit frame
-  std::vector<std::int32_t> vertices;    ///< by vertex of the mesh: the first coincident vertex of the shape
-  std::vector<bool> turned;              ///< by face of the mesh: reversed with respect to the shape
+  std::vector<std::int32_t> vertices;    ///< per vertex of the mesh: the first coincident vertex of the shape
+  std::vector<bool> turned;              ///< per face of the mesh: reversed with respect to the shape
   std::vector<std::int32_t> left_aside;  ///< triangles of the shape that the mesh cannot represent
 };
 
@@ -136,10 +136,10 @@ std::size_t corner_of(const HalfEdge& use, bool at_low) {
 
 /// Surface cut open such that every vertex has one fan of faces.
 struct CutSurface {
-  ParitySets orientation;              ///< parity of triangles: odd ones are reversed
-  ParitySets corners;                  ///< corners of all triangles, united by fan
-  std::vector<bool> locked;            ///< by vertex of the shape, welded
-  std::vector<bool> has_three_places;  ///< by triangle
+  ParitySets orientation;                 ///< parity of triangles: odd ones are reversed
+  ParitySets corners;                     ///< corners of all triangles, united by fan
+  std::vector<bool> locked;               ///< per vertex of the shape, welded
+  std::vector<bool> has_three_positions;  ///< per triangle
 };
 
 CutSurface cut_surface(const Shape& shape, const std::vector<std::int32_t>& merged) {
@@ -147,10 +147,10 @@ CutSurface cut_surface(const Shape& shape, const std::vector<std::int32_t>& merg
   CutSurface cut{.orientation = ParitySets(triangles),
                  .corners = ParitySets(3 * triangles),
                  .locked = std::vector<bool>(merged.size()),
-                 .has_three_places = std::vector<bool>(triangles)};
+                 .has_three_positions = std::vector<bool>(triangles)};
   const std::vector<HalfEdge> uses = half_edges(shape.triangles, merged);
   for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
-    for (const HalfEdge& use : edge) cut.has_three_places[static_cast<std::size_t>(use.triangle)] = true;
+    for (const HalfEdge& use : edge) cut.has_three_positions[static_cast<std::size_t>(use.triangle)] = true;
     if (edge.size() == 1) return;
     const HalfEdge& first = edge[0];
     const HalfEdge& second = edge[1];
@@ -184,8 +184,8 @@ void add_triangles(const Shape& shape, const std::vector<std::int32_t>& merged, 
                    DecimationInput& input) {
   const UnitFrame frame = unit_frame(shape);
   std::vector<DecimationMesh::VertexHandle> by_fan(3 * static_cast<std::size_t>(shape.triangles.rows()));
-  for (std::size_t f = 0; f < cut.has_three_places.size(); ++f) {
-    if (!cut.has_three_places[f]) continue;
+  for (std::size_t f = 0; f < cut.has_three_positions.size(); ++f) {
+    if (!cut.has_three_positions[f]) continue;
     MeshTriangle triangle;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t vertex =
@@ -268,7 +268,7 @@ class DecimationModule : public OpenMesh::Decimater::ModBaseT<DecimationMesh> {
  private:
   [[nodiscard]] bool keeps_faces(const CollapseInfo& collapse);
 
-  std::vector<OpenMesh::Geometry::Quadricd> quadrics_;  ///< by vertex
+  std::vector<OpenMesh::Geometry::Quadricd> quadrics_;  ///< per vertex
   SparseInterruptionCheck check_;
 };
 
@@ -302,8 +302,8 @@ void DecimationModule::initialize() {
 }
 
 bool DecimationModule::keeps_faces(const CollapseInfo& collapse) {
-  constexpr double least_cosine = 0.17;  // 80 degrees
-  constexpr double least_roundness = 0.02;
+  constexpr double min_cosine = 0.17;  // 80 degrees
+  constexpr double min_roundness = 0.02;
   for (const auto side : mesh().voh_range(collapse.v0)) {
     if (mesh().is_boundary(side)) continue;
     const auto second = mesh().to_vertex_handle(side);
@@ -313,8 +313,8 @@ bool DecimationModule::keeps_faces(const CollapseInfo& collapse) {
     const Vector c = mesh().point(third);
     const Facing before(collapse.p0, b, c);
     const Facing after(collapse.p1, b, c);
-    if (after.roundness < std::min(least_roundness, before.roundness)) return false;
-    if (before.roundness > 0 && before.normal.dot(after.normal) < least_cosine * before.length * after.length)
+    if (after.roundness < std::min(min_roundness, before.roundness)) return false;
+    if (before.roundness > 0 && before.normal.dot(after.normal) < min_cosine * before.length * after.length)
       return false;
   }
   return true;

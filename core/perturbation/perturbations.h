@@ -31,7 +31,7 @@ struct VertexNoiseOptions {
 
 /// Parameters of VertexNoiseOptions.
 inline constexpr std::array vertex_noise_table = {
-    without_default(measured_in(
+    without_default(with_unit(
         bounding_box_diagonals,
         option_of<&VertexNoiseOptions::amplitude>("amplitude", {.low = 0, .high = 1}, "Length of the vector."))),
     option_of<&VertexNoiseOptions::distribution>("distribution",
@@ -64,8 +64,8 @@ struct PunchHolesOptions {
 /// Parameters of PunchHolesOptions.
 inline constexpr std::array punch_holes_table = {
     option_of<&PunchHolesOptions::number>("number", {.low = 0, .high = 100'000}, "Number of holes."),
-    measured_in(bounding_box_diagonals,
-                option_of<&PunchHolesOptions::radius>("radius", {.low = 0, .high = 1}, "Radius of a hole.")),
+    with_unit(bounding_box_diagonals,
+              option_of<&PunchHolesOptions::radius>("radius", {.low = 0, .high = 1}, "Radius of a hole.")),
 };
 
 /// Removes the faces whose centroids lie within `radius` of one of `number` random points of the surface

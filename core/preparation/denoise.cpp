@@ -88,7 +88,7 @@ double mean_edge_length(const Points& vertices, const VertexNeighbours& neighbou
 }
 
 /// Counts the welded vertices that have neighbours.
-std::ptrdiff_t count_places(const VertexNeighbours& neighbours) {
+std::ptrdiff_t count_positions(const VertexNeighbours& neighbours) {
   std::vector<bool> has_neighbours(neighbours.first.size());
   for (const std::int32_t u : neighbours.neighbours) has_neighbours[static_cast<std::size_t>(u)] = true;
   return std::ranges::count(has_neighbours, true);
@@ -178,7 +178,7 @@ VertexNeighbours vertex_neighbours(const Shape& shape) {
 NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours, const Welding& welding) {
   constexpr double pass_band = 0.1;
   constexpr double deviation_of_median = 1.4826;  // of the size of a normally distributed value
-  const Points smoothed = taubin_smoothed(shape.vertices, neighbours, pass_band);
+  const Points smoothed = taubin_smoothing(shape.vertices, neighbours, pass_band);
   const Heights heights{shape.vertices - smoothed, unsigned_normals(smoothed, shape.triangles, welding)};
   return {.deviation = deviation_of_median * median_or_zero(unshared_heights(heights, neighbours)),
           .edge_length = mean_edge_length(smoothed, neighbours),
@@ -190,14 +190,14 @@ NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
 }
 
 bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours) {
-  constexpr std::ptrdiff_t fewest_vertices = 500;
-  constexpr double least_relative = 0.1;
+  constexpr std::ptrdiff_t min_vertices = 500;
+  constexpr double min_relative = 0.1;
   constexpr double agreement_of_form = 0.56;
-  return count_places(neighbours) >= fewest_vertices && noise.relative() >= least_relative &&
+  return count_positions(neighbours) >= min_vertices && noise.relative() >= min_relative &&
          noise.agreement < agreement_of_form;
 }
 
-Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbours, double pass_band) {
+Points taubin_smoothing(const Points& vertices, const VertexNeighbours& neighbours, double pass_band) {
   if (!(pass_band > 0 && pass_band < 1)) {
     throw InputError(fmt::format("the pass band of the smoothing is {}; it must be between 0 and 1", pass_band));
   }
@@ -223,7 +223,7 @@ DenoisedShape denoised(Shape shape) {
   DenoisedShape result{.shape = std::move(shape), .noise = noise};
   if (!is_noisy(noise, neighbours)) return result;
   result.pass_band = std::clamp(0.025 / noise.relative(), 0.02, 0.3);
-  const Points smoothed = taubin_smoothed(result.shape.vertices, neighbours, result.pass_band);
+  const Points smoothed = taubin_smoothing(result.shape.vertices, neighbours, result.pass_band);
   result.shape.vertices = smoothed(distinct_triangles(result.shape).vertex_of, Eigen::all);
   return result;
 }

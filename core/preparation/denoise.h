@@ -14,7 +14,7 @@ namespace shapegauge {
 /// welded: they have the same neighbours, and only the first of coincident neighbours is listed. Vertices used only by
 /// duplicate triangles have no neighbours (distinct_triangles()).
 struct VertexNeighbours {
-  std::vector<std::size_t> first;        ///< by vertex: begin of its neighbours; one more entry at the end
+  std::vector<std::size_t> first;        ///< per vertex: begin of its neighbours; one more entry at the end
   std::vector<std::int32_t> neighbours;  ///< all neighbours, vertex by vertex
 
   [[nodiscard]] std::span<const std::int32_t> of(Eigen::Index vertex) const {
@@ -64,13 +64,13 @@ bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours);
 /// vertices) is multiplied by ((1 - k / 2) (1 + k / (2 - pass_band)))^N, with N = ceil(2 / pass_band) + 3 rounds. It is
 /// preserved for k < pass_band (to within 2 % for a pass_band of at most 0.1) and attenuated beyond. A wave of n edges
 /// has a k of about (pi / n)^2. Vertices without neighbours stay. Throws InputError for a pass band out of range.
-Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbours, double pass_band);
+Points taubin_smoothing(const Points& vertices, const VertexNeighbours& neighbours, double pass_band);
 
 /// Result of denoised().
 struct DenoisedShape {
   Shape shape;
   NoiseLevel noise;      ///< of the input
-  double pass_band = 0;  ///< of the smoothing (taubin_smoothed()); 0 if not smoothed
+  double pass_band = 0;  ///< of the smoothing (taubin_smoothing()); 0 if not smoothed
 };
 
 /// Smooths a mesh whose vertices are clearly noisy (is_noisy()), with a pass band of 0.025 / noise.relative() clamped

@@ -54,7 +54,7 @@ class TubeVolume {
 };
 
 /// Counts the distinct points of a cloud.
-double count_places(const Points& points) {
+double count_positions(const Points& points) {
   const std::vector<std::int32_t> merged = welded_vertices(points);
   std::size_t count = 0;
   for (std::size_t i = 0; i < merged.size(); ++i) count += static_cast<std::size_t>(merged[i]) == i ? 1 : 0;
@@ -101,7 +101,7 @@ double tube_area(const Shape& shape, const TubeAreaOptions& options) {
   const Eigen::AlignedBox3d box = bounding_box(unit_shape);
   const double volume = TubeVolume(tree, r).in(box.center(), box.sizes().maxCoeff() / 2 + r);
   double area = volume / (2 * r);
-  if (is_cloud(shape)) area = corrected_for_gaps(area, count_places(unit_shape.vertices), r);
+  if (is_cloud(shape)) area = corrected_for_gaps(area, count_positions(unit_shape.vertices), r);
   return area * diagonal * diagonal;
 }
 

@@ -48,8 +48,8 @@ CanonicalTriangle canonical_triangle(const Shape& mesh, Eigen::Index triangle) {
 
 /// Consistent orientation of triangles across edges with exactly two of them.
 struct TriangleSheets {
-  std::vector<std::int32_t> sheet;  ///< by triangle; -1 in a non-orientable piece
-  std::vector<char> reversed;       ///< by triangle: reversed relative to the sheet
+  std::vector<std::int32_t> sheet;  ///< per triangle; -1 in a non-orientable piece
+  std::vector<char> reversed;       ///< per triangle: reversed relative to the sheet
 };
 
 struct AdjacentTriangle {
@@ -217,13 +217,13 @@ DenseSamples dense_samples_of_cloud(const Shape& cloud, Eigen::Index count) {
 }  // namespace
 
 bool on_same_sheet(const DenseSamples& samples, std::int32_t i, std::int32_t j, double distance) {
-  constexpr double least_agreement = -0.3;  // sharp edges are passed, the rim of a thin wall is not
+  constexpr double min_agreement = -0.3;  // sharp edges are passed, the rim of a thin wall is not
   constexpr double tolerance = 0.2;
   const double agreement = normal_agreement(samples, i, j);
   const Eigen::RowVector3d direction = (samples.points.row(j) - samples.points.row(i)) / distance;
   const double off_i = direction.dot(samples.normals.row(i));
   const double off_j = direction.dot(samples.normals.row(j));
-  return agreement > least_agreement && off_i * off_i + off_j * off_j < 1 - agreement + tolerance;
+  return agreement > min_agreement && off_i * off_i + off_j * off_j < 1 - agreement + tolerance;
 }
 
 DenseSamples dense_samples(const Shape& shape, std::span<const HalfEdge> uses, Eigen::Index count) {

@@ -55,14 +55,14 @@ class LocalConnectivity {
   void for_each_neighbour(std::int32_t triangle, SharedElement shared, std::int32_t mark, Use use);
   void walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, SharedElement shared);
 
-  Neighbours across_edges_;                           ///< by triangle
+  Neighbours across_edges_;                           ///< per triangle
   Neighbours fans_;                                   ///< triangles by vertex; empty without boundary edges
-  std::vector<std::array<std::int32_t, 3>> corners_;  ///< by triangle: welded vertices; empty without boundary edges
-  std::vector<std::int32_t> fan_used_by_;             ///< by vertex: mark of the last use of its fan
-  Eigen::Matrix4Xd spheres_;                          ///< by triangle: centre and radius
-  std::vector<char> on_border_;                       ///< by triangle
+  std::vector<std::array<std::int32_t, 3>> corners_;  ///< per triangle: welded vertices; empty without boundary edges
+  std::vector<std::int32_t> fan_used_by_;             ///< per vertex: mark of the last use of its fan
+  Eigen::Matrix4Xd spheres_;                          ///< per triangle: centre and radius
+  std::vector<char> on_border_;                       ///< per triangle
   std::vector<std::int32_t> component_;
-  std::vector<std::int32_t> visited_by_;  ///< by triangle: number of the last search that visited it
+  std::vector<std::int32_t> visited_by_;  ///< per triangle: number of the last search that visited it
   std::vector<std::int32_t> queue_;       ///< triangles in the order of visits
   std::int32_t search_ = 0;
   bool met_border_ = false;

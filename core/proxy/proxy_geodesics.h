@@ -8,7 +8,7 @@ namespace shapegauge {
 
 /// Geodesic distances from landmarks of a proxy.
 struct ProxyGeodesics {
-  Eigen::MatrixXf distances;  ///< one row a point of the proxy, one column a landmark; in the shape's units
+  Eigen::MatrixXf distances;  ///< one row per point of the proxy, one column per landmark; in the shape's units
   Eigen::VectorXd areas;      ///< area of the geodesic Voronoi cell of each landmark
 };
 

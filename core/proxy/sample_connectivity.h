@@ -23,7 +23,7 @@ class SampleConnectivity {
  private:
   const DenseSamples& samples_;
   PointNeighbours nearest_;
-  std::vector<std::int32_t> visited_by_;  ///< by sample: number of the last search that visited it
+  std::vector<std::int32_t> visited_by_;  ///< per sample: number of the last search that visited it
   std::vector<std::int32_t> queue_;       ///< samples in the order of visits
   std::int32_t search_ = 0;
 };

@@ -100,7 +100,7 @@ class PointConnectivity {
   std::optional<SampleConnectivity> across_samples_;  ///< made when first needed
 };
 
-/// Returns each pair of neighbours once, the lesser point first.
+/// Returns each pair of neighbours once, the smaller point first.
 std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, PointConnectivity connectivity, int neighbours) {
   const PointNeighbours nearest = nearest_neighbours(proxy.at.points, neighbours);
   const double reach = 2.5 * proxy.covering_radius;
@@ -228,7 +228,7 @@ Triplets cotangent_weights(const SurfaceProxy& proxy) {
 /// Assembles the graph Laplacian of the summed weights, with negative ones set to 0. Segments without weights (links,
 /// and parts too thin for triangles) get those of a regular triangulation, less across wide gaps.
 Eigen::SparseMatrix<double> stiffness_of(const SurfaceProxy& proxy, std::span<const Segment> segments) {
-  constexpr double least_joining = 0.01;
+  constexpr double min_joining = 0.01;
   const Eigen::Index count = proxy.points.rows();
   Triplets entries = cotangent_weights(proxy);
   Eigen::SparseMatrix<double> weights(count, count);
@@ -245,7 +245,7 @@ Eigen::SparseMatrix<double> stiffness_of(const SurfaceProxy& proxy, std::span<co
     for (Eigen::SparseMatrix<double>::InnerIterator entry(weights, column); entry; ++entry) {
       if (!(entry.value() > 0)) continue;
       add(entry.row(), column, entry.value());
-      if (entry.value() < least_joining) continue;
+      if (entry.value() < min_joining) continue;
       pieces.join(static_cast<std::int32_t>(entry.row()), static_cast<std::int32_t>(column));
     }
   }

@@ -41,7 +41,7 @@ struct SurfaceProxy {
   Eigen::VectorXd areas;               ///< area of the surface nearest to each point; the lumped mass of the Laplacian
   double covering_radius;              ///< maximum distance of a surface point from the proxy's point that covers it
   std::int32_t components;             ///< number of components before they were linked
-  std::vector<std::size_t> first_arc;  ///< by point: begin of its arcs; one more entry at the end
+  std::vector<std::size_t> first_arc;  ///< per point: begin of its arcs; one more entry at the end
   std::vector<ProxyArc> arcs;          ///< both directions of each adjacency; one component
   Eigen::SparseMatrix<double> stiffness;  ///< symmetric, positive semidefinite, rows sum to 0
 

@@ -32,9 +32,9 @@ struct ConeSdfOptions {
 inline constexpr std::array cone_sdf_table = {
     option_of<&ConeSdfOptions::engine>(
         "engine", "Ray-casting backend: embree is fast; cgal is CGAL's own code, the reference, at faces only."),
-    measured_in("degrees", option_of<&ConeSdfOptions::opening_angle_degrees>(
-                               "opening_angle_degrees", {.low = 0, .high = 180, .low_open = true, .high_open = true},
-                               "Full opening angle of the cone.")),
+    with_unit("degrees", option_of<&ConeSdfOptions::opening_angle_degrees>(
+                             "opening_angle_degrees", {.low = 0, .high = 180, .low_open = true, .high_open = true},
+                             "Full opening angle of the cone.")),
     option_of<&ConeSdfOptions::rays>("rays", {.low = 1, .high = 10'000}, "Number of rays."),
     option_of<&ConeSdfOptions::postprocess>(
         "postprocess", "Smooth the values and scale them to [0, 1] for each shape, as CGAL does; engine cgal only."),

@@ -33,8 +33,8 @@ struct OffsetSdfOptions {
 
 /// Parameters of OffsetSdfOptions.
 inline constexpr std::array offset_sdf_table = {
-    measured_in(bounding_box_diagonals,
-                option_of<&OffsetSdfOptions::offset>("offset", OffsetSdfOptions::offset_bounds, "Offset distance.")),
+    with_unit(bounding_box_diagonals,
+              option_of<&OffsetSdfOptions::offset>("offset", OffsetSdfOptions::offset_bounds, "Offset distance.")),
     option_of<&OffsetSdfOptions::accuracy>("accuracy", "Resolution of the grid: cells of edge offset / 2.5, 3 or 5."),
 };
 

@@ -41,8 +41,8 @@ std::size_t hash_of(const std::array<std::uint64_t, 3>& numbers) {
 }
 
 /// Returns the welded corners of a triangle.
-std::array<std::int32_t, 3> corner_places(const Triangles& triangles, Eigen::Index triangle,
-                                          std::span<const std::int32_t> merged) {
+std::array<std::int32_t, 3> corner_positions(const Triangles& triangles, Eigen::Index triangle,
+                                             std::span<const std::int32_t> merged) {
   std::array<std::int32_t, 3> corners{};
   for (std::size_t k = 0; k < 3; ++k) {
     corners[k] = merged[static_cast<std::size_t>(triangles(triangle, static_cast<Eigen::Index>(k)))];
@@ -90,7 +90,7 @@ std::vector<std::int32_t> welded_vertices(const Points& vertices) {
 std::vector<std::int32_t> first_duplicates(const Triangles& triangles, std::span<const std::int32_t> merged) {
   std::vector<std::array<std::uint64_t, 3>> corners(static_cast<std::size_t>(triangles.rows()));
   for (std::size_t f = 0; f < corners.size(); ++f) {
-    const auto [a, b, c] = corner_places(triangles, static_cast<Eigen::Index>(f), merged);
+    const auto [a, b, c] = corner_positions(triangles, static_cast<Eigen::Index>(f), merged);
     const auto [low, high] = std::minmax({a, b, c});
     const std::int32_t middle = a ^ b ^ c ^ low ^ high;
     corners[f] = {static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(middle),
@@ -112,7 +112,7 @@ std::vector<HalfEdge> half_edges(const Triangles& triangles, const Welding& weld
   uses.reserve(3 * static_cast<std::size_t>(triangles.rows()));
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
     if (!welding.is_distinct(f)) continue;
-    const std::array<std::int32_t, 3> corners = corner_places(triangles, f, welding.vertices);
+    const std::array<std::int32_t, 3> corners = corner_positions(triangles, f, welding.vertices);
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t from = corners[k];

@@ -78,11 +78,11 @@ Welding welding_of(const Shape& shape);
 
 /// Half-edge: a side of a triangle and its undirected edge, with welded vertex indices (welded_vertices()).
 struct HalfEdge {
-  std::int32_t low;       ///< lesser vertex of the edge
+  std::int32_t low;       ///< smaller vertex of the edge
   std::int32_t high;      ///< greater vertex of the edge
   std::int32_t triangle;  ///< triangle that the side belongs to
   std::int8_t corner;     ///< corner at which the side begins; it leads to the next corner
-  bool forward;           ///< directed from the lesser vertex to the greater
+  bool forward;           ///< directed from the smaller vertex to the greater
 
   [[nodiscard]] bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };

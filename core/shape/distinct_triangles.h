@@ -12,7 +12,7 @@ namespace shapegauge {
 struct DistinctTriangles {
   Shape shape;  ///< all vertices of the mesh, and its triangles without duplicates
   std::vector<std::int32_t>
-      triangle_of;  ///< by triangle of the mesh: index in `shape` of the triangle or of its first duplicate
+      triangle_of;  ///< per triangle of the mesh: index in `shape` of the triangle or of its first duplicate
   /// By vertex: its own index or, if only duplicates use it, the coincident vertex of their first triangle.
   std::vector<std::int32_t> vertex_of;
 

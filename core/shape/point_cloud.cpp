@@ -87,8 +87,8 @@ std::vector<std::int32_t> query_order(const Points& points) {
 
 // More neighbours reach around corners and through thin parts. On a regular grid whole shells have the same distance:
 // single numbers of neighbours err by up to a third, their mean by a tenth.
-constexpr Eigen::Index fewest_neighbours = 5;
-constexpr Eigen::Index most_neighbours = 12;
+constexpr Eigen::Index min_neighbours = 5;
+constexpr Eigen::Index max_neighbours = 12;
 // 4 is beyond noise: fewer than 2 in 10,000 points of a surface, random or from a mesh, exceed it.
 constexpr double largest_ratio = 4;
 
@@ -133,7 +133,7 @@ void require_finite(const Points& points, double diagonal) {
 /// Returns the mean over k of pi d^2 / k, where d is the distance to the k-th neighbour.
 Eigen::VectorXd disc_areas(const PointNeighbours& nearest) {
   const Eigen::Index most = nearest.distances.cols();
-  const Eigen::Index fewest = std::min(fewest_neighbours, most);
+  const Eigen::Index fewest = std::min(min_neighbours, most);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(nearest.distances.rows());
   for (Eigen::Index k = fewest; k <= most; ++k) {
     sum += nearest.distances.col(k - 1).cwiseAbs2() / static_cast<double>(k);
@@ -164,14 +164,14 @@ using NormalNeighbourhood = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowM
 /// Returns the normal of the plane through the point and two of its neighbours to which all neighbours are closest: the
 /// sum of their distances, each at most the tolerance, is minimal. Zero if no two span a plane.
 Eigen::Vector3d closest_plane(const NormalNeighbourhood& around) {
-  constexpr float least_sine = 0.3F;
+  constexpr float min_sine = 0.3F;
   using Lanes = Eigen::Array<float, 16, 1>;  // in single precision, to compute the distances of all at once
   std::array<Lanes, 3> coordinates{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     coordinates[static_cast<std::size_t>(axis)].head(around.rows()) = around.col(axis).cast<float>().array();
   }
   const auto& [x, y, z] = coordinates;
-  float least_cost = std::numeric_limits<float>::infinity();
+  float min_cost = std::numeric_limits<float>::infinity();
   Eigen::Vector3f closest = Eigen::Vector3f::Zero();
   for (Eigen::Index a = 0; a + 1 < around.rows(); ++a) {
     const Eigen::Vector3f u(x[a], y[a], z[a]);
@@ -179,12 +179,12 @@ Eigen::Vector3d closest_plane(const NormalNeighbourhood& around) {
       const Eigen::Vector3f v(x[b], y[b], z[b]);
       const Eigen::Vector3f cross = u.cross(v);
       const float squared = cross.squaredNorm();
-      if (!(squared > least_sine * least_sine * u.squaredNorm() * v.squaredNorm())) continue;
+      if (!(squared > min_sine * min_sine * u.squaredNorm() * v.squaredNorm())) continue;
       const Eigen::Vector3f normal = cross / std::sqrt(squared);
       const Lanes distances = (normal.x() * x + normal.y() * y + normal.z() * z).abs();
       const float cost = distances.min(static_cast<float>(normal_tolerance)).sum();
-      if (!(cost < least_cost)) continue;
-      least_cost = cost;
+      if (!(cost < min_cost)) continue;
+      min_cost = cost;
       closest = normal;
     }
   }
@@ -291,7 +291,7 @@ Eigen::VectorXd point_weights(const Points& points) {
   for (Eigen::Index i = 0; i < places.points.rows(); ++i) {
     places.points.row(i) = frame.to_unit(places.points.row(i).transpose()).transpose();
   }
-  const PointNeighbours nearest = nearest_neighbours(places.points, most_neighbours);
+  const PointNeighbours nearest = nearest_neighbours(places.points, max_neighbours);
   const Eigen::VectorXd of_places = capped(disc_areas(nearest), nearest);
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const Eigen::Index place = places.place_of[static_cast<std::size_t>(i)];

@@ -39,7 +39,7 @@ inline constexpr std::array<std::string_view, 3> words_of<SampleSite>{"faces", "
 /// Sample points on a shape, in the order of the shape's triangles or vertices.
 struct Samples {
   SampleSite site = SampleSite::faces;
-  Points points;  ///< one row a sample, in the shape's units
+  Points points;  ///< one row per sample, in the shape's units
   /// Unit normals by the triangles' orientation, or those of the cloud; zero if undefined (degenerate, unused).
   Points normals;
   Eigen::VectorXd weights;              ///< area represented by each sample; zero if undefined

@@ -81,7 +81,7 @@ std::vector<bool> used_vertices(const Shape& shape) {
   return used;
 }
 
-std::optional<std::string> defect_of(const Shape& shape) {
+std::optional<std::string> find_defect(const Shape& shape) {
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
     if (!shape.vertices.row(i).allFinite()) {
       return fmt::format("vertex {} has a coordinate that is not a finite number", i);
@@ -97,7 +97,7 @@ std::optional<std::string> defect_of(const Shape& shape) {
 }
 
 void require_usable(const Shape& shape) {
-  if (const auto defect = defect_of(shape)) throw InputError(fmt::format("the shape is unusable: {}", *defect));
+  if (const auto defect = find_defect(shape)) throw InputError(fmt::format("the shape is unusable: {}", *defect));
 }
 
 UnitFrame unit_frame(const Shape& shape) {

@@ -8,9 +8,9 @@
 
 namespace shapegauge {
 
-/// n x 3 coordinates, one row a point.
+/// n x 3 coordinates, one row per point.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-/// m x 3 vertex indices, one row a triangle.
+/// m x 3 vertex indices, one row per triangle.
 using Triangles = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// Polygons of a file that the triangles of a mesh belong to (polygons.h). The triangles of a polygon are consecutive,
@@ -63,7 +63,7 @@ double surface_area(const Shape& shape, const Welding& welding);
 
 /// Describes why a shape is unusable: a coordinate that is not finite, or a vertex index out of range. Nothing for a
 /// usable shape. Shapes from readers are always usable.
-std::optional<std::string> defect_of(const Shape& shape);
+std::optional<std::string> find_defect(const Shape& shape);
 
 /// Throws InputError "the shape is unusable: ..." if the shape has a defect.
 void require_usable(const Shape& shape);

@@ -31,7 +31,7 @@ using Archive = std::unique_ptr<archive, FreeArchive>;
 
 // Returns the contents of the archive's current entry. `packed` is the size of the archive.
 std::string entry_bytes(archive* opened, std::size_t packed, const std::string& source, std::string_view what) {
-  const std::size_t most = most_unpacked_bytes(packed);
+  const std::size_t most = max_unpacked_bytes(packed);
   std::string bytes;
   std::string part(1 << 16, '\0');
   while (true) {
@@ -65,7 +65,7 @@ std::string_view inflation_fault(const z_stream& stream, int status, bool is_fir
 
 // Returns the contents of a gzip file of one or several members. zlib compares the checksum and the size of each.
 std::string unpacked_gzip(std::string_view packed, const std::string& source) {
-  const std::size_t most = most_unpacked_bytes(packed.size());
+  const std::size_t most = max_unpacked_bytes(packed.size());
   constexpr int gzip_only = 16;
   z_stream stream = {};
   if (inflateInit2(&stream, MAX_WBITS + gzip_only) != Z_OK) throw std::bad_alloc();
@@ -107,7 +107,7 @@ std::string format_extension(const std::filesystem::path& path) {
   return extension == ".gz" ? lower_case(path.stem().extension().string()) : extension;
 }
 
-std::size_t most_unpacked_bytes(std::size_t packed) {
+std::size_t max_unpacked_bytes(std::size_t packed) {
   constexpr std::size_t always = std::size_t{256} << 20;
   constexpr std::size_t never = std::size_t{16} << 30;
   constexpr std::size_t ratio = 50;
@@ -118,7 +118,7 @@ void fail_unpacking(const std::string& source, std::size_t packed) {
   throw InputError(
       fmt::format("{}: its {} bytes unpack to more than {} MiB, too much for a table of numbers; if that is correct, "
                   "unpack it first",
-                  source, packed, most_unpacked_bytes(packed) >> 20U));
+                  source, packed, max_unpacked_bytes(packed) >> 20U));
 }
 
 std::string read_plain_bytes(const std::filesystem::path& path) {

@@ -12,14 +12,14 @@ std::string format_extension(const std::filesystem::path& path);
 
 /// Returns the maximum size to which a file of `packed` bytes may unpack: 256 MiB or 50 times `packed`, whichever is
 /// larger, but at most 16 GiB. Tables of numbers typically shrink to between a half and a tenth of their size.
-std::size_t most_unpacked_bytes(std::size_t packed);
+std::size_t max_unpacked_bytes(std::size_t packed);
 
-/// Throws the InputError for a file that unpacks to more than most_unpacked_bytes().
+/// Throws the InputError for a file that unpacks to more than max_unpacked_bytes().
 [[noreturn]] void fail_unpacking(const std::string& source, std::size_t packed);
 
 /// Reads a file, decompressed if its name ends in `.gz`. Throws InputError as read_file_bytes() does, for an invalid or
 /// damaged gzip file (checksum, size, bytes after its end), and for one that unpacks to more than
-/// most_unpacked_bytes().
+/// max_unpacked_bytes().
 std::string read_plain_bytes(const std::filesystem::path& path);
 
 /// Reads a text file as read_plain_bytes() does, converted to UTF-8 if it is UTF-16.
@@ -27,7 +27,7 @@ std::string read_plain_text(const std::filesystem::path& path);
 
 /// Extracts the `.npy` file of the array named `variable`, or of the only array if it is
 /// empty, of a NumPy `.npz` archive, given its bytes. Throws InputError for an invalid or damaged archive, one that
-/// unpacks to more than most_unpacked_bytes(), and one without that array; the message lists the arrays.
+/// unpacks to more than max_unpacked_bytes(), and one without that array; the message lists the arrays.
 std::string array_in_npz(std::string_view bytes, const std::string& source, const std::string& variable = "");
 
 }  // namespace shapegauge

@@ -57,7 +57,7 @@ CsvRow CsvReader::take_row() {
   CsvRow row{.cells = {}, .line = line_};
   quoted_ = false;
   while (true) {
-    if (row.cells.size() == most_csv_cells) fail(line_, fmt::format("the row has more than {} cells", most_csv_cells));
+    if (row.cells.size() == max_csv_cells) fail(line_, fmt::format("the row has more than {} cells", max_csv_cells));
     skip_blanks();
     row.cells.push_back(rest_.starts_with('"') ? take_quoted_cell() : std::string(take_to_cell_end()));
     if (row.cells.back().starts_with('\'') && is_formula(row.cells.back())) row.cells.back().erase(0, 1);
@@ -155,11 +155,11 @@ std::optional<char> first_separator(std::string_view text) {
 }
 
 std::vector<CsvRow> parse_word_table(std::string_view text, const std::string& source) {
-  constexpr std::size_t most_rows = 10'000'000;
+  constexpr std::size_t max_rows = 10'000'000;
   CsvReader reader(text, source, first_separator(text).value_or(','));
   std::vector<CsvRow> rows;
   while (auto row = reader.next()) {
-    if (rows.size() == most_rows) throw InputError(fmt::format("{}: more than {} rows", source, most_rows));
+    if (rows.size() == max_rows) throw InputError(fmt::format("{}: more than {} rows", source, max_rows));
     rows.push_back(std::move(*row));
     if (rows.back().cells.size() == rows.front().cells.size()) continue;
     throw InputError(fmt::format("{}:{}: {} where the first row has {}", source, rows.back().line,

@@ -17,7 +17,7 @@ struct CsvRow {
 };
 
 /// Maximum number of cells of a row.
-inline constexpr std::size_t most_csv_cells = 1'000'000;
+inline constexpr std::size_t max_csv_cells = 1'000'000;
 
 /// Reader of separated values (RFC 4180) row by row. Lines end with LF or CR LF, or with CR in a text without LF. A
 /// quoted cell may contain separators, line ends and, doubled, quotation marks. Blanks around a cell are removed, and
@@ -29,7 +29,7 @@ class CsvReader {
   CsvReader(std::string_view text, std::string source, char separator);
 
   /// Returns the next row that is not blank; nothing at the end. Throws InputError "<source>:<line>: ..." for an
-  /// unclosed quotation mark, for text after a closing one, and for a row of more than most_csv_cells.
+  /// unclosed quotation mark, for text after a closing one, and for a row of more than max_csv_cells.
   std::optional<CsvRow> next();
 
  private:

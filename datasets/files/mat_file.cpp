@@ -142,7 +142,7 @@ DistanceMatrix read_mat(const std::filesystem::path& path, const std::string& va
   const double bytes = info == nullptr ? 0
                                        : static_cast<double>(info->dims[0]) * static_cast<double>(info->dims[1]) *
                                              static_cast<double>(Mat_SizeOfClass(info->class_type));
-  if (bytes > static_cast<double>(most_unpacked_bytes(packed))) fail_unpacking(path.string(), packed);
+  if (bytes > static_cast<double>(max_unpacked_bytes(packed))) fail_unpacking(path.string(), packed);
   const Variable matrix_variable{Mat_VarRead(file.get(), name.c_str())};
   if (matrix_variable == nullptr || matrix_variable->data == nullptr) {
     throw InputError(fmt::format("{}: the matrix {} cannot be read; the file is truncated or damaged", path.string(),

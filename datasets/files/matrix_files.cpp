@@ -63,8 +63,8 @@ LabelledTable without_ids(DistanceMatrix numbers) {
 
 // Returns the size of the matrix with that many entries above its diagonal, if there is one.
 std::optional<Eigen::Index> size_of_condensed(Eigen::Index entries) {
-  constexpr Eigen::Index most_entries = Eigen::Index{1} << 60;  // headers of damaged files have more
-  if (entries <= 0 || entries > most_entries) return std::nullopt;
+  constexpr Eigen::Index max_entries = Eigen::Index{1} << 60;  // headers of damaged files have more
+  if (entries <= 0 || entries > max_entries) return std::nullopt;
   const auto size = static_cast<Eigen::Index>(std::llround((1 + std::sqrt(1 + 8 * static_cast<double>(entries))) / 2));
   return size * (size - 1) / 2 == entries ? std::optional(size) : std::nullopt;
 }

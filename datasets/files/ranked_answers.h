@@ -36,12 +36,12 @@ struct Judgements {
 /// words, a score that is not finite, a repeated model of a query, and no lines.
 RankedAnswers parse_trec_run(std::string_view text, const std::string& source);
 
-/// Parses ranked lists: one line a query with its id and then the models' ids, best first, separated by blanks or
+/// Parses ranked lists: one line per query with its id and then the models' ids, best first, separated by blanks or
 /// commas. Throws InputError, with the line, for a query without models or with two lines, a repeated model, and no
 /// lines.
 RankedAnswers parse_ranked_lists(std::string_view text, const std::string& source);
 
-/// Parses the ranked list of one query: one line a model, best first, of its id and optionally a distance, which is
+/// Parses the ranked list of one query: one line per model, best first, of its id and optionally a distance, which is
 /// ignored. Throws InputError, with the line, for a repeated model and no lines.
 RankedAnswers::Answer parse_ranked_list(std::string_view text, const std::string& query, const std::string& source);
 

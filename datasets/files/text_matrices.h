@@ -25,10 +25,10 @@ LabelledTable parse_csv_table(std::string_view text, const std::string& source);
 /// Returns true if the text is one line of numbers, or has one number in each of its first two lines.
 bool is_vector(std::string_view text);
 
-/// Parses numbers separated by blanks, one row a line, as numpy.savetxt writes them; `source` prefixes error messages.
-/// If the first row has semicolons or, failing that, commas, these are the separators. Skips empty lines and lines that
-/// begin with `#`; accepts `inf`. Throws InputError for an invalid number, a row of another length, and a matrix of
-/// another shape.
+/// Parses numbers separated by blanks, one row per line, as numpy.savetxt writes them; `source` prefixes error
+/// messages. If the first row has semicolons or, failing that, commas, these are the separators. Skips empty lines and
+/// lines that begin with `#`; accepts `inf`. Throws InputError for an invalid number, a row of another length, and a
+/// matrix of another shape.
 DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source, TableShape shape);
 
 }  // namespace shapegauge

@@ -34,12 +34,12 @@ constexpr auto faces_option = option_of<&GeneratorOptions::faces>("faces", {.low
 constexpr auto seed_option =
     option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Random seed; the same seed gives the same shapes.");
 
-constexpr int most_models = 1000;
+constexpr int max_models = 1000;
 
 /// A class of the generator.
 struct GeneratedClass {
   std::string name;
-  std::vector<std::string> parts;  ///< by label
+  std::vector<std::string> parts;  ///< per label
 
   /// Makes a function that draws a model of about so many faces.
   std::function<std::function<SolidMesh(RandomNumbers&)>(int faces)> prepare;
@@ -175,7 +175,7 @@ const std::array<OptionParameter<GeneratorOptions>, 4>& generator_table() {
   static const std::array table{
       option_of<&GeneratorOptions::classes>(
           "classes", {.low = 1, .high = static_cast<double>(generated_classes().size())}, "Number of classes."),
-      option_of<&GeneratorOptions::models_per_class>("models_per_class", {.low = 1, .high = most_models},
+      option_of<&GeneratorOptions::models_per_class>("models_per_class", {.low = 1, .high = max_models},
                                                      "Number of models per class."),
       faces_option, seed_option};
   return table;
@@ -197,7 +197,7 @@ std::span<const Parameter> generated_model_parameters() {
       {.name = "model",
        .kind = ParameterKind::integer,
        .default_value = std::int64_t{0},
-       .bounds = {.low = 0, .high = most_models - 1},
+       .bounds = {.low = 0, .high = max_models - 1},
        .description = "Index of the model in its class, from 0."},
       faces_option.parameter,
       seed_option.parameter};
@@ -209,9 +209,9 @@ Shape generate_model(const GeneratedModel& wanted) {
   if (found == generated_classes().end()) {
     std::vector<std::string> names;
     for (const GeneratedClass& one : generated_classes()) names.push_back(one.name);
-    throw InputError(no_such_word("generated class", wanted.model_class, names));
+    throw InputError(unknown_word_message("generated class", wanted.model_class, names));
   }
-  require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = most_models - 1});
+  require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = max_models - 1});
   require_in_bounds("the number of faces", wanted.faces, faces_option.parameter.bounds);
   const auto class_index = static_cast<std::size_t>(found - generated_classes().begin());
   RandomNumbers random = random_of(class_index, static_cast<std::size_t>(wanted.model), wanted.seed);

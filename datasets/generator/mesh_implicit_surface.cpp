@@ -173,7 +173,7 @@ class FacetCriterion {
     const Eigen::Vector3d c = to_eigen(cell->vertex((opposite + 3) & 3)->point());
     const Eigen::Vector3d centre = to_eigen(cell->get_facet_surface_center(opposite));
     const double size_quality = squared_size(*surface_, coarseness_, centre) / (a - centre).squaredNorm();
-    const double angle_quality = squared_sine_of_least_angle(a, b, c) / squared_sine_bound;
+    const double angle_quality = squared_sine_of_min_angle(a, b, c) / squared_sine_bound;
     quality = size_quality < 1 ? size_quality : 1 + angle_quality;
     return size_quality < 1 || angle_quality < 1;
   }
@@ -181,8 +181,8 @@ class FacetCriterion {
  private:
   static constexpr double squared_sine_bound = 0.25;  // 30 degrees, the largest bound that surely terminates
 
-  static double squared_sine_of_least_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                                            const Eigen::Vector3d& c) {
+  static double squared_sine_of_min_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                          const Eigen::Vector3d& c) {
     const double ab = (b - a).squaredNorm();
     const double bc = (c - b).squaredNorm();
     const double ca = (a - c).squaredNorm();

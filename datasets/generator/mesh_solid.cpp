@@ -132,12 +132,12 @@ class MarchingTetrahedra {
 
   HalfedgeMesh::Vertex_index vertex_between(const Corner& a, const Corner& b) {
     // Ensures that triangles have an area.
-    constexpr double least_share = 0.03;
+    constexpr double min_share = 0.03;
     const std::size_t low = std::min(grid_.index(a.at), grid_.index(b.at));
     const std::size_t high = std::max(grid_.index(a.at), grid_.index(b.at));
     const auto [position, is_new] = vertices_.try_emplace(8 * low + edge_kind(high - low));
     if (is_new) {
-      const double share = std::clamp(a.value / (a.value - b.value), least_share, 1 - least_share);
+      const double share = std::clamp(a.value / (a.value - b.value), min_share, 1 - min_share);
       const Eigen::Vector3d place = (1 - share) * grid_.place(a.at) + share * grid_.place(b.at);
       position->second = mesh.add_vertex({place.x(), place.y(), place.z()});
     }

@@ -12,7 +12,7 @@ namespace shapegauge {
 /// Class of rigid objects: hollow, flat, turned or composed of pieces, unlike articulated bodies.
 struct ObjectClass {
   std::string name;
-  std::vector<std::string> parts;  ///< by label; an object may lack some
+  std::vector<std::string> parts;  ///< per label; an object may lack some
   SolidObject (*draw)(RandomNumbers& random);
 };
 

@@ -11,8 +11,8 @@
 
 namespace shapegauge {
 
-/// Computes skinning weights: one row a vertex, one column a bone, rows sum to 1. The influence of bones diffuses over
-/// the surface like heat (Baran and Popovic, "Automatic rigging and animation of 3D characters", 2007, section 4),
+/// Computes skinning weights: one row per vertex, one column per bone, rows sum to 1. The influence of bones diffuses
+/// over the surface like heat (Baran and Popovic, "Automatic rigging and animation of 3D characters", 2007, section 4),
 /// across joints by about the local radius of the limb. The mesh must be that of the surface in the rest pose.
 Eigen::MatrixXd bone_weights(const Shape& mesh, const ImplicitSurface& surface, const BoneTree& tree);
 
@@ -31,7 +31,7 @@ std::vector<RigidMotion> draw_pose(const Skeleton& skeleton, const BoneTree& tre
                                    RandomNumbers& random);
 
 /// Deforms points with their bones by dual quaternion blending (Kavan et al., "Geometric skinning with approximate dual
-/// quaternion blending", 2008), which avoids collapsing joints. `weights` has one row a point, one column a bone.
+/// quaternion blending", 2008), which avoids collapsing joints. `weights` has one row per point, one column per bone.
 Points skinned(const Points& points, const Eigen::MatrixXd& weights, const std::vector<RigidMotion>& motions);
 
 /// Points and bones of a body in the rest pose.

@@ -225,7 +225,7 @@ void check_is_text(const fs::path& path, std::string_view text) {
   const std::string extension = format_extension(path);
   const std::vector<std::string_view> shapes = unambiguous_shape_extensions();
   const bool is_other = std::ranges::find(others, extension) != others.end() ||
-                        std::ranges::find(shapes, extension) != shapes.end() || unread_format_advice(path);
+                        std::ranges::find(shapes, extension) != shapes.end() || unsupported_format_advice(path);
   if (!is_other && text.find('\0') == std::string_view::npos) return;
   throw InputError(fmt::format("{}: {}; labels are a folder, a .cla file, a .npy array, or text (.csv, .tsv, .txt)",
                                path.string(),

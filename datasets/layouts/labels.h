@@ -42,7 +42,7 @@ std::vector<std::string> missing_class_warnings(const ModelLabels& labels);
 ///   case: id (name, model, file), class (label, category) and optionally subclass (subcategory) and split: query
 ///   (test, probe), target (train, gallery), both, or empty. Without such a row the two columns are id and class;
 /// - lines of an id and a class separated by blanks, if every id has a digit, ids are unique and classes repeat;
-/// - a list: one class a line, or a `.npy` array of integers or strings, none of them in missing_value_words. Models
+/// - a list: one class per line, or a `.npy` array of integers or strings, none of them in missing_value_words. Models
 ///   then have no ids.
 ///
 /// Tables, lists and arrays may be compressed, with an additional `.gz`. Level 0 uses the classes of a `.cla` file;

@@ -16,7 +16,7 @@ namespace shapegauge {
 
 /// Settings of a sum of distances.
 struct SumSettings {
-  std::vector<double> weights;  ///< by term
+  std::vector<double> weights;  ///< per term
   SumOptions options = {};
 };
 

@@ -25,12 +25,12 @@ const Json& list_in(const Json& settings, const char* key) {
 
 /// Describes the number of fields that the descriptor needs.
 std::string fields_taken(const Descriptor& descriptor) {
-  if (descriptor.most_fields == 0) return "none";
-  return fmt::format("{} to {}", descriptor.fewest_fields, descriptor.most_fields);
+  if (descriptor.max_fields == 0) return "none";
+  return fmt::format("{} to {}", descriptor.min_fields, descriptor.max_fields);
 }
 
 std::vector<Field> fields_of(const Json& list, const Descriptor& descriptor) {
-  if (list.size() < descriptor.fewest_fields || list.size() > descriptor.most_fields) {
+  if (list.size() < descriptor.min_fields || list.size() > descriptor.max_fields) {
     throw ConfigurationError{"fields", fmt::format("the descriptor {} needs {}, not {}", descriptor.name,
                                                    fields_taken(descriptor), list.size())};
   }

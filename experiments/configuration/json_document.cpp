@@ -230,12 +230,12 @@ nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::strin
   if (equals == std::string_view::npos || equals == 0) {
     fail(source, "expected dotted.key=value, for example signatures.0.histogram.bins=40");
   }
-  constexpr auto most_keys = 100;
+  constexpr auto max_keys = 100;
   nlohmann::json* target = &document;
   nlohmann::json::json_pointer place;
   std::string_view keys = assignment.substr(0, equals);
   for (int depth = 0; !keys.empty(); ++depth) {
-    if (depth >= most_keys) fail(source, fmt::format("more than {} keys", most_keys));
+    if (depth >= max_keys) fail(source, fmt::format("more than {} keys", max_keys));
     const OverrideStep step = take_step(keys, source);
     const bool by_name = step.bracketed && !is_index(step.text);
     nlohmann::json& next = by_name ? named_element(*target, step.text, source) : child(*target, step.text, source);

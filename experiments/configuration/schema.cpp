@@ -106,11 +106,11 @@ void add_descriptors(OrderedJson& schema) {
   for (const Descriptor& type : descriptors().entries()) {
     OrderedJson& settings =
         schemas.emplace_back(schema_of(ParameterGroup{type.name, type.description, type.parameters}));
-    if (type.most_fields == 0) continue;
-    if (type.fewest_fields > 0) settings["required"].push_back("fields");
+    if (type.max_fields == 0) continue;
+    if (type.min_fields > 0) settings["required"].push_back("fields");
     settings["properties"]["fields"] = {{"type", "array"},
-                                        {"minItems", type.fewest_fields},
-                                        {"maxItems", type.most_fields},
+                                        {"minItems", type.min_fields},
+                                        {"maxItems", type.max_fields},
                                         {"items", {{"$ref", "#/definitions/field"}}}};
     if (type.axis_parameters.empty()) continue;
     OrderedJson axis{{"description", "How the field of the same place in the list is counted."},
@@ -118,7 +118,7 @@ void add_descriptors(OrderedJson& schema) {
                      {"additionalProperties", false},
                      {"properties", OrderedJson::object()}};
     add_parameters(type.axis_parameters, axis);
-    settings["properties"]["axes"] = {{"type", "array"}, {"maxItems", type.most_fields}, {"items", std::move(axis)}};
+    settings["properties"]["axes"] = {{"type", "array"}, {"maxItems", type.max_fields}, {"items", std::move(axis)}};
   }
   add_types(descriptor_groups(), schemas, schema);
 }

@@ -39,7 +39,7 @@ std::vector<std::string> read_ids(const fs::path& path) {
   return ids;
 }
 
-// Makes a matrix of distances between features, one row a model, computed on demand. Adds a warning about features.
+// Makes a matrix of distances between features, one row per model, computed on demand. Adds a warning about features.
 OpenMatrix open_features(const EvaluationFiles& files, std::vector<std::string>& warnings) {
   const LabelledTable table = read_matrix(files.matrix, TableShape::any, files.variable);
   const auto features = std::make_shared<const Signatures>(table.numbers.cast<float>());

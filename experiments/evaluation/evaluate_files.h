@@ -28,7 +28,7 @@ struct EvaluationFiles {
   std::size_t level = 0;                         ///< level of the class hierarchy, see read_labels()
   bool shared_ids = false;                       ///< an id in `labels` and `targets` is one model, not two
   bool similarity = false;                       ///< larger values are nearer
-  std::string distance{};  ///< distance between features, if the matrix has features, a row a model; may be empty
+  std::string distance{};  ///< distance between features, if the matrix has features, one row per model; may be empty
 };
 
 /// Reads the labels that the files name: of one set of models, or of queries and targets.

@@ -106,7 +106,7 @@ void set_classes(const MatrixIds& ids, const TaskLabels& labels, RetrievalTask& 
     task.target_classes.push_back(known.target ? known.label : no_class);
     subclasses.push_back(known.subclass);
   }
-  const std::vector<int> numbers = numbered_subclasses(subclasses);
+  const std::vector<int> numbers = number_subclasses(subclasses);
   if (numbers.empty()) return;
   const auto end_of_rows = numbers.begin() + std::ssize(ids.rows);
   task.query_subclasses.assign(numbers.begin(), end_of_rows);

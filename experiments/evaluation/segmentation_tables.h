@@ -22,7 +22,7 @@ struct SegmentationScores {
   std::vector<int> labels;           ///< by mesh: index of its class
   std::vector<std::string> classes;  ///< names
   std::vector<std::string> methods;
-  std::vector<std::vector<SegmentationErrors>> errors;  ///< by method, then by mesh; NaN if undefined
+  std::vector<std::vector<SegmentationErrors>> errors;  ///< per method, then by mesh; NaN if undefined
 
   /// Returns the mean of the defined values over the meshes of a class or (-1) all; NaN if there are none.
   [[nodiscard]] double mean(std::size_t method, double SegmentationErrors::*value, int label = -1) const;

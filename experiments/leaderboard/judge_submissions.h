@@ -37,7 +37,7 @@ struct JudgedSubmission {
   std::string sha256;     ///< of the file
   std::string key;        ///< of everything that the evaluation depends on
   Evaluation evaluation;
-  std::vector<std::string> query_ids;         ///< by row
+  std::vector<std::string> query_ids;         ///< per row
   bool fit_for_report = false;                ///< see is_fit_for_report()
   std::vector<std::string> warnings;          ///< for readers, one sentence each
   std::vector<RepetitionFile> repetitions{};  ///< empty for a single file
@@ -57,9 +57,9 @@ struct Leaderboard {
   std::vector<RefusedSubmission> refused;
   std::vector<std::string> measures;
   std::size_t rank_by = 0;                         ///< index of a measure
-  std::vector<std::string> class_names;            ///< by class
+  std::vector<std::string> class_names;            ///< per class
   std::vector<int> labels;                         ///< class of each target
-  std::vector<std::vector<MethodStanding>> micro;  ///< by measure, by submission: averages over queries
+  std::vector<std::vector<MethodStanding>> micro;  ///< per measure, by submission: averages over queries
   std::vector<std::vector<MethodStanding>> macro;  ///< averages over classes, with capital letters
 };
 

@@ -244,7 +244,7 @@ OrderedJson evaluation_json(const Evaluation& evaluation, std::span<const std::s
                    {"ties", name_of(evaluation.ties)},
                    {"queries", evaluation.queries.size()},
                    {"queries_with_ties", evaluation.queries_with_ties},
-                   {"models_never_queries", evaluation.models_left_out},
+                   {"models_never_queries", evaluation.excluded_models},
                    {"micro", measures_json(evaluation, evaluation.micro)},
                    {"macro", measures_json(evaluation, evaluation.macro)}};
   if (!intervals.micro.empty()) {

@@ -84,7 +84,7 @@ TextTable precision_recall_table(std::span<const NamedEvaluation> evaluations);
 /// fractions.
 TextTable class_curves_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
-/// Formats a curve like psbPlot, for gnuplot: recall and precision, a level a line.
+/// Formats a curve like psbPlot, for gnuplot: recall and precision, one level per line.
 std::string psb_plot(const PrecisionRecallCurve& curve);
 
 /// Returns the measures of each query by its id, as fractions.

@@ -75,10 +75,11 @@ bool names_polygons(const Shape& shape, const Samples& samples) {
   return samples.site == SampleSite::faces && has_polygons(shape);
 }
 
-void write_csv(const fs::path& path, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
+void write_csv(const fs::path& path, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values,
+               const std::string& value_name) {
   const bool polygons = names_polygons(shape, samples);
   fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "index,sdf,weight{}\n", polygons ? ",polygon" : "");
+  fmt::format_to(std::back_inserter(text), "index,{},weight{}\n", value_name, polygons ? ",polygon" : "");
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     fmt::format_to(std::back_inserter(text), "{},{},{}", i, values[i], samples.weights[i]);
     if (polygons) fmt::format_to(std::back_inserter(text), ",{}", polygon_of(shape, i));
@@ -141,12 +142,17 @@ ColourScale colour_scale_of(const ScalarField& field, const FieldPicture& pictur
 
 FieldFileWriter field_file_writer(const fs::path& path, const FieldPicture& picture) {
   const std::string extension = lower_case(path.extension().string());
-  if (extension == ".csv") return write_csv;
+  if (extension == ".csv") {
+    return
+        [name = picture.value_name](const fs::path& file, const Shape& shape, const Samples& samples,
+                                    const Eigen::VectorXd& values) { write_csv(file, shape, samples, values, name); };
+  }
   if (extension == ".npy") return write_values;
   if (extension == ".ply") {
     return [picture](const fs::path& file, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
       const ColourScale scale = colour_scale_of({.values = values, .weights = samples.weights}, picture);
-      write_ply(file, shape, samples.site, values, colours_of(values, scale), "sdf", scale_text(scale, picture.label));
+      write_ply(file, shape, samples.site, values, colours_of(values, scale), picture.value_name,
+                scale_text(scale, picture.label));
     };
   }
   if (extension == ".png") {

@@ -17,12 +17,13 @@ namespace shapegauge {
 using FieldFileWriter =
     std::function<void(const std::filesystem::path&, const Shape&, const Samples&, const Eigen::VectorXd& values)>;
 
-/// Camera and colours of a picture of a field.
+/// Names, camera and colours of a file with the values of a field.
 struct FieldPicture {
   RenderOptions render = {};
   bool principal = false;     ///< view along the shape's own axes (principal_view()) instead of `render`'s direction
   bool legend = true;         ///< colour bar with values beside the shape, if the picture is large enough
   std::string label = "sdf";  ///< heading of the legend: quantity and unit
+  std::string value_name = "sdf";        ///< column of .csv files and property of .ply files
   std::optional<Interval> range = {};    ///< of the colours; central_range() if absent
   bool logarithmic = false;              ///< logarithmic colours; the range is then above 0
   std::optional<double> threshold = {};  ///< smaller values have a colour that is not on the map
@@ -32,10 +33,10 @@ struct FieldPicture {
 /// at the least positive value.
 ColourScale colour_scale_of(const ScalarField& field, const FieldPicture& picture);
 
-/// Returns the writer for the name's extension: .csv (columns index,sdf,weight and, at the faces of a mesh whose file
-/// has polygons, polygon; shortest numbers that restore the values), .npy (the values, one-dimensional), .ply (the
-/// coloured shape, with the values as a property and the colours' range as a comment), .png (a picture). Throws
-/// InputError for another extension.
+/// Returns the writer for the name's extension: .csv (columns index, `value_name`, weight and, at the faces of a mesh
+/// whose file has polygons, polygon; shortest numbers that restore the values), .npy (the values, one-dimensional),
+/// .ply (the coloured shape, with the values as a property and the colours' range as a comment), .png (a picture).
+/// Throws InputError for another extension.
 FieldFileWriter field_file_writer(const std::filesystem::path& path, const FieldPicture& picture = {});
 
 /// Writes normals at the samples of a shape to a file atomically.

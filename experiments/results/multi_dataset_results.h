@@ -37,7 +37,7 @@ struct MultiDatasetTable {
   Eigen::MatrixXd values;        ///< data sets x methods, fractions
   Eigen::MatrixXd deviations{};  ///< of the values over repetitions, NaN for single ones; empty if all are
   RankComparison ranks;
-  std::vector<RankInterval> rank_intervals{};  ///< by method; may be empty
+  std::vector<RankInterval> rank_intervals{};  ///< per method; may be empty
 };
 
 /// Results of methods on several data sets.

@@ -19,8 +19,8 @@ namespace {
 
 /// Returns the number of rows computed together, limited by their memory.
 Eigen::Index rows_together(Eigen::Index all) {
-  constexpr Eigen::Index most_bytes = Eigen::Index{128} << 20;
-  return std::clamp<Eigen::Index>(most_bytes / Eigen::Index{sizeof(double)} / std::max<Eigen::Index>(all, 1), 1, 4096);
+  constexpr Eigen::Index max_bytes = Eigen::Index{128} << 20;
+  return std::clamp<Eigen::Index>(max_bytes / Eigen::Index{sizeof(double)} / std::max<Eigen::Index>(all, 1), 1, 4096);
 }
 
 /// Computes rows of the matrix, from the row `begin` on, in groups that stay in the processor's cache until they are
@@ -84,15 +84,15 @@ double largest_of_first(const NamedDistance& distance, const Signatures& signatu
 
 RowScores judge_rows(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations, const RowRange& rows,
                      const std::function<void(const RowVisitor&)>& visit, double& seconds) {
-  std::vector<RowJudge> judges;
-  for (const EvaluationOptions& options : evaluations) judges.emplace_back(task, options, rows.first, rows.last);
+  std::vector<RowEvaluator> evaluators;
+  for (const EvaluationOptions& options : evaluations) evaluators.emplace_back(task, options, rows.first, rows.last);
   visit([&](Eigen::Index first, const DistanceTable& some) {
     const Stopwatch stopwatch;
-    for (RowJudge& judge : judges) judge.judge(some, first);
+    for (RowEvaluator& evaluator : evaluators) evaluator.evaluate(some, first);
     seconds += stopwatch.seconds();
   });
   RowScores scores;
-  for (const RowJudge& judge : judges) scores.push_back(judge.scores());
+  for (const RowEvaluator& evaluator : evaluators) scores.push_back(evaluator.scores());
   return scores;
 }
 
@@ -100,7 +100,7 @@ std::vector<Evaluation> evaluations_of(const RetrievalTask& task, std::span<cons
                                        std::span<const RowScores> parts) {
   std::vector<Evaluation> combined;
   for (std::size_t i = 0; i < evaluations.size(); ++i) {
-    combined.push_back(RowJudge(task, evaluations[i], 0, 0).evaluation_of(together(parts, i)));
+    combined.push_back(RowEvaluator(task, evaluations[i], 0, 0).evaluation_of(together(parts, i)));
   }
   return combined;
 }

@@ -41,7 +41,7 @@ inline auto members(QueryScores& scores) {
 }
 
 /// Evaluates rows of a distance matrix, which visit() passes to its visitor in order. Parallel. Adds the seconds of
-/// evaluation. Throws as RowJudge does.
+/// evaluation. Throws as RowEvaluator does.
 RowScores judge_rows(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations, const RowRange& rows,
                      const std::function<void(const RowVisitor&)>& visit, double& seconds);
 

@@ -59,7 +59,7 @@ OrderedJson method_failures(const ExperimentResults& results) {
 
 OrderedJson left_out(const ExperimentResults& results) {
   const bool none = results.methods.empty() || results.methods.front().evaluations.empty();
-  return none ? OrderedJson(0) : OrderedJson(results.methods.front().evaluations.front().models_left_out);
+  return none ? OrderedJson(0) : OrderedJson(results.methods.front().evaluations.front().excluded_models);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ std::vector<int> subclasses_of(const std::vector<Model>& models) {
   std::vector<std::string> names;
   names.reserve(models.size());
   for (const Model& model : models) names.push_back(model.subclass);
-  return numbered_subclasses(names);
+  return number_subclasses(names);
 }
 
 /// By signature: true if its distances are derived or others derive from them, which needs whole matrices.
@@ -69,7 +69,7 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature, const 
 /// Returns true if the whole distance matrix of a signature is in memory, of which `in_derived` tells whether it takes
 /// part in derived distances.
 bool is_in_memory(bool in_derived, std::size_t models) {
-  return in_derived || models <= static_cast<std::size_t>(most_models_of_cached_distances);
+  return in_derived || models <= static_cast<std::size_t>(max_models_of_cached_distances);
 }
 
 /// Number of rows of streamed distances whose scores are stored together.

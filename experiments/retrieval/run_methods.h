@@ -16,7 +16,7 @@ namespace shapegauge {
 ///
 /// Distances are streamed: computed, evaluated and written by rows (judge_distances.h), with the scores of rows in the
 /// cache. Whole matrices are in memory in three cases: for derived distances and those that they derive from; if the
-/// results contain them; and for up to most_models_of_cached_distances models. Throws Interrupted.
+/// results contain them; and for up to max_models_of_cached_distances models. Throws Interrupted.
 void run_methods(const Configuration& configuration, const std::vector<std::filesystem::path>& distance_files,
                  const RunContext& context, ComputedSignatures& computed, ExperimentResults& results);
 

@@ -83,7 +83,7 @@ class PageShapes {
  private:
   const OpenIndex* index_;
   std::vector<SearchQuery> shapes_;
-  std::map<std::size_t, std::size_t> places_;  ///< by model
+  std::map<std::size_t, std::size_t> places_;  ///< per model
 };
 
 }  // namespace

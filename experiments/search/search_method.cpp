@@ -50,7 +50,7 @@ std::size_t named_signature(const std::vector<SignatureConfiguration>& signature
   for (const SignatureConfiguration& one : signatures) names.push_back(one.name);
   const auto found = std::ranges::find(names, wanted);
   if (found == names.end()) {
-    throw InputError(fmt::format("{}: {}", source, no_such_word("signature", wanted, names)));
+    throw InputError(fmt::format("{}: {}", source, unknown_word_message("signature", wanted, names)));
   }
   const auto chosen = static_cast<std::size_t>(found - names.begin());
   const std::string why = why_not_searchable(signatures, chosen);

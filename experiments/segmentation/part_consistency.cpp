@@ -14,14 +14,14 @@ namespace shapegauge {
 namespace {
 
 /// Fraction of the area below which parts are not counted.
-constexpr double least_size = 0.01;
+constexpr double min_size = 0.01;
 
 using Sizes = std::vector<double>;
 
 std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3f}", value); }
 
 std::size_t count_text(const Sizes& sizes) {
-  return static_cast<std::size_t>(std::ranges::count_if(sizes, [](double size) { return size >= least_size; }));
+  return static_cast<std::size_t>(std::ranges::count_if(sizes, [](double size) { return size >= min_size; }));
 }
 
 double difference(const Sizes& a, const Sizes& b) {

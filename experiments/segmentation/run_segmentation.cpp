@@ -113,7 +113,7 @@ class SegmentationJob {
   }
 
   SegmentedShape result;
-  std::vector<SegmentationErrors> errors;  ///< by method, then people's
+  std::vector<SegmentationErrors> errors;  ///< per method, then people's
 
  private:
   const Parts& cached_parts(const SegmentationMethod& method) {
@@ -135,7 +135,8 @@ class SegmentationJob {
     if (method.perturbations.empty()) return {.labels = segment_shape(prepared(mesh_), method.options)};
     PerturbedShape changed = perturb_model(mesh_, method.perturbations, experiment_.seed, model_.id, index_);
     const Labels labels = segment_shape(prepared(changed.shape), method.options);
-    return {.labels = renumbered(carried_over(labels, changed.shape, mesh_)), .remarks = std::move(changed.remarks)};
+    return {.labels = renumber_labels(carried_over(labels, changed.shape, mesh_)),
+            .remarks = std::move(changed.remarks)};
   }
 
   /// Prepares a shape. The default preparation only scales, on which parts do not depend.
@@ -228,7 +229,7 @@ void check_failures(const std::vector<ModelFailure>& failed, const SegmentationE
 /// Results for a shape.
 struct CutShape {
   SegmentedShape shape;
-  std::vector<SegmentationErrors> errors;  ///< by method, then people's
+  std::vector<SegmentationErrors> errors;  ///< per method, then people's
 };
 
 void run_stages(const RunContext& context, SegmentationResults& results) {

@@ -19,10 +19,10 @@ namespace shapegauge {
 struct SegmentedShape {
   std::string mesh_sha256;
   std::vector<std::string> people_sha256;
-  std::vector<std::vector<std::int32_t>> labels;  ///< by method: part number of each face of the file
+  std::vector<std::vector<std::int32_t>> labels;  ///< per method: part number of each face of the file
   bool has_polygons = false;                      ///< faces of the file are polygons
   std::vector<std::string> remarks;               ///< how perturbations fell short of their settings, with the method
-  std::vector<std::vector<double>> part_sizes;    ///< by method: the parts' fractions of the area, largest first
+  std::vector<std::vector<double>> part_sizes;    ///< per method: the parts' fractions of the area, largest first
   /// By method with perturbations: Rand error of its parts relative to those of the method without perturbations; NaN
   /// for other methods.
   std::vector<double> moved;

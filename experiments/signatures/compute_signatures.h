@@ -25,8 +25,8 @@ struct ComputedSignatures {
   std::vector<Interval> field_ranges;  ///< by field, over all models
   std::vector<std::vector<Interval>>
       histogram_ranges;               ///< by signature: range of each model's histogram; empty without a field
-  std::vector<std::string> pictures;  ///< by model; empty if not configured
-  std::vector<std::string> views;     ///< by model, interactive 3D views; empty if not configured
+  std::vector<std::string> pictures;  ///< per model; empty if not configured
+  std::vector<std::string> views;     ///< per model, interactive 3D views; empty if not configured
   std::vector<ViewedField> viewed;  ///< fields of the views, named after the first signature that is a histogram of it,
                                     ///< or the one that has it pictured
   std::vector<FieldReport> fields;

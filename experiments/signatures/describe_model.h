@@ -30,7 +30,7 @@ std::optional<std::size_t> first_histogram_of(const Field& field,
 bool is_pictured(const Field& field, const Configuration& configuration);
 
 /// Maximum number of fields in the view of a model.
-inline constexpr std::size_t most_viewed_fields = 6;
+inline constexpr std::size_t max_viewed_fields = 6;
 
 /// Returns the indices of the fields in the views of models: the one that colours their pictures, then those of
 /// histogram signatures. Empty if the configuration disables views.

@@ -11,7 +11,7 @@ namespace {
 /// Returns the distances of the signatures from the cache, or by `compute`.
 DistanceMatrix cached_distances(const Signatures& signatures, const std::string& distance, Cache& cache,
                                 const std::function<DistanceMatrix()>& compute) {
-  const bool kept = !cache.folder().empty() && signatures.rows() <= most_models_of_cached_distances;
+  const bool kept = !cache.folder().empty() && signatures.rows() <= max_models_of_cached_distances;
   if (!kept) return compute();
   return cache.get(EntryKind::distances, distances_key(signatures, distance), compute);
 }

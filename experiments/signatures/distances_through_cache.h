@@ -10,9 +10,9 @@
 namespace shapegauge {
 
 /// Maximum number of models of a cached distance matrix: 64 MB. A larger one is computed as fast as it is read.
-inline constexpr Eigen::Index most_models_of_cached_distances = 2900;
+inline constexpr Eigen::Index max_models_of_cached_distances = 2900;
 
-/// Computes distance_matrix() or reads it from the cache; stores it there, for up to most_models_of_cached_distances
+/// Computes distance_matrix() or reads it from the cache; stores it there, for up to max_models_of_cached_distances
 /// signatures. Throws as distance_matrix() does.
 DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache);
 

@@ -14,7 +14,7 @@ namespace shapegauge {
 inline constexpr int model_view_version = 2;
 
 /// Maximum number of models with views in a report.
-inline constexpr std::size_t most_models_with_views = 2000;
+inline constexpr std::size_t max_models_with_views = 2000;
 
 /// Limits of the faces of the views on a page. The defaults limit the size of a report to a few megabytes.
 struct ViewFaces {

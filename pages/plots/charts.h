@@ -70,7 +70,7 @@ struct ChartBars {
   std::vector<std::optional<ConfidenceInterval>> intervals = {};  ///< one a group, or empty
 };
 
-/// Chart of horizontal bars: one row a group, one bar a method.
+/// Chart of horizontal bars: one row per group, one bar per method.
 struct BarChart {
   std::string title = {};
   ChartAxis x;

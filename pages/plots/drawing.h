@@ -66,7 +66,7 @@ Image to_image(const Drawing& drawing, double pixels_per_point = 2, bool transpa
 /// Throws InputError unless the name ends in .svg, .pdf or .png.
 void check_drawing_file(const std::filesystem::path& path);
 
-/// Writes the drawing atomically; the name's extension selects the format: .svg, .pdf or .png (two pixels a point).
+/// Writes the drawing atomically; the name's extension selects the format: .svg, .pdf or .png (two pixels per point).
 /// Throws as check_drawing_file() does, and InputError if the file cannot be written.
 void write_drawing(const std::filesystem::path& path, const Drawing& drawing);
 

@@ -22,7 +22,7 @@ namespace {
 constexpr std::array table = {
     option_of<&BagOfFeaturesOptions::words>("words", {.low = 1, .high = 10'000}, "Number of words in the codebook."),
     option_of<&BagOfFeaturesOptions::soft>("soft", "Assign each sample to all words, with Gaussian weights."),
-    measured_in(
+    with_unit(
         "mean distances of a word from the nearest other",
         option_of<&BagOfFeaturesOptions::softness>("softness", {.low = 0.01, .high = 100}, "Width of the Gaussian.")),
     option_of<&BagOfFeaturesOptions::standardise>("standardise",
@@ -213,13 +213,13 @@ Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, co
 }
 
 Descriptor bag_of_features_descriptor() {
-  constexpr std::size_t most_fields = 1000;
+  constexpr std::size_t max_fields = 1000;
   return {.name = "bag_of_features",
           .description =
               "Bag of features: shares of the surface by codebook word of several fields (Sivic and Zisserman 2003).",
           .parameters = parameters,
-          .fewest_fields = 1,
-          .most_fields = most_fields,
+          .min_fields = 1,
+          .max_fields = max_fields,
           .version = bag_of_features_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures& learnt, const DescriptorSettings& settings) {

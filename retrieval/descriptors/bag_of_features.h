@@ -25,7 +25,7 @@ struct BagOfFeaturesOptions {
 /// Codebook for samples of several fields.
 struct Codebook {
   Eigen::RowVectorXf scales;  ///< by field: divisor of the values
-  Eigen::MatrixXf words;      ///< one word a row
+  Eigen::MatrixXf words;      ///< one word per row
 };
 
 /// Fields of one shape, at the same samples.

@@ -16,8 +16,8 @@ constexpr std::array table = {
     option_of<&D2Options::points>("points", {.low = 2, .high = 10'000},
                                   "Number of points on the surface; all their pairs are used."),
     option_of<&D2Options::bins>("bins", {.low = 1, .high = 10'000}, "Number of bins of the distance histogram."),
-    measured_in("mean distances",
-                option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100}, "Upper end of the last bin.")),
+    with_unit("mean distances",
+              option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100}, "Upper end of the last bin.")),
 };
 constexpr auto parameters = parameters_of(table);
 

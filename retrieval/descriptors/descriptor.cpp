@@ -39,7 +39,7 @@ void check_descriptor(const Descriptor& added) {
   const auto reserved = [](const Parameter& parameter) {
     return parameter.name == "type" || parameter.name == "fields" || parameter.name == "axes";
   };
-  if (added.most_fields < added.fewest_fields || std::ranges::any_of(added.parameters, reserved)) {
+  if (added.max_fields < added.min_fields || std::ranges::any_of(added.parameters, reserved)) {
     throw ArgumentError(
         fmt::format("a descriptor needs at least as many fields at most as at fewest, and parameters that are not "
                     "called type, fields or axes: \"{}\"",

@@ -46,8 +46,8 @@ struct Descriptor {
   std::string_view description;                     ///< one sentence
   std::span<const Parameter> parameters;            ///< not called type, fields or axes
   std::span<const Parameter> axis_parameters = {};  ///< for each field
-  std::size_t fewest_fields = 0;
-  std::size_t most_fields = 0;
+  std::size_t min_fields = 0;
+  std::size_t max_fields = 0;
   int version = 1;  ///< cache version of the features and the distance; see docs/manual/cache.md
   Eigen::VectorXf (*describe)(const DescriptorInput&, const LearntFeatures&, const DescriptorSettings&) = nullptr;
   DistanceFunction distance = nullptr;
@@ -72,7 +72,7 @@ bool needs_learning(const Descriptor& one, const DescriptorSettings& settings);
 Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& input, const LearntFeatures& learnt,
                                  const DescriptorSettings& settings);
 
-/// Computes all pairwise distances of features, one shape a row. Parallel, with the same bytes for any number of
+/// Computes all pairwise distances of features, one shape per row. Parallel, with the same bytes for any number of
 /// threads. Throws InputError for a feature that is not finite.
 DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& features);
 
@@ -83,7 +83,7 @@ std::vector<std::string> feature_distance_names();
 /// for an unknown name; the message lists the known ones.
 NamedDistance feature_distance(const std::string& name);
 
-/// Computes all pairwise distances of features, one model a row, by the distance of that name. Throws InputError as
+/// Computes all pairwise distances of features, one model per row, by the distance of that name. Throws InputError as
 /// feature_distance() does, and for features outside the distance's domain.
 DistanceMatrix feature_distances(const std::string& name, const Signatures& features);
 

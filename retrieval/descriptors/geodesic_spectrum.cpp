@@ -51,9 +51,9 @@ Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index
   Spectra::DenseSymMatProd<double> product(matrix);
   Spectra::SymEigsSolver<Spectra::DenseSymMatProd<double>> solver(product, count, basis);
   solver.init();
-  constexpr Eigen::Index most_iterations = 300;
+  constexpr Eigen::Index max_iterations = 300;
   constexpr double tolerance = 1e-8;
-  solver.compute(Spectra::SortRule::LargestMagn, most_iterations, tolerance);
+  solver.compute(Spectra::SortRule::LargestMagn, max_iterations, tolerance);
   if (solver.info() != Spectra::CompInfo::Successful) {
     throw InputError("the largest eigenvalues of a matrix of distances did not converge");
   }

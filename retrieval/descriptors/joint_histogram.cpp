@@ -22,9 +22,9 @@ namespace {
 constexpr std::string_view name = "joint_histogram";
 constexpr std::array table = {
     option_of<&JointAxis::bins>("bins", {.low = 1, .high = 1000}, "Number of bins of the axis."),
-    measured_in("bins",
-                option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
-                                                      "Standard deviation of a Gaussian that smooths along the axis.")),
+    with_unit("bins",
+              option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
+                                                    "Standard deviation of a Gaussian that smooths along the axis.")),
     option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide the values by their mean first."),
     option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9}, "Lower end of the range."),
     option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9}, "Upper end of the range."),
@@ -191,7 +191,7 @@ void check_axes(const DescriptorSettings& settings) {
   }
 }
 
-/// Returns the data set's ranges, one row an axis.
+/// Returns the data set's ranges, one row per axis.
 LearntFeatures learn_ranges(std::span<const DescriptorInput> shapes, const DescriptorSettings& settings) {
   if (shapes.empty()) return {};
   const std::vector<JointAxis> axes = axes_from(settings);
@@ -211,13 +211,13 @@ LearntFeatures learn_ranges(std::span<const DescriptorInput> shapes, const Descr
 }  // namespace
 
 Descriptor joint_histogram_descriptor() {
-  constexpr std::size_t most_fields = 6;
+  constexpr std::size_t max_fields = 6;
   return {.name = name,
           .description = "Joint histogram of fields; of diameter and centricity: Gal, Shamir, Cohen-Or 2007.",
           .parameters = options_parameters,
           .axis_parameters = parameters,
-          .fewest_fields = 2,
-          .most_fields = most_fields,
+          .min_fields = 2,
+          .max_fields = max_fields,
           .version = joint_histogram_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures& ranges, const DescriptorSettings& settings) {

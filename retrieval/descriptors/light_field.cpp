@@ -27,8 +27,8 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    measured_in("pixels", option_of<&LightFieldOptions::pixels>("pixels", {.low = 16, .high = 1024},
-                                                                "Width and height of a silhouette.")),
+    with_unit("pixels", option_of<&LightFieldOptions::pixels>("pixels", {.low = 16, .high = 1024},
+                                                              "Width and height of a silhouette.")),
 };
 constexpr auto parameters = parameters_of(table);
 

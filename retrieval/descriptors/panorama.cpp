@@ -31,8 +31,8 @@ constexpr std::array table = {
     option_of<&PanoramaOptions::exponent>("exponent", {.low = 0.1, .high = 1}, "Exponent of the Fourier magnitudes."),
     option_of<&PanoramaOptions::sharpness>("sharpness", {.low = 0.1, .high = 16},
                                            "Exponent of the cosines between normals and lines of sight."),
-    measured_in("root mean squares of the distance from the centroid",
-                option_of<&PanoramaOptions::radius>("radius", {.low = 0.1, .high = 100}, "Radius of the cylinders.")),
+    with_unit("root mean squares of the distance from the centroid",
+              option_of<&PanoramaOptions::radius>("radius", {.low = 0.1, .high = 100}, "Radius of the cylinders.")),
 };
 constexpr auto parameters = parameters_of(table);
 

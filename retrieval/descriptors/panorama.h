@@ -44,8 +44,8 @@ struct PanoramaOptions {
 /// without area.
 Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options = {});
 
-/// Returns the lesser of the distances in the two poses: the L1 distance of the Fourier features plus 20 times the mean
-/// of |x - y| / (|x| + |y|) over the wavelet features (Canberra distance). The second summand is about half of the
+/// Returns the smaller of the distances in the two poses: the L1 distance of the Fourier features plus 20 times the
+/// mean of |x - y| / (|x| + |y|) over the wavelet features (Canberra distance). The second summand is about half of the
 /// first for unrelated shapes.
 double panorama_distance(std::span<const float> a, std::span<const float> b);
 

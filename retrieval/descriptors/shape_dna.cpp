@@ -25,8 +25,8 @@ struct ShapeDnaSettings {
 };
 
 constexpr std::array settings_table = {
-    option_within<&ShapeDnaSettings::options, table, 0>(),
-    option_within<&ShapeDnaSettings::options, table, 1>(),
+    nested_option<&ShapeDnaSettings::options, table, 0>(),
+    nested_option<&ShapeDnaSettings::options, table, 1>(),
     option_of<&ShapeDnaSettings::on>(
         "on", "mesh: the mesh's own Laplacian; proxy: that of the surface proxy, for damaged meshes and clouds too."),
 };

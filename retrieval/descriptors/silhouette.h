@@ -15,7 +15,7 @@ namespace shapegauge {
 /// Draws the silhouette of triangles, rotated and projected along z, as pixels x pixels bytes in rows. A pixel is 1 if
 /// a triangle covers its centre or a vertex lies in it, which preserves thin parts; otherwise 0. The image is the
 /// square [-1, 1]^2. Vertices are rounded to 1/256 of a pixel, and those outside are moved to the border. `vertices`
-/// has one column a vertex; all of them are drawn.
+/// has one column per vertex; all of them are drawn.
 std::vector<std::uint8_t> silhouette(const Eigen::Matrix3Xf& vertices, const Triangles& triangles,
                                      const Eigen::Matrix3d& rotation, int pixels);
 

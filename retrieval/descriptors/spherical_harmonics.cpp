@@ -25,9 +25,9 @@ constexpr std::array table = {
     option_of<&SphericalHarmonicsOptions::shells>("shells", {.low = 1, .high = 256}, "Number of concentric spheres."),
     option_of<&SphericalHarmonicsOptions::bandwidth>("bandwidth", {.low = 1, .high = 64},
                                                      "Number of frequencies per sphere, from 0."),
-    measured_in("mean distances from the centroid",
-                option_of<&SphericalHarmonicsOptions::width>("width", {.low = 0.001, .high = 10},
-                                                             "Width of the Gaussian of the distance to the surface.")),
+    with_unit("mean distances from the centroid",
+              option_of<&SphericalHarmonicsOptions::width>("width", {.low = 0.001, .high = 10},
+                                                           "Width of the Gaussian of the distance to the surface.")),
     option_of<&SphericalHarmonicsOptions::voxels>("voxels", "Use the voxelised surface instead of the Gaussian."),
 };
 constexpr auto parameters = parameters_of(table);

@@ -19,8 +19,9 @@ struct SurfletPairsOptions {
 /// Computes the histogram of surflet-pair relations (after Wahl, Hillenbrand, Hirzinger 2003). Surflets are points with
 /// normals: the landmarks of the surface proxy. A pair is weighted by the product of the two areas. Its coordinates are
 /// the distance, divided by the mean distance of all pairs; the absolute cosine between the normals; and the greater
-/// and the lesser absolute cosine between a normal and the line through both points. Absolute values make the histogram
-/// independent of the surface's orientation. A pair is distributed over the nearest bins with multilinear weights.
+/// and the smaller absolute cosine between a normal and the line through both points. Absolute values make the
+/// histogram independent of the surface's orientation. A pair is distributed over the nearest bins with multilinear
+/// weights.
 ///
 /// Returns the square roots of the normalised histogram, distance_bins x angle_bins^3 features, compared by L1. They
 /// are invariant to scale, rigid motion and reflection, and robust to slight bending. Throws InputError for options out

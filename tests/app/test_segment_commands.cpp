@@ -68,7 +68,7 @@ TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
   const Outcome outcome = run_executable(fmt::format(
       "segment '{}' --patches 40 --least-probability 0.99 --border-width 0 -o '{}'", at("psb/off/1.off"), at("x.seg")));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  PartSegmentationOptions options{.patches = 40, .least_probability = 0.99};
+  PartSegmentationOptions options{.patches = 40, .min_probability = 0.99};
   options.smoothing.width = 0;
   const Shape shape = read_shape(at("psb/off/1.off"));
   EXPECT_EQ(read_seg(at("x.seg"), shape), part_segmentation(shape, options));

@@ -50,14 +50,14 @@ EvaluationCase case_without_ties(std::size_t models, unsigned seed, Protocol pro
   return result;
 }
 
-rc::Gen<EvaluationCase> cases(EvaluationCase (*make)(std::size_t, unsigned, Protocol), std::size_t most_models) {
-  return rc::gen::apply(make, rc::gen::inRange<std::size_t>(2, most_models + 1), rc::gen::arbitrary<unsigned>(),
+rc::Gen<EvaluationCase> cases(EvaluationCase (*make)(std::size_t, unsigned, Protocol), std::size_t max_models) {
+  return rc::gen::apply(make, rc::gen::inRange<std::size_t>(2, max_models + 1), rc::gen::arbitrary<unsigned>(),
                         rc::gen::element(Protocol::psb, Protocol::paper, Protocol::trec));
 }
 
 }  // namespace
 
-rc::Gen<EvaluationCase> cases_with_ties(std::size_t most_models) { return cases(case_with_ties, most_models); }
+rc::Gen<EvaluationCase> cases_with_ties(std::size_t max_models) { return cases(case_with_ties, max_models); }
 
 rc::Gen<EvaluationCase> cases_without_ties() { return cases(case_without_ties, 60); }
 

@@ -17,7 +17,7 @@ struct EvaluationCase {
 /// Random cases of 2 to so many models in classes of very unequal sizes, at least one of two models or more. Distances
 /// are drawn from a few values, so that most are tied, infinity among them; symmetric or not; the diagonal too is
 /// random.
-rc::Gen<EvaluationCase> cases_with_ties(std::size_t most_models = 60);
+rc::Gen<EvaluationCase> cases_with_ties(std::size_t max_models = 60);
 
 /// Random cases of at most 60 models with distinct distances.
 rc::Gen<EvaluationCase> cases_without_ties();

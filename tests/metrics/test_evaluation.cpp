@@ -128,7 +128,7 @@ RC_GTEST_PROP(Evaluation, QueriesAreTheModelsOfLargeEnoughClasses, ()) {
   const Evaluation result = evaluate(data.distances, data.labels, under(data.protocol, minimum));
   RC_ASSERT(result.queries == queries);
   RC_ASSERT(result.classes == std::vector<int>(classes.begin(), classes.end()));
-  RC_ASSERT(result.models_left_out == static_cast<Eigen::Index>(data.labels.size() - queries.size()));
+  RC_ASSERT(result.excluded_models == static_cast<Eigen::Index>(data.labels.size() - queries.size()));
 }
 
 RC_GTEST_PROP(Evaluation, AveragesAreThoseOfTheQueries, ()) {

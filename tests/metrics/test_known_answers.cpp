@@ -43,7 +43,7 @@ TEST(KnownAnswers, PerfectUnderPsb) {
   EXPECT_NEAR(result.micro[3], 0.7451, 5e-5);
   EXPECT_EQ(result.micro[5], 1);
   EXPECT_EQ(result.queries.size(), 600U);
-  EXPECT_EQ(result.models_left_out, 0);
+  EXPECT_EQ(result.excluded_models, 0);
   for (const double precision : result.micro_curve.precision) EXPECT_EQ(precision, 1);
 }
 

@@ -66,7 +66,7 @@ Evaluation evaluated(const Contest& contest) {
   RetrievalTask task = leave_one_out(contest.classes);
   std::vector<std::string> subclasses;
   for (const int subclass : contest.subclasses) subclasses.push_back(subclass_name(subclass));
-  task.query_subclasses = task.target_subclasses = numbered_subclasses(subclasses);
+  task.query_subclasses = task.target_subclasses = number_subclasses(subclasses);
   RankedAnswerLists answers(count);
   for (std::size_t query = 0; query < count; ++query) {
     if (contest.lists[query].empty()) task.query_classes[query] = no_class;
@@ -197,8 +197,8 @@ TEST(SubclassGrade, OfTheContest) {
 }
 
 TEST(NumberedSubclasses, AreEmptyWithoutNames) {
-  EXPECT_TRUE(numbered_subclasses(std::vector<std::string>{"", ""}).empty());
-  EXPECT_THAT(numbered_subclasses(std::vector<std::string>{"b", "", "a", "b"}),
+  EXPECT_TRUE(number_subclasses(std::vector<std::string>{"", ""}).empty());
+  EXPECT_THAT(number_subclasses(std::vector<std::string>{"b", "", "a", "b"}),
               testing::ElementsAre(0, no_subclass, 1, 0));
 }
 

@@ -92,7 +92,7 @@ TEST(ReportJson, TheNearestModelsAreInTheirOrder) {
 }
 
 TEST(ReportJson, OfALargeDataSetOnlyTheWorstQueriesHaveTheirNearest) {
-  const auto models = static_cast<Eigen::Index>(most_models_with_neighbours + 1);
+  const auto models = static_cast<Eigen::Index>(max_models_with_neighbours + 1);
   DistanceMatrix distances(models, models);
   std::vector<int> labels;
   for (Eigen::Index i = 0; i < models; ++i) {

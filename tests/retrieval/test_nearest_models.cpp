@@ -92,7 +92,7 @@ TEST(SafeFactor, BringsExtremeDistancesWhereTheirSquaresExist) {
 }
 
 TEST(Symmetric, IsTheMeanWithBothDirectionsAndZeroOnTheDiagonal) {
-  EXPECT_EQ(symmetrised(DistanceMatrix{{5, 1}, {3, 7}}), (DistanceMatrix{{0, 2}, {2, 0}}));
+  EXPECT_EQ(symmetrise(DistanceMatrix{{5, 1}, {3, 7}}), (DistanceMatrix{{0, 2}, {2, 0}}));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ Problem arbitrary_problem(std::int32_t nodes, Eigen::Index labels) {
 }
 
 /// Least cost of all labellings, by enumeration.
-double least_cost(const Problem& problem) {
+double min_cost(const Problem& problem) {
   Labels labels(static_cast<std::size_t>(problem.costs.rows()), 0);
   double least = std::numeric_limits<double>::infinity();
   while (true) {
@@ -49,7 +49,7 @@ double least_cost(const Problem& problem) {
 }
 
 /// Least cost of two labels as a minimum cut, by Boost's augmenting paths (Edmonds, Karp), in eighths.
-double least_cost_by_boost(const Problem& problem) {
+double min_cost_by_boost(const Problem& problem) {
   using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
   using Graph = boost::adjacency_list<
       boost::vecS, boost::vecS, boost::directedS, boost::no_property,
@@ -95,7 +95,7 @@ RC_GTEST_PROP(AlphaExpansion, OfTwoLabelsIsTheMinimumCutOfBoost, ()) {
   Labels start(static_cast<std::size_t>(nodes), 0);
   for (std::int32_t& label : start) label = *rc::gen::inRange(0, 2);
   const Labels labels = alpha_expansion(problem.costs, problem.edges, start);
-  RC_ASSERT(labelling_cost(labels, problem.costs, problem.edges) == least_cost_by_boost(problem));
+  RC_ASSERT(labelling_cost(labels, problem.costs, problem.edges) == min_cost_by_boost(problem));
 }
 
 RC_GTEST_PROP(AlphaExpansion, IsCloseToTheBestOfAllLabellings, ()) {
@@ -104,7 +104,7 @@ RC_GTEST_PROP(AlphaExpansion, IsCloseToTheBestOfAllLabellings, ()) {
   const Labels start(static_cast<std::size_t>(nodes), 2);
   const Labels labels = alpha_expansion(problem.costs, problem.edges, start);
   const double cost = labelling_cost(labels, problem.costs, problem.edges);
-  const double least = least_cost(problem);
+  const double least = min_cost(problem);
   // Boykov, Veksler, Zabih 2001, theorem 6.1: the edges that the best labelling cuts count at most twice.
   double all_edges = 0;
   for (const LabelEdge& edge : problem.edges) all_edges += edge.cost;

@@ -41,7 +41,7 @@ TEST(BoundarySmoothing, ShortensAWavyBorder) {
   const ThickSurface surface = torus();
   const double amplitude = 0.2;
   const Labels wavy = wavy_halves(surface, amplitude);
-  const Labels smooth = smoothed_boundaries(surface, wavy, {});
+  const Labels smooth = smooth_boundaries(surface, wavy, {});
   EXPECT_LT(border_length(surface.graph, smooth), 0.9 * border_length(surface.graph, wavy));
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
     // Parts grow by the width, 0.03 units, and an edge.
@@ -64,26 +64,26 @@ TEST(BoundarySmoothing, ABorderMovesWhereThatSavesMoreThanTheAreaCosts) {
   // Node 2 costs 0.2 * 0.01 / 0.03 = 0.0667 where it goes over, and saves 0.9 of border.
   const ThickSurface surface = row({1, 1, 0.1, 1});
   const Labels labels = {0, 0, 1, 1, 1};
-  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.03, .strength = 0.07}), labels);
-  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.03, .strength = 0.08}), (Labels{0, 0, 0, 1, 1}));
-  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.025, .strength = 0.08}), labels) << "0.08 against 0.072";
-  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.009, .strength = 9}), labels) << "out of reach";
+  EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.03, .strength = 0.07}), labels);
+  EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.03, .strength = 0.08}), (Labels{0, 0, 0, 1, 1}));
+  EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.025, .strength = 0.08}), labels) << "0.08 against 0.072";
+  EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.009, .strength = 9}), labels) << "out of reach";
 }
 
 TEST(BoundarySmoothing, BordersWithWhatIsOutOfReachCountToo) {
   // Nodes 1 and 2 may change. Node 2 costs 0.2 * 0.01 / 0.015 = 0.1333, and saves 0.9 of border.
   const ThickSurface surface = row({1, 1, 0.1, 1});
   const Labels labels = {0, 0, 1, 1, 1};
-  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.015, .strength = 0.145}), labels);
-  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.015, .strength = 0.152}), (Labels{0, 0, 0, 1, 1}));
+  EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.015, .strength = 0.145}), labels);
+  EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.015, .strength = 0.152}), (Labels{0, 0, 0, 1, 1}));
 }
 
 TEST(BoundarySmoothing, MovesABorderByTwoNodesOnlyIfThatPays) {
   // Nodes 2 and 3 cost 0.2 * (0.01 + 0.02) / 0.03 = 0.2 together, and save 0.9 of border.
   const ThickSurface surface = row({1, 1, 1, 0.1});
   const Labels labels = {0, 0, 1, 1, 1};
-  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.03, .strength = 0.21}), labels);
-  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.03, .strength = 0.23}), (Labels{0, 0, 0, 0, 1}));
+  EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.03, .strength = 0.21}), labels);
+  EXPECT_EQ(smooth_boundaries(surface, labels, {.width = 0.03, .strength = 0.23}), (Labels{0, 0, 0, 0, 1}));
 }
 
 TEST(BoundarySmoothing, ABorderCostsHalfWhereTheSurfaceIsConcaveEnough) {
@@ -95,7 +95,7 @@ TEST(BoundarySmoothing, ABorderCostsHalfWhereTheSurfaceIsConcaveEnough) {
   surface.smooth_normals.row(4) = surface.smooth_normals.row(3);
   const Labels labels = {0, 0, 1, 1, 1};
   const auto smoothed = [&](double strength, double concavity) {
-    return smoothed_boundaries(surface, labels, {.width = 0.03, .strength = strength, .concavity = concavity});
+    return smooth_boundaries(surface, labels, {.width = 0.03, .strength = strength, .concavity = concavity});
   };
   EXPECT_EQ(smoothed(0.13, 10), labels) << "0.065 saved";
   EXPECT_EQ(smoothed(0.14, 10), (Labels{0, 0, 0, 1, 1})) << "0.07 saved";
@@ -107,31 +107,31 @@ TEST(BoundarySmoothing, ABorderCostsHalfWhereTheSurfaceIsConcaveEnough) {
 TEST(BoundarySmoothing, OfWidthZeroMovesNothing) {
   const ThickSurface surface = torus();
   const Labels wavy = wavy_halves(surface, 0.2);
-  EXPECT_EQ(smoothed_boundaries(surface, wavy, {.width = 0}), wavy);
+  EXPECT_EQ(smooth_boundaries(surface, wavy, {.width = 0}), wavy);
 }
 
 TEST(BoundarySmoothing, LeavesOnePartAsItIs) {
   const ThickSurface surface = thick_surface(test::sphere(1, 2));
   const Labels one(static_cast<std::size_t>(surface.graph.size()), 0);
-  EXPECT_EQ(smoothed_boundaries(surface, one, {}), one);
+  EXPECT_EQ(smooth_boundaries(surface, one, {}), one);
 }
 
 TEST(BoundarySmoothing, NoPartDisappears) {
   const ThickSurface surface = thick_surface(test::sphere(1, 3));
   Labels labels(static_cast<std::size_t>(surface.graph.size()), 0);
   labels[17] = 1;
-  const Labels smooth = smoothed_boundaries(surface, labels, {.strength = 100});
+  const Labels smooth = smooth_boundaries(surface, labels, {.strength = 100});
   EXPECT_EQ(std::set(smooth.begin(), smooth.end()).size(), 2U);
 }
 
 TEST(BoundarySmoothing, RefusesOptionsOutOfRange) {
   const ThickSurface surface = thick_surface(test::sphere(1, 0));
   const Labels labels(20, 0);
-  EXPECT_THROW(smoothed_boundaries(surface, labels, {.width = -1}), InputError);
-  EXPECT_THROW(smoothed_boundaries(surface, labels, {.strength = NAN}), InputError);
-  EXPECT_THROW(smoothed_boundaries(surface, labels, {.concavity = 0}), InputError);
-  EXPECT_THROW(smoothed_boundaries(surface, Labels{0}, {}), ArgumentError);
-  EXPECT_THROW(smoothed_boundaries(surface, Labels(20, -1), {}), ArgumentError);
+  EXPECT_THROW(smooth_boundaries(surface, labels, {.width = -1}), InputError);
+  EXPECT_THROW(smooth_boundaries(surface, labels, {.strength = NAN}), InputError);
+  EXPECT_THROW(smooth_boundaries(surface, labels, {.concavity = 0}), InputError);
+  EXPECT_THROW(smooth_boundaries(surface, Labels{0}, {}), ArgumentError);
+  EXPECT_THROW(smooth_boundaries(surface, Labels(20, -1), {}), ArgumentError);
 }
 
 TEST(BoundarySmoothing, AFoldDrawsABorderByItsCurvatureOverTheConcavity) {
@@ -150,9 +150,9 @@ TEST(BoundarySmoothing, AFoldDrawsABorderByItsCurvatureOverTheConcavity) {
     row.graph.first.push_back(row.graph.links.size());
   }
   const Labels labels = {0, 0, 0, 1, 1, 1};
-  EXPECT_EQ(smoothed_boundaries(row, labels, {.width = 0.5, .strength = 1, .concavity = 1e-3}),
+  EXPECT_EQ(smooth_boundaries(row, labels, {.width = 0.5, .strength = 1, .concavity = 1e-3}),
             (Labels{0, 0, 0, 0, 1, 1}));
-  EXPECT_EQ(smoothed_boundaries(row, labels, {.width = 0.5, .strength = 1, .concavity = 1e3}), labels);
+  EXPECT_EQ(smooth_boundaries(row, labels, {.width = 0.5, .strength = 1, .concavity = 1e3}), labels);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(GaussianMixture, HasNoMoreComponentsThanPoints) {
 TEST(GaussianMixture, RefusesOptionsOutOfRange) {
   const Eigen::MatrixXd points = clouds({{0, 0}}, 3);
   EXPECT_THROW(fit_gaussian_mixture(points, {.components = -1}), InputError);
-  EXPECT_THROW(fit_gaussian_mixture(points, {.most_components = 0}), InputError);
+  EXPECT_THROW(fit_gaussian_mixture(points, {.max_components = 0}), InputError);
   EXPECT_THROW(fit_gaussian_mixture(points, {.restarts = 0}), InputError);
   EXPECT_THROW(fit_gaussian_mixture(points, {.iterations = 0}), InputError);
   EXPECT_THROW(fit_gaussian_mixture(points, {.regularisation = 0}), InputError);

@@ -109,7 +109,7 @@ TEST(PartSegmentation, SliversAreNoParts) {
   const Eigen::VectorXd areas = triangle_areas(shape);
   Eigen::VectorXd of_part = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count_of(parts)));
   for (std::size_t i = 0; i < parts.size(); ++i) of_part[parts[i]] += areas[static_cast<Eigen::Index>(i)];
-  EXPECT_GT(of_part.minCoeff(), least_patch / options.patches * areas.sum());
+  EXPECT_GT(of_part.minCoeff(), min_patch / options.patches * areas.sum());
 }
 
 TEST(PartSegmentation, ANeedleIsOnePart) {
@@ -144,7 +144,7 @@ TEST(PartSegmentation, ThreePatchesAPartAreTheFewest) {
 
 TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
   const Labels parts = part_segmentation(test::dumbbell(4), {.parts = 5});
-  EXPECT_EQ(parts, renumbered(parts));
+  EXPECT_EQ(parts, renumber_labels(parts));
 }
 
 TEST(PartSegmentation, OfOneTriangle) {
@@ -259,7 +259,7 @@ TEST(PartSegmentation, RefusesWhatCannotBe) {
   EXPECT_THROW(part_segmentation(box, {.parts = -1}), InputError);
   EXPECT_THROW(part_segmentation(box, {.patches = 0}), InputError);
   EXPECT_THROW(part_segmentation(box, {.samples = 0}), InputError);
-  EXPECT_THROW(part_segmentation(box, {.least_probability = 2}), InputError);
+  EXPECT_THROW(part_segmentation(box, {.min_probability = 2}), InputError);
   EXPECT_THROW(part_segmentation(Shape{}, {}), InputError);
   Shape flat = box;
   flat.vertices.setZero();

@@ -23,7 +23,7 @@ RegionSum formed_region(double area, double size, const Eigen::Vector3d& place) 
   sum.area = area;
   sum.place = area * place;
   const Eigen::Matrix3d covariance = size * size * Eigen::Vector3d(0.01, 0.04, 0.16).asDiagonal().toDenseMatrix();
-  sum.squared_place = area * (covariance + place * place.transpose());
+  sum.squared_position = area * (covariance + place * place.transpose());
   return sum;
 }
 

@@ -24,7 +24,7 @@ TEST(RegionMerging, TakesTheHighestAffinityFirstAndComputesItAgain) {
 
 TEST(RegionMerging, StopsBelowTheLeastAffinity) {
   Regions regions = regions_in_a_row(5);
-  merge_regions(regions, area_affinity, {.least_affinity = 1.0 / 6});
+  merge_regions(regions, area_affinity, {.min_affinity = 1.0 / 6});
   EXPECT_EQ(regions.size(), 3);
 }
 
@@ -66,7 +66,7 @@ TEST(RegionMerging, ComputesThePairsOfAMergedRegionAgain) {
 TEST(RegionMerging, WantedPartsGoBeforeTheLeastAffinity) {
   Regions regions = regions_in_a_row(4);
   merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 0.0; },
-                {.least_affinity = 0.5, .parts = 2});
+                {.min_affinity = 0.5, .parts = 2});
   EXPECT_EQ(regions.size(), 2);
 }
 

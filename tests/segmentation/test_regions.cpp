@@ -36,7 +36,7 @@ RegionSum different_sums(double factor) {
   sum.thickness = 3 * factor;
   sum.squared_thickness = 4 * factor;
   sum.place = factor * Eigen::Vector3d(5, 6, 7);
-  sum.squared_place = factor * Eigen::Vector3d(8, 9, 10).asDiagonal().toDenseMatrix();
+  sum.squared_position = factor * Eigen::Vector3d(8, 9, 10).asDiagonal().toDenseMatrix();
   sum.squared_normal = factor * Eigen::Vector3d(11, 12, 13).asDiagonal().toDenseMatrix();
   sum.histogram = factor * Eigen::Array<double, thickness_bins, 1>::LinSpaced(1, thickness_bins);
   return sum;
@@ -54,7 +54,7 @@ TEST(Regions, MergingAddsEverySum) {
   EXPECT_EQ(sum.thickness, expected.thickness);
   EXPECT_EQ(sum.squared_thickness, expected.squared_thickness);
   EXPECT_EQ(sum.place, expected.place);
-  EXPECT_EQ(sum.squared_place, expected.squared_place);
+  EXPECT_EQ(sum.squared_position, expected.squared_position);
   EXPECT_EQ(sum.squared_normal, expected.squared_normal);
   EXPECT_TRUE(sum.histogram.isApprox(expected.histogram, 1e-15));
 }

@@ -22,7 +22,7 @@ Labels caps_and_belt(const SurfaceGraph& graph) {
   return labels;
 }
 
-TEST(SegmentLabels, AreRenumberedInOrder) { EXPECT_EQ(renumbered(Labels{7, -1, 7, 3}), (Labels{0, 1, 0, 2})); }
+TEST(SegmentLabels, AreRenumberedInOrder) { EXPECT_EQ(renumber_labels(Labels{7, -1, 7, 3}), (Labels{0, 1, 0, 2})); }
 
 TEST(SegmentLabels, ConnectedPartsTellCapsOfOneLabelApart) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 3));

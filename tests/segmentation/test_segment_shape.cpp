@@ -27,7 +27,7 @@ TEST(SegmentShape, IsTheChosenAlgorithmWithItsOptions) {
 
 TEST(SegmentShape, RefusesOptionsOutOfRange) {
   const Shape shape = test::dumbbell(1);
-  EXPECT_THROW(segment_shape(shape, {.best = {.least_probability = 1.5}}), InputError);
+  EXPECT_THROW(segment_shape(shape, {.best = {.min_probability = 1.5}}), InputError);
   EXPECT_THROW(segment_shape(shape, {.method = SegmentationAlgorithm::paper, .offset = 2}), InputError);
 }
 

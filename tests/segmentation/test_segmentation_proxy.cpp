@@ -22,7 +22,7 @@ TEST(SegmentationProxy, OfAFineMeshAndOfACloudIsItself) {
     EXPECT_EQ(result.shape.triangles, shape.triangles);
     std::vector<std::int32_t> nodes(result.node_of.size());
     std::iota(nodes.begin(), nodes.end(), 0);
-    EXPECT_EQ(result.transferred(nodes), nodes);
+    EXPECT_EQ(result.transfer(nodes), nodes);
   }
 }
 

@@ -110,7 +110,7 @@ TEST(SurfaceRegions, NodesAreSummedByArea) {
   const double half = 0.5 / std::sqrt(6);
   const RegionSum& of_top = regions.of(1);
   EXPECT_TRUE((of_top.place / of_top.area).isApprox(Eigen::Vector3d(0, 0, half), 1e-9));
-  EXPECT_NEAR(of_top.squared_place(2, 2) / of_top.area, half * half, 1e-12);
+  EXPECT_NEAR(of_top.squared_position(2, 2) / of_top.area, half * half, 1e-12);
   EXPECT_NEAR(of_top.squared_normal(2, 2), of_top.area, 1e-12);
   EXPECT_NEAR(of_top.squared_normal(0, 0), 0, 1e-12);
 }
@@ -219,7 +219,7 @@ void expect_equal_sums(const Regions& a, const Regions& b) {
   for (std::int32_t i = 0; i < a.initial_size(); ++i) {
     EXPECT_EQ(a.of(i).area, b.of(i).area);
     EXPECT_EQ(a.of(i).thickness, b.of(i).thickness);
-    EXPECT_EQ(a.of(i).squared_place, b.of(i).squared_place);
+    EXPECT_EQ(a.of(i).squared_position, b.of(i).squared_position);
     EXPECT_EQ(a.neighbours(i), b.neighbours(i));
     for (std::int32_t k = 0; k < a.initial_size(); ++k) {
       for (std::size_t what = 0; what < pair_sums; ++what) {
@@ -252,7 +252,7 @@ TEST(SurfaceRegions, OfMergedPatchesAreTheMergedOnes) {
   std::ranges::replace(patched.labels, other, kept);
   const Regions measured = surface_regions(patched.surface, patched.labels, 30);
   EXPECT_NEAR(merged.of(kept).area, measured.of(kept).area, 1e-12);
-  EXPECT_TRUE(merged.of(kept).squared_place.isApprox(measured.of(kept).squared_place, 1e-12));
+  EXPECT_TRUE(merged.of(kept).squared_position.isApprox(measured.of(kept).squared_position, 1e-12));
   EXPECT_TRUE(merged.of(kept).squared_normal.isApprox(measured.of(kept).squared_normal, 1e-12));
   EXPECT_TRUE(merged.of(kept).histogram.isApprox(measured.of(kept).histogram, 1e-12));
   EXPECT_EQ(merged.neighbours(kept), measured.neighbours(kept));

@@ -58,11 +58,11 @@ TEST(ThickSurface, TurnsAreAnglesBetweenSmoothNormals) {
 
 TEST(ThickSurface, OnlyClosedMeshesAreTurnedRound) {
   const Shape sphere = test::sphere(1, 1);
-  EXPECT_EQ(facing_outward(sphere).triangles, sphere.triangles);
-  EXPECT_GT(signed_volume(facing_outward(test::flipped(sphere))), 0);
+  EXPECT_EQ(orient_outward(sphere).triangles, sphere.triangles);
+  EXPECT_GT(signed_volume(orient_outward(test::flipped(sphere))), 0);
   Shape open = test::flipped(sphere);
   open.triangles.conservativeResize(open.triangles.rows() - 1, 3);
-  EXPECT_EQ(facing_outward(open).triangles, open.triangles);
+  EXPECT_EQ(orient_outward(open).triangles, open.triangles);
 }
 
 TEST(ThickSurface, RefusesAShapeWithoutArea) {

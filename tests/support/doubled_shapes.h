@@ -14,8 +14,8 @@ namespace shapegauge::test {
 struct DoubledShape {
   std::string name;
   Shape shape;
-  std::vector<std::int32_t> triangles;  ///< by triangle: the one of the mesh given that it is, or is a double of
-  std::vector<std::int32_t> vertices;   ///< by vertex: the one of the mesh given whose place it has
+  std::vector<std::int32_t> triangles;  ///< per triangle: the one of the mesh given that it is, or is a double of
+  std::vector<std::int32_t> vertices;   ///< per vertex: the one of the mesh given whose place it has
 };
 
 /// The mesh with triangles duplicated in several ways: twice, three times, flipped, with separate vertices,

@@ -51,8 +51,10 @@ TEST(Suggestion, NamesTheNearestOrAll) {
 }
 
 TEST(NoSuchWord, NamesTheKindAndTheBeginningOfTheWord) {
-  EXPECT_EQ(no_such_word("setting", "rnage", settings), "there is no setting \"rnage\"; did you mean \"range\"?");
-  EXPECT_EQ(no_such_word("setting", std::string(50, 'x'), {}), "there is no setting \"" + std::string(40, 'x') + "\"");
+  EXPECT_EQ(unknown_word_message("setting", "rnage", settings),
+            "there is no setting \"rnage\"; did you mean \"range\"?");
+  EXPECT_EQ(unknown_word_message("setting", std::string(50, 'x'), {}),
+            "there is no setting \"" + std::string(40, 'x') + "\"");
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ struct WordOptions {
 
 constexpr std::array word_table = {
     option_of<&WordOptions::colour>("colour", "Which."),
-    option_within<&WordOptions::inner, inner_table, 0>(),
+    nested_option<&WordOptions::inner, inner_table, 0>(),
 };
 constexpr auto word_parameters = parameters_of(word_table);
 
@@ -112,7 +112,7 @@ TEST(OptionParameters, ListsAreOfOneNumberOfSeveralOrAutomatic) {
 TEST(OptionParameters, AreFoundByNameAndMayBeDescribedAnew) {
   EXPECT_EQ(parameter_named("share", sample_table).bounds.high, 1);
   EXPECT_EQ(parameter_named("sizes", sample_table).kind, ParameterKind::integers);
-  constexpr auto count = described("Another one.", sample_table[0]);
+  constexpr auto count = with_description("Another one.", sample_table[0]);
   EXPECT_EQ(count.parameter.description, "Another one.");
   EXPECT_EQ(count.parameter.bounds.high, 9);
 }

@@ -207,14 +207,14 @@ TEST(PolygonFaces, AreRememberedUnlessTheyAreTheTriangles) {
 }
 
 TEST(PolygonFaces, OfManyCornersAreTriangulatedAtOnceAndOfMoreAreRefused) {
-  const int most = static_cast<int>(most_polygon_corners);
+  const int most = static_cast<int>(max_polygon_corners);
   const Shape shape = read(star(most, 0.9));
   EXPECT_EQ(shape.triangles.rows(), most - 2);
   EXPECT_NEAR(surface_area(shape), most * 0.5 * 0.9 * std::sin(2 * std::numbers::pi / most), 1e-9);
 
   std::string corners;
-  for (std::size_t i = 0; i <= most_polygon_corners; ++i) corners += " 1";
-  const std::string count = fmt::format("{}", most_polygon_corners + 1);
+  for (std::size_t i = 0; i <= max_polygon_corners; ++i) corners += " 1";
+  const std::string count = fmt::format("{}", max_polygon_corners + 1);
   const auto too_many = AllOf(HasSubstr("face "), HasSubstr("100000"));
   EXPECT_THAT(test::input_error_of([&] { read_obj("v 0 0 0\nf" + corners + "\n", "shape"); }), too_many);
   EXPECT_THAT(test::input_error_of([&] { read_off("OFF\n1 1 0\n0 0 0\n" + count + corners, "shape"); }), too_many);

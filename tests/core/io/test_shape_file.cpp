@@ -84,7 +84,7 @@ TEST(ReadShape, CommonFormatsThatAreNotReadComeWithAdvice) {
     test::write_text(folder.path() / name, "anything");
     EXPECT_THAT(test::input_error_of([&] { read_shape(folder.path() / name); }), ::testing::HasSubstr("export"));
   }
-  EXPECT_FALSE(unread_format_advice("x.off"));
+  EXPECT_FALSE(unsupported_format_advice("x.off"));
 }
 
 TEST(ReadShape, RefusesWhatIsNotAShapeFile) {

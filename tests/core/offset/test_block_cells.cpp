@@ -50,7 +50,7 @@ TEST(BlockCells, AreFilledAcrossFaces) {
     const BlockCells seeds = BlockCells{1} << (random() % cells_per_block);
     const BlockCells half = random();
     const BlockCells free = half | random();
-    EXPECT_EQ(flood_filled(seeds, free), filled_cell_by_cell(seeds, free));
+    EXPECT_EQ(flood_fill(seeds, free), filled_cell_by_cell(seeds, free));
   }
 }
 

@@ -86,7 +86,7 @@ std::optional<Eigen::Vector3d> projection_of(ProjectionProblem problem, double l
 }
 
 /// Least determinant of the Gram matrices of two or three normals; 1 for fewer.
-double least_determinant_of(const ProjectionProblem& problem) {
+double min_determinant_of(const ProjectionProblem& problem) {
   double least = 1;
   const auto& n = problem.normals;
   for (std::size_t i = 0; i < half_spaces_per_problem; ++i) {
@@ -105,7 +105,7 @@ double least_determinant_of(const ProjectionProblem& problem) {
 /// at least 1e-5.
 double rounding_of(const ProjectionProblem& problem) {
   constexpr double epsilon = 1.2e-7;
-  return 4 * 5 * epsilon / std::max(least_determinant_of(problem), 1e-5);
+  return 4 * 5 * epsilon / std::max(min_determinant_of(problem), 1e-5);
 }
 
 Eigen::Vector3d unit_vector(RandomNumbers& random) {
@@ -140,7 +140,7 @@ TEST(HalfSpaceProjection, IsTheNearestPointOfTheIntersection) {
   int regular = 0;
   for (const ProjectionProblem& problem : solvable_problems(3000)) {
     const Projection<float> found = project(problem);
-    if (least_determinant_of(problem) > 1e-3) {
+    if (min_determinant_of(problem) > 1e-3) {
       ASSERT_TRUE(found.is_found);
       ++regular;
     }

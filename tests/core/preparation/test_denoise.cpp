@@ -190,7 +190,7 @@ TEST(TaubinSmoothing, ScalesAWaveOnARingByTheTransferFunction) {
         const double angle = 2 * std::numbers::pi * waves * i / n;
         values.row(i) << std::cos(angle), std::sin(angle), 5;
       }
-      const Points smoothed = taubin_smoothed(values, ring(n), pass_band);
+      const Points smoothed = taubin_smoothing(values, ring(n), pass_band);
       values.leftCols(2) *= gain(k, pass_band);
       EXPECT_LT((smoothed - values).cwiseAbs().maxCoeff(), 1e-12) << pass_band << " " << waves;
     }
@@ -210,14 +210,14 @@ TEST(TaubinSmoothing, ScalesAWaveOnATorusMeshByTheTransferFunction) {
     for (int i = 0; i < along; ++i) {
       for (int j = 0; j < around; ++j) values(i * around + j, 0) = std::cos(a * i + b * j);
     }
-    const Points smoothed = taubin_smoothed(values, neighbours, 0.1);
+    const Points smoothed = taubin_smoothing(values, neighbours, 0.1);
     EXPECT_LT((smoothed - gain(k, 0.1) * values).cwiseAbs().maxCoeff(), 1e-12) << p << " " << q;
   }
 }
 
 TEST(TaubinSmoothing, DoesNotShrinkASphere) {
   const Shape sphere = test::sphere(1, 4);
-  const Points smoothed = taubin_smoothed(sphere.vertices, vertex_neighbours(sphere), 0.1);
+  const Points smoothed = taubin_smoothing(sphere.vertices, vertex_neighbours(sphere), 0.1);
   // As many rounds of plain averaging take 3 % off.
   EXPECT_NEAR(smoothed.rowwise().norm().mean(), 1, 3e-3);
   EXPECT_LT((smoothed - sphere.vertices).rowwise().norm().maxCoeff(), 1e-2);
@@ -227,10 +227,10 @@ TEST(TaubinSmoothing, LeavesVerticesWithoutNeighboursAndMovesThoseAtOnePlaceToge
   Shape soup = test::soup(test::box({1, 2, 3}, 3));
   soup.vertices.conservativeResize(soup.vertices.rows() + 1, 3);
   soup.vertices.bottomRows(1) << 0.1, 0.2, 0.3;
-  const Points smoothed = taubin_smoothed(soup.vertices, vertex_neighbours(soup), 0.1);
+  const Points smoothed = taubin_smoothing(soup.vertices, vertex_neighbours(soup), 0.1);
   EXPECT_EQ(smoothed.bottomRows(1), soup.vertices.bottomRows(1));
   const Shape mesh = test::box({1, 2, 3}, 3);
-  const Points expected = taubin_smoothed(mesh.vertices, vertex_neighbours(mesh), 0.1);
+  const Points expected = taubin_smoothing(mesh.vertices, vertex_neighbours(mesh), 0.1);
   for (Eigen::Index i = 0; i < mesh.triangles.size(); ++i) {
     EXPECT_LT((smoothed.row(i) - expected.row(mesh.triangles(i / 3, i % 3))).norm(), 1e-12);
   }
@@ -238,7 +238,7 @@ TEST(TaubinSmoothing, LeavesVerticesWithoutNeighboursAndMovesThoseAtOnePlaceToge
 
 TEST(TaubinSmoothing, RefusesAPassBandOutOfRange) {
   for (const double pass_band : {0.0, 1.0, -0.1, std::nan("")}) {
-    EXPECT_THROW(taubin_smoothed(Points::Zero(60, 3), ring(60), pass_band), InputError);
+    EXPECT_THROW(taubin_smoothing(Points::Zero(60, 3), ring(60), pass_band), InputError);
   }
 }
 

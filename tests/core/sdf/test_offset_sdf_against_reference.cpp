@@ -98,7 +98,7 @@ void expect_tolerances(const Shape& shape, double offset) {
   for (const Stated& stated : {Stated{OffsetAccuracy::fast, 1 / 2.5, 0.04, 0.02, 0.2},
                                {OffsetAccuracy::standard, 1 / 3.0, 0.02, 0.01, 0.1},
                                {OffsetAccuracy::fine, 1 / 5.0, 0.01, 0.01, 0.1}}) {
-    SCOPED_TRACE(held_value(stated.accuracy));
+    SCOPED_TRACE(to_parameter_value(stated.accuracy));
     expect_tolerances(shape, known, stated);
   }
 }

@@ -101,7 +101,7 @@ TEST(PointNormals, OfASphereAreRadial) {
 }
 
 /// Directions of least variance of each point and its 12 nearest neighbours.
-Points normals_of_least_variance(const Points& points) {
+Points normals_of_min_variance(const Points& points) {
   const PointNeighbours nearest = nearest_neighbours(points, 12);
   Points normals(points.rows(), 3);
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -136,7 +136,7 @@ TEST(PointNormals, OfTouchingBallsAreRadial) {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Eigen::Vector3d::UnitX()).toRotationMatrix();
   points.bottomRows(count) = points.topRows(count) * turn * mirrored;
   radial.bottomRows(count) = radial.topRows(count) * turn * mirrored;
-  const Eigen::Index by_variance = count_wrong(normals_of_least_variance(points), radial);
+  const Eigen::Index by_variance = count_wrong(normals_of_min_variance(points), radial);
   EXPECT_LT(3 * count_wrong(unsigned_point_normals(points), radial), by_variance);
 }
 
@@ -149,7 +149,7 @@ TEST(PointNormals, OfABoxAreThoseOfItsSidesUpToItsEdges) {
     points.row(i).cwiseAbs().maxCoeff(&axis);
     sides(i, axis) = 1;
   }
-  const Eigen::Index by_variance = count_wrong(normals_of_least_variance(points), sides);
+  const Eigen::Index by_variance = count_wrong(normals_of_min_variance(points), sides);
   EXPECT_LT(3 * count_wrong(unsigned_point_normals(points), sides), by_variance);
 }
 

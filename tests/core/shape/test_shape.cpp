@@ -53,8 +53,8 @@ TEST(Shape, AllPointsOfACloudCount) {
 }
 
 TEST(Validity, ShapesWithoutADefect) {
-  EXPECT_EQ(defect_of(test::box({1, 2, 0}, 1)), std::nullopt);
-  EXPECT_EQ(defect_of(Shape{}), std::nullopt);
+  EXPECT_EQ(find_defect(test::box({1, 2, 0}, 1)), std::nullopt);
+  EXPECT_EQ(find_defect(Shape{}), std::nullopt);
   EXPECT_NO_THROW(require_usable(test::sphere(1e300, 1)));
 }
 
@@ -70,9 +70,9 @@ TEST(Validity, NamesTheFirstTriangleWhoseVertexThereIsNot) {
   Shape shape = test::box({1, 1, 1}, 1);
   const auto vertices = static_cast<std::int32_t>(shape.vertices.rows());
   shape.triangles(7, 0) = -1;
-  EXPECT_EQ(defect_of(shape), "triangle 7 has a vertex outside 0.." + std::to_string(vertices - 1));
+  EXPECT_EQ(find_defect(shape), "triangle 7 has a vertex outside 0.." + std::to_string(vertices - 1));
   shape.triangles(4, 2) = vertices;
-  EXPECT_EQ(defect_of(shape), "triangle 4 has a vertex outside 0.." + std::to_string(vertices - 1));
+  EXPECT_EQ(find_defect(shape), "triangle 4 has a vertex outside 0.." + std::to_string(vertices - 1));
 }
 
 }  // namespace

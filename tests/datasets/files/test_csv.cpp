@@ -77,7 +77,7 @@ TEST(Csv, LinesMayEndWithCarriageReturns) {
 
 TEST(Csv, LongRowsAreAnErrorBeforeTheyAreRead) {
   std::string text = "a,b\n";
-  for (std::size_t i = 0; i < most_csv_cells; ++i) text += "0,";
+  for (std::size_t i = 0; i < max_csv_cells; ++i) text += "0,";
   EXPECT_THAT(test::input_error_of([&] { parse_csv(text, "f"); }),
               HasSubstr("f:2: the row has more than 1000000 cells"));
 }

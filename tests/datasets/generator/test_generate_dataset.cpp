@@ -24,7 +24,7 @@ namespace {
 
 constexpr int faces = 2000;
 
-double least_height_to_length(const Shape& shape) {
+double min_height_to_length(const Shape& shape) {
   double least = 1;
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     const Eigen::Vector3d a = shape.vertices.row(shape.triangles(f, 0));
@@ -84,7 +84,7 @@ TEST_P(EveryClass, IsASoundMeshWithAllItsPartsThatBends) {
     const Shape model = draw_model(body, random);
     EXPECT_EQ(topology_fault(model), "");
     EXPECT_FALSE(self_intersects(model));
-    EXPECT_GT(least_height_to_length(model), 1e-3);
+    EXPECT_GT(min_height_to_length(model), 1e-3);
     EXPECT_TRUE(model.vertices.allFinite());
     // Individuals differ by 7 % at most each; a pose moves parts apart but hardly stretches the skin.
     EXPECT_LT(edge_change(model, previous), 0.15);

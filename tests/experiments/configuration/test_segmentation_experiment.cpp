@@ -48,7 +48,7 @@ TEST(SegmentationExperiment, HasPlacesAndSettingsAsGiven) {
   EXPECT_EQ(experiment.location.classification, "/data/s/c.cla");
   const SegmentationOptions& options = experiment.methods[0].options;
   EXPECT_EQ(options.best.patches, 70);
-  EXPECT_EQ(options.best.least_probability, 0.25);
+  EXPECT_EQ(options.best.min_probability, 0.25);
   EXPECT_EQ(options.best.smoothing.width, 0.01);
   EXPECT_EQ(options.method, SegmentationAlgorithm::best);
 }

@@ -22,7 +22,7 @@ class FieldFiles : public testing::Test {
   }
   std::string written(const std::string& name) {
     const auto path = folder.path() / name;
-    field_file_writer(path)(path, shape, samples, values);
+    field_file_writer(path, {.value_name = value_name})(path, shape, samples, values);
     return text_of(path);
   }
 
@@ -30,6 +30,7 @@ class FieldFiles : public testing::Test {
   Shape shape;
   Samples samples;
   Eigen::VectorXd values;
+  std::string value_name = "sdf";
 };
 
 TEST_F(FieldFiles, CsvHasARowForEachSample) {
@@ -65,6 +66,12 @@ TEST_F(FieldFiles, PlyAndPng) {
   EXPECT_THAT(ply, StartsWith("ply\n"));
   EXPECT_THAT(ply, HasSubstr(" sdf\n"));
   EXPECT_THAT(written("x.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(FieldFiles, CsvAndPlyNameTheField) {
+  value_name = "inscribed_ball";
+  EXPECT_THAT(written("x.csv"), StartsWith("index,inscribed_ball,weight\n"));
+  EXPECT_THAT(written("x.ply"), HasSubstr("property double inscribed_ball\n"));
 }
 
 TEST_F(FieldFiles, AnotherExtensionIsAnError) {

@@ -261,7 +261,7 @@ TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
   write_text(data() / "test.cla", "PSB 1\n2 4\nsphere 0 3\n0\n3\n6\nbox 0 1\n1\n");
   const ExperimentResults results = run();
   EXPECT_EQ(results.methods[0].evaluations[0].queries.size(), 3U);
-  EXPECT_EQ(results.methods[0].evaluations[0].models_left_out, 1);
+  EXPECT_EQ(results.methods[0].evaluations[0].excluded_models, 1);
   EXPECT_EQ(results.methods[0].distances.rows(), 4);
 }
 

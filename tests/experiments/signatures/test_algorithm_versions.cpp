@@ -51,7 +51,7 @@ Summary summary_of(const Eigen::VectorXd& computed, const Eigen::VectorXd& weigh
 struct Recorded {
   Json settings;
   Json versions;
-  std::vector<Summary> summaries;  ///< by shape
+  std::vector<Summary> summaries;  ///< per shape
 };
 
 void PrintTo(const Recorded& recorded, std::ostream* stream) { *stream << recorded.settings; }

@@ -29,7 +29,7 @@ TEST(DistancesThroughCache, AreComputedOnce) {
 TEST(DistancesThroughCache, LargeOnesAreNotKept) {
   const test::TemporaryFolder folder;
   Cache cache(folder.path() / "cache");
-  distances_through_cache(Signatures::Random(most_models_of_cached_distances + 1, 1), "l1", cache);
+  distances_through_cache(Signatures::Random(max_models_of_cached_distances + 1, 1), "l1", cache);
   EXPECT_EQ(cache_contents(folder.path() / "cache").total().entries, 0U);
 }
 

@@ -46,7 +46,7 @@ TEST(ModelView, TheMoreModelsTheFewerFacesEachHas) {
   EXPECT_EQ(faces_of_views(1), faces_of_views(60));
   EXPECT_EQ(faces_of_views(600), 400);
   EXPECT_GT(faces_of_views(100), faces_of_views(300));
-  EXPECT_GE(faces_of_views(most_models_with_views), 150);
+  EXPECT_GE(faces_of_views(max_models_with_views), 150);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ TEST(Descriptors, HaveNamesOfTheirOwnAndDefaultsWithinTheirBounds) {
   for (const Descriptor& one : descriptors().entries()) {
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
     EXPECT_FALSE(one.description.empty());
-    EXPECT_LE(one.fewest_fields, one.most_fields);
+    EXPECT_LE(one.min_fields, one.max_fields);
     for (const auto& parameters : {one.parameters, one.axis_parameters}) {
       for (const Parameter& parameter : parameters) {
         EXPECT_NO_THROW(checked_value(parameter, parameter.default_value)) << one.name << " " << parameter.name;
@@ -36,7 +36,7 @@ TEST(Descriptors, EachDescribesAShapeAndIsZeroFromItself) {
   const std::vector<ScalarField> fields = {{samples.points.col(0), samples.weights},
                                            {samples.points.col(2), samples.weights}};
   for (const Descriptor& one : descriptors().entries()) {
-    const DescriptorInput input = {shape, std::span(fields).first(std::min<std::size_t>(one.most_fields, 2))};
+    const DescriptorInput input = {shape, std::span(fields).first(std::min<std::size_t>(one.max_fields, 2))};
     const DescriptorSettings settings = default_settings(one, input.fields.size());
     const LearntFeatures learnt = needs_learning(one, settings) ? one.learn({&input, 1}, settings) : LearntFeatures{};
     const Eigen::VectorXf features = one.describe(input, learnt, settings);
