@@ -137,7 +137,8 @@ std::map<std::string, int> measure_versions(const EvaluationOptions& options) {
   return versions;
 }
 
-RowJudge::RowJudge(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last)
+RowEvaluator::RowEvaluator(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first,
+                           Eigen::Index last)
     : relevance_(task), measures_(evaluated_measures(options)), first_tier_(measure_of(name_of_bounds)) {
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
   blank_.protocol = options.protocol;

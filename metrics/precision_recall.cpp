@@ -91,7 +91,7 @@ Mean mean_of_column(const Eigen::MatrixXd& table, Eigen::Index column, const Cho
 
 }  // namespace
 
-CurveKind usual_curve(Protocol protocol) { return value_of_word<CurveKind>(word_of(protocol)).value(); }
+CurveKind default_curve(Protocol protocol) { return value_of_word<CurveKind>(word_of(protocol)).value(); }
 
 std::vector<double> recall_levels(CurveKind kind, std::size_t largest_relevant) {
   return levels_of(first_level_of(kind), divisions_of(kind, largest_relevant));

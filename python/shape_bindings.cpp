@@ -39,9 +39,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 bool chooses_offset(const Field& field) {
-  const ParameterValues& settings = field.settings.values;
-  return std::ranges::find(settings.parameters(), "offset", &Parameter::name) != settings.parameters().end() &&
-         !std::holds_alternative<double>(settings.value("offset"));
+  return field.settings.values.find("offset") != nullptr && !fixed_offset(field.settings);
 }
 
 /// Shape without the outliers of a cloud.

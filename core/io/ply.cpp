@@ -84,8 +84,8 @@ class PlyBody {
     const PlyElement* const face = find_ply_element(header, "face");
     const PlyElement& vertex = *find_ply_element(header, "vertex");
     // The normals of a mesh are ignored.
-    places_read_ = (face == nullptr || face->count == 0) && has_ply_vector(vertex, 3) ? 6 : 3;
-    std::ranges::transform(vertex.properties, std::back_inserter(vertex_places_), ply_place_of);
+    numbers_read_ = (face == nullptr || face->count == 0) && has_ply_vector(vertex, 3) ? 6 : 3;
+    std::ranges::transform(vertex.properties, std::back_inserter(vertex_numbers_), ply_place_of);
     soup_.reserve(std::min<std::size_t>(vertices_, source_.remaining() / 3),
                   std::min<std::size_t>(face == nullptr ? 0 : face->count, source_.remaining() / 4));
   }
@@ -194,8 +194,8 @@ class PlyBody {
   const PlyHeader& header_;
   Source source_;
   std::int64_t vertices_;
-  std::vector<std::size_t> vertex_places_;  ///< ply_place_of() of the vertices' properties
-  std::size_t places_read_ = 3;             ///< lower ones are read, the others skipped
+  std::vector<std::size_t> vertex_numbers_;  ///< ply_place_of() of the vertices' properties
+  std::size_t numbers_read_ = 3;             ///< lower ones are read, the others skipped
   SoupBuilder soup_;
 };
 

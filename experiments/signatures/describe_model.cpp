@@ -79,7 +79,7 @@ std::vector<std::size_t> viewed_fields(std::span<const Field> fields, const Conf
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (is_pictured(fields[i], configuration) != pictured) continue;
       if (!pictured && !first_histogram_of(fields[i], configuration.signatures)) continue;
-      if (viewed.size() < most_viewed_fields) viewed.push_back(i);
+      if (viewed.size() < max_viewed_fields) viewed.push_back(i);
     }
   }
   return viewed;
@@ -224,7 +224,7 @@ ModelDescription describe_opened(const Dataset& dataset, std::size_t model, cons
                          model);
   };
   Bench bench(opened.key, perturbed, configuration.preparation, parallel, cache);
-  const bool viewed = configuration.report.views && dataset.models.size() <= most_models_with_views;
+  const bool viewed = configuration.report.views && dataset.models.size() <= max_models_with_views;
   ModelDescription description =
       describe_shape(bench, configuration, fields, viewed ? faces_of_views(dataset.models.size()) : 0);
   description.sha256 = opened.hash;

@@ -101,7 +101,7 @@ TEST(CurveKind, HasItsNamesBothWaysAndIsUsualForAProtocol) {
     EXPECT_EQ(name_of(value_of_word<CurveKind>(name).value()), name);
   EXPECT_FALSE(value_of_word<CurveKind>("smooth"));
   for (const std::string& name : list_of_words<Protocol>()) {
-    EXPECT_EQ(name_of(usual_curve(value_of_word<Protocol>(name).value())), name);
+    EXPECT_EQ(name_of(default_curve(value_of_word<Protocol>(name).value())), name);
   }
 }
 

@@ -62,7 +62,7 @@ TEST(Validity, NamesTheFirstVertexThatIsNotFinite) {
   Shape shape = test::box({1, 1, 1}, 1);
   shape.vertices(5, 2) = std::numeric_limits<double>::quiet_NaN();
   shape.vertices(3, 0) = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(defect_of(shape), "vertex 3 has a coordinate that is not a finite number");
+  EXPECT_EQ(find_defect(shape), "vertex 3 has a coordinate that is not a finite number");
   EXPECT_THROW(require_usable(shape), InputError);
 }
 
