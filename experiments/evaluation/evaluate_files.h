@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/datasets/files/open_matrix.h"
@@ -31,6 +32,10 @@ struct EvaluationFiles {
   bool similarity = false;                       ///< larger values are nearer
   std::string distance{};  ///< distance between features, if the matrix has features, a row a model; may be empty
 };
+
+/// File of a run with the ids of the models, one per line, beside its matrices (.npy) of distances and of features.
+/// Evaluations use it unless `ids` or `order` is given.
+inline constexpr std::string_view stored_ids_name = "ids.txt";
 
 /// Reads the labels that the files name: of one set of models, or of queries and targets.
 TaskLabels read_task_labels(const EvaluationFiles& files);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/result_folder.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/retrieval/experiment_report.h"
 #include "shapegauge/experiments/retrieval/manifest_entries.h"
@@ -76,22 +78,7 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
   return json_text(json, 2) + "\n";
 }
 
-/// The summary for a terminal, with one row where both averages are equal, as in classes of one size.
-std::string printed_summary(std::span<const NamedEvaluation> evaluations) {
-  TextTable table = summary_table(evaluations);
-  const auto average = static_cast<std::size_t>(std::ranges::find(table.header, "average") - table.header.begin());
-  std::vector<std::vector<std::string>> rows;
-  for (std::vector<std::string>& row : table.rows) {
-    std::vector<std::string> other = row;
-    if (!rows.empty()) other[average] = rows.back()[average];
-    if (!rows.empty() && other == rows.back()) {
-      rows.back()[average] = "both";
-    } else {
-      rows.push_back(std::move(row));
-    }
-  }
-  return to_plain_text({.header = table.header, .rows = std::move(rows), .text_columns = table.text_columns});
-}
+bool has_descriptor(const SignatureConfiguration& signature) { return signature.descriptor.has_value(); }
 
 /// Returns the text files of the results by name.
 std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results,
@@ -99,18 +86,25 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
   std::vector<std::string> ids;
   for (const Model& model : results.models) ids.push_back(model.id);
   const TextTable rounded = summary_table(evaluations);
-  return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
-          {"summary.json", summary_json(results, evaluations)},
-          {"summary.md", to_markdown(rounded)},
-          {"summary.tex", to_latex(rounded)},
-          {"intervals.csv", to_csv(intervals_table(evaluations))},
-          {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
-          {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},
-          {"pr_curves.csv", to_csv(precision_recall_table(evaluations))},
-          {"shapes.csv", to_csv(shapes_table(results.models, results.classes, results.shapes,
-                                             results.configuration.preparation, results.fields))},
-          {"shape_seconds.csv", to_csv(shape_seconds_table(results.models, results.shapes, results.fields,
-                                                           results.configuration.signatures))}};
+  const std::string id_lines = fmt::format("{}\n", fmt::join(ids, "\n"));
+  std::vector<std::pair<std::string, std::string>> files{
+      {"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
+      {"summary.json", summary_json(results, evaluations)},
+      {"summary.md", to_markdown(rounded)},
+      {"summary.tex", to_latex(rounded)},
+      {"intervals.csv", to_csv(intervals_table(evaluations))},
+      {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
+      {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},
+      {"pr_curves.csv", to_csv(precision_recall_table(evaluations))},
+      {"shapes.csv", to_csv(shapes_table(results.models, results.classes, results.shapes,
+                                         results.configuration.preparation, results.fields))},
+      {"shape_seconds.csv",
+       to_csv(shape_seconds_table(results.models, results.shapes, results.fields, results.configuration.signatures))}};
+  if (results.configuration.keep_distances) files.emplace_back(fmt::format("distances/{}", stored_ids_name), id_lines);
+  if (std::ranges::any_of(results.configuration.signatures, has_descriptor)) {
+    files.emplace_back(fmt::format("features/{}", stored_ids_name), id_lines);
+  }
+  return files;
 }
 
 /// Returns the files of that kind, one a method.
@@ -127,8 +121,7 @@ std::vector<std::string> write_features(const fs::path& folder, const Experiment
   const std::vector<std::string> names = method_files("features", results.configuration);
   std::vector<std::string> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!results.configuration.signatures[i].descriptor) continue;
-    make_folder(folder / "features");
+    if (!has_descriptor(results.configuration.signatures[i])) continue;
     files.push_back(names[i]);
     write_npy(folder / names[i], results.methods[i].signatures.cast<double>());
   }
@@ -141,11 +134,11 @@ std::vector<std::string> distance_files(const Configuration& configuration) {
   return configuration.keep_distances ? method_files("distances", configuration) : std::vector<std::string>();
 }
 
-RunOutcome write_results(const fs::path& folder, const ExperimentResults& results) {
+RunOutcome write_results(const fs::path& folder, const ExperimentResults& results, bool bold) {
   std::vector<NamedEvaluation> evaluations = all_evaluations(results);
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_entries(results),
-                     .summary = printed_summary(evaluations),
+                     .summary = to_plain_text(merge_equal_averages(summary_table(evaluations)), bold),
                      .warnings = run_warnings(results),
                      .left_out = results.failures,
                      .incomplete = incomplete_methods(results),
@@ -160,6 +153,7 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
   }
   for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
   for (const auto& [name, text] : text_files(results, evaluations)) {
+    make_folder((folder / name).parent_path());
     write_file_atomically(folder / name, text);
     outcome.files.push_back(name);
   }
@@ -182,7 +176,8 @@ RunOutcome run_retrieval(const Configuration& configuration, const RunContext& c
   if (configuration.keep_distances) make_folder(context.results / "distances");
   const ExperimentResults results = run_experiment(configuration, context, files);
   RunOutcome outcome;
-  with_threads(context.control.threads, [&] { outcome = write_results(context.results, results); });
+  with_threads(context.control.threads,
+               [&] { outcome = write_results(context.results, results, context.control.bold); });
   return outcome;
 }
 

@@ -16,8 +16,9 @@ Experiment retrieval_experiment(Configuration configuration);
 ExperimentKind retrieval_kind();
 
 /// Writes all result files of a run (docs/reference/file_formats.md#results-of-a-run) into the folder, but the manifest
-/// and the distances, which run_experiment() writes by rows. Throws InputError if a file cannot be written.
-RunOutcome write_results(const std::filesystem::path& folder, const ExperimentResults& results);
+/// and the distances, which run_experiment() writes by rows. The summary has the best scores in bold if
+/// `bold`. Throws InputError if a file cannot be written.
+RunOutcome write_results(const std::filesystem::path& folder, const ExperimentResults& results, bool bold = false);
 
 /// Returns the names of the files of distances, by signature; empty if the configuration does not keep them.
 std::vector<std::string> distance_files(const Configuration& configuration);
