@@ -15,6 +15,11 @@ using testing::StartsWith;
 
 TEST(ParseJson, GivesTheValue) { EXPECT_EQ(parse_json(R"({"a": [1, "x"]})", "x.json")["a"][1], "x"); }
 
+TEST(ParseJson, CommentsAreSkipped) {
+  EXPECT_EQ(parse_json("// one\n{/* two */ \"a\": 1 // three\n}", "x.json"), nlohmann::json({{"a", 1}}));
+  EXPECT_THAT(test::input_error_of([] { parse_json("/* one\n*/ {,}", "x.json"); }), StartsWith("x.json:2:"));
+}
+
 TEST(ParseJson, ASyntaxErrorHasLineAndColumn) {
   const std::string message = test::input_error_of([] { parse_json("{\n  \"a\": 1\n  \"b\": 2\n}", "x.json"); });
   EXPECT_THAT(message, StartsWith("x.json:3:"));
