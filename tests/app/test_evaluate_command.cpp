@@ -110,6 +110,9 @@ TEST_F(EvaluateCommand, TablesArePercent) {
       evaluate_toy("--format csv").output,
       StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\ntoy,psb,micro,57.1429,42.8571,92.8571,59.5238,71.8910,"));
   EXPECT_THAT(evaluate_toy("--format markdown --protocol paper").output, HasSubstr("| toy    | paper    | micro   |"));
+  EXPECT_EQ(evaluate_toy("--fractions").output, evaluate_toy("--unit fraction").output) << "the older name";
+  const std::string equal = evaluate_toy("--measures P@3 --min-class-size 4").output;  // one class
+  EXPECT_THAT(equal, testing::AllOf(HasSubstr("toy     psb       both "), testing::Not(HasSubstr("macro"))));
   EXPECT_THAT(evaluate_toy("--format latex").output, StartsWith("\\begin{tabular}{lllrrrrrr}\n\\toprule"));
 }
 
