@@ -20,7 +20,7 @@ const std::map<std::string, std::vector<std::string>>& options_needed_most() {
   static const std::map<std::string, std::vector<std::string>> options{
       {"run", {"--output", "--set", "--replace", "--threads", "--part", "--dry-run"}},
       {"sdf", {"--output", "--method", "--offset", "--unit", "--summary", "--below", "--plot", "--replace"}},
-      {"check", {"--min-wall", "--min-gap", "--unit", "--format", "--report"}},
+      {"check", {"--min-wall", "--min-gap", "--unit", "--output", "--format"}},
       {"normals", {"--output", "--offset", "--replace"}},
       {"perturb", {"--output", "--noise", "--remove-faces", "--flip", "--decimate", "--seed", "--replace"}},
       {"segment", {"--output", "--parts", "--method", "--replace"}},
