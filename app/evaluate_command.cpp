@@ -88,8 +88,8 @@ struct EvaluatedInputs {
   [[nodiscard]] const EvaluationTask& task() const { return files.front().data.task; }
 };
 
-nlohmann::ordered_json json_of(const fs::path& path, const NamedEvaluation& named, const EvaluationTask& task,
-                               const EvaluateCommandArguments& arguments) {
+nlohmann::ordered_json evaluated_json(const fs::path& path, const NamedEvaluation& named, const EvaluationTask& task,
+                                      const EvaluateCommandArguments& arguments) {
   nlohmann::ordered_json json = inputs_json(path, arguments);
   json["method"] = named.method;
   if (task.coverage) json["lists"] = coverage_json(*task.coverage, arguments.evaluation.missing_queries);
@@ -101,7 +101,7 @@ nlohmann::ordered_json json_of(const fs::path& path, const NamedEvaluation& name
 std::string formatted_json(const EvaluatedInputs& inputs, const EvaluateCommandArguments& arguments) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < inputs.named.size(); ++i) {
-    all.push_back(json_of(inputs.paths[i], inputs.named[i], inputs.files[i].data.task, arguments));
+    all.push_back(evaluated_json(inputs.paths[i], inputs.named[i], inputs.files[i].data.task, arguments));
   }
   return json_text(all.size() > 1 ? all : all.front(), 2) + "\n";
 }

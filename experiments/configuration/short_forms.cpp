@@ -20,20 +20,20 @@ void expand_field(Json& field, const Json& defaults) {
   }
 }
 
-/// Returns the list at the key of an object; null if there is none.
-Json* list_in(Json& object, const char* key) {
+/// Returns the list at a key of an object; null if there is none.
+Json* array_at(Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_array() ? &object[key] : nullptr;
 }
 
 void expand_signature(Json& signature, const Json& defaults) {
   if (!signature.is_object()) return;
   if (signature.contains("field")) expand_field(signature["field"], defaults);
-  if (Json* const terms = list_in(signature, "sum")) {
+  if (Json* const terms = array_at(signature, "sum")) {
     for (Json& term : *terms) expand_name(term, "of");
   }
   if (!signature.contains("descriptor")) return;
   expand_name(signature["descriptor"], "type");
-  if (Json* const fields = list_in(signature["descriptor"], "fields")) {
+  if (Json* const fields = array_at(signature["descriptor"], "fields")) {
     for (Json& field : *fields) expand_field(field, defaults);
   }
 }
@@ -41,7 +41,7 @@ void expand_signature(Json& signature, const Json& defaults) {
 }  // namespace
 
 void expand_short_forms(Json& document) {
-  Json* const signatures = list_in(document, "signatures");
+  Json* const signatures = array_at(document, "signatures");
   if (signatures == nullptr) return;
   const Json defaults = document.value("defaults", Json::object());
   if (!defaults.is_object()) return;
