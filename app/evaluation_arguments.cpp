@@ -36,7 +36,8 @@ void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
       .add_option("--order", arguments.order,
                   "Order of rows without ids: natural order of the labels' ids, or order of the labels' file (default: "
                   "file for lists, otherwise natural)")
-      ->check(one_of({"natural", "file", "classification"}));
+      ->check(one_of({"natural", "file"}))
+      ->transform([](const std::string& word) { return word == "classification" ? "file" : word; });  // the older word
   CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "Read the matrix as similarities");
   command
       .add_option(
@@ -67,7 +68,8 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
       .add_flag_callback(
           "-c,--all-queries", [&arguments] { arguments.missing_queries = word_of(Unanswered::count); },
           "Like --missing-queries zero, as trec_eval -c")
-      ->excludes(missing);
+      ->excludes(missing)
+      ->group("");
   command
       .add_option("--ties", arguments.ties, "Order of models at equal distance; expected for the mean over all orders")
       ->check(one_of(ties_names()))
@@ -152,7 +154,7 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
 EvaluationFiles files_as_given(const EvaluationArguments& arguments) {
   EvaluationFiles files = arguments.files;
   if (arguments.order == "natural") files.order = RowOrder::natural;
-  if (arguments.order == "file" || arguments.order == "classification") files.order = RowOrder::file;
+  if (arguments.order == "file") files.order = RowOrder::file;
   files.unanswered = value_of_word<Unanswered>(arguments.missing_queries).value();
   return files;
 }

@@ -59,7 +59,7 @@ std::string descriptions_of_methods() {
     text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
     texts.push_back(fmt::format("{}: {}", type.name, text));
   }
-  return fmt::format("{}; ball is short for inscribed_ball", fmt::join(texts, "; "));
+  return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 struct SdfArguments {
@@ -335,7 +335,7 @@ void add_sdf_command(CLI::App& app, int& status) {
   command->add_option("--method", arguments->method, descriptions_of_methods())
       ->check(one_of(method_names()))
       ->capture_default_str()
-      ->transform([](const std::string& name) { return name == "ball" ? "inscribed_ball" : name; });
+      ->transform([](const std::string& name) { return name == "ball" ? "inscribed_ball" : name; });  // short
   add_outputs(*command, *arguments);
   begin_option_group(*command, "Method");
   add_site_option(*command, arguments->site);
