@@ -8,6 +8,7 @@
 #include "app/options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 
@@ -17,7 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string megabytes(std::uintmax_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
+/// Formats a number of bytes for people: "3.2 kB", "12.0 GB".
+std::string size_text(std::uintmax_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (size >= 1e9) return fmt::format("{:.1f} GB", size / 1e9);
+  return size >= 1e6 ? fmt::format("{:.1f} MB", size / 1e6) : fmt::format("{:.1f} kB", size / 1e3);
+}
 
 fs::path folder_of(const CacheOption& option) {
   fs::path folder = chosen_cache(option);
@@ -30,22 +36,22 @@ int show_cache(const CacheOption& option) {
   const CacheContents contents = cache_contents(folder);
   TextTable table{.header = {"kind", "entries", "size"}, .rows = {}};
   const auto add = [&](std::string_view name, const CacheContents::Amount& amount) {
-    table.rows.push_back({std::string(name), std::to_string(amount.entries), megabytes(amount.bytes)});
+    table.rows.push_back({std::string(name), std::to_string(amount.entries), size_text(amount.bytes)});
   };
   for (std::size_t kind = 0; kind < number_of_entry_kinds; ++kind)
     add(entry_kind_names.at(kind), contents.by_kind.at(kind));
   if (contents.unfinished.entries > 0) add("unfinished", contents.unfinished);
   add("all", contents.total());
   print_output("Cache in {}\n\n{}\nMaximum size after a run: {} (SHAPEGAUGE_CACHE_LIMIT).\n",
-               printable(folder.string()), to_plain_text(table), megabytes(cache_limit()));
+               printable(folder.string()), to_plain_text(table), size_text(cache_limit()));
   return exit_success;
 }
 
 int clear(const CacheOption& option) {
   const fs::path folder = folder_of(option);
   const CacheContents::Amount removed = clear_cache(folder).total();
-  print_output("{} entries, {}, removed from {}\n", removed.entries, megabytes(removed.bytes),
-               printable(folder.string()));
+  print_output("{}, {}, removed from {}\n", count_text(static_cast<std::int64_t>(removed.entries), "entry", "entries"),
+               size_text(removed.bytes), printable(folder.string()));
   return exit_success;
 }
 
@@ -63,8 +69,9 @@ void add_cache_command(CLI::App& app, int& status) {
   CLI::App* cache = app.add_subcommand("cache", "Inspect or clear the cache of runs");
   cache->require_subcommand(1);
   cache->footer(
-      "'shapegauge run' caches the results for each shape and reuses them. The cache can be cleared at any time: "
-      "later\nruns take longer and have the same results.\nExample: shapegauge cache info");
+      "'shapegauge run' caches the results for each shape and reuses them. The cache can be cleared at any time: later "
+      "runs take longer and have the same results.\n"
+      "Example: shapegauge cache info");
   add_action(*cache, "info", "Print the folder and contents of the cache", show_cache, status);
   add_action(*cache, "clear", "Remove all cached results", clear, status);
 }

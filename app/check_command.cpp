@@ -150,7 +150,7 @@ void add_check_command(CLI::App& app, int& status) {
                     "diameters as fractions of the limit), .png (picture), .csv or .npy (fractions)")
       ->required(false);
   command->add_option("--format", arguments->format, "Format of the report; json lists the faces of each region")
-      ->check(CLI::IsMember({"text", "json", "csv"}))
+      ->check(one_of({"text", "json", "csv"}))
       ->capture_default_str();
   command->callback([arguments, &status] { status = run(*arguments); });
 }

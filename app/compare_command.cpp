@@ -11,6 +11,7 @@
 #include "app/evaluation_arguments.h"
 #include "app/help_format.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
@@ -250,7 +251,7 @@ std::string formatted_comparison(const AlignedMethods& methods, std::span<const 
   const TextTable summary = comparison_summary(methods, comparisons, options, style);
   const std::string words = explanation(methods, comparisons, options);
   const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
-  const auto text_of = [&](const TextTable& table) { return table_text(table, format); };
+  const auto text_of = [&](const TextTable& table) { return table_text(table, format, output_has_colours()); };
   if (format == TableFormat::latex) return text_of(summary);
   return text_of(summary) + "\n" + words + "\n" + text_of(pairs);
 }
@@ -293,10 +294,10 @@ int run(const CompareArguments& arguments) {
 void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
   begin_option_group(command, "Comparison");
   command.add_option("--test", arguments.test, "Significance test of pairs")
-      ->check(CLI::IsMember(list_of_words<PairTest>()))
+      ->check(one_of(list_of_words<PairTest>()))
       ->capture_default_str();
   command.add_option("--average", arguments.average, "Average to compare: over queries (micro) or classes (macro)")
-      ->check(CLI::IsMember(list_of_words<Average>()))
+      ->check(one_of(list_of_words<Average>()))
       ->capture_default_str();
   command.add_option("--reference", arguments.reference, "Method compared with every other one (default: all pairs)");
   command.add_option("--names", arguments.names, "Names of the methods in order, such as ours,theirs")->delimiter(',');
@@ -317,9 +318,10 @@ void add_compare_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("compare", "Compare methods on the same queries with intervals and significance tests");
   command->footer(
-      "Example: shapegauge compare results/shrec11-table2 --measures FT,DCG\n         shapegauge compare mine.npy "
-      "theirs.npy --labels test.cla\nAn input is the folder of a run (all its methods), a table of 'evaluate "
-      "--per-query' or, with --labels or\n--qrels, any input of 'evaluate'.");
+      "Example: shapegauge compare results/shrec11-table2 --measures FT,DCG\n"
+      "         shapegauge compare mine.npy theirs.npy --labels test.cla\n"
+      "An input is the folder of a run (all its methods), a table of 'evaluate --per-query' or, with --labels or "
+      "--qrels, any input of 'evaluate'.");
   const auto arguments = std::make_shared<CompareArguments>();
   command->add_option("inputs", arguments->inputs, "Results or, with --labels or --qrels, distances")->required();
   add_evaluation_options(*command, arguments->evaluation);

@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/parameter_options.h"
 #include "app/terminal.h"
 
 namespace shapegauge {
 
 namespace {
 
-/// Returns the names of an option as typed ("--format", "-o"); none for a positional.
+/// Returns the names of an option as typed ("--format", "-o"); none for a positional and for a hidden option.
 std::vector<std::string> names_of(const CLI::Option& option) {
+  if (option.get_group().empty()) return {};
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
@@ -47,6 +49,16 @@ std::vector<NamedCommand> all_commands(const CLI::App& program) {
   std::vector<NamedCommand> all;
   collect(program, "", all);
   return all;
+}
+
+/// Returns the commands with slashes: "dataset", "dataset/info".
+std::vector<std::string> paths_of_commands(const CLI::App& program) {
+  std::vector<std::string> paths;
+  for (const CLI::App* command : commands_of(program)) {
+    paths.push_back(command->get_name());
+    for (const std::string& inner : paths_of_commands(*command)) paths.push_back(command->get_name() + "/" + inner);
+  }
+  return paths;
 }
 
 std::string bash_completion(const CLI::App& program) {
@@ -84,15 +96,7 @@ _shapegauge() {{
 }}
 complete -o filenames -F _shapegauge shapegauge
 )",
-                     [&] {
-                       std::vector<std::string> paths;
-                       for (const auto& [path, app] : all_commands(program)) {
-                         paths.push_back(path);
-                         std::ranges::replace(paths.back(), ' ', '/');
-                       }
-                       return fmt::format("{}", fmt::join(paths, " "));
-                     }(),
-                     choices, words);
+                     fmt::join(paths_of_commands(program), " "), choices, words);
 }
 
 /// Text for a description in a specification of zsh's _arguments.
@@ -149,6 +153,47 @@ _shapegauge "$@"
                      cases);
 }
 
+/// Quotes a text for fish.
+std::string fish_text(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "'";
+}
+
+std::string fish_completion(const CLI::App& program) {
+  std::string lines;
+  for (const auto& [path, app] : all_commands(program)) {
+    const std::string begin = fmt::format("complete -c shapegauge -n '__shapegauge_at {}'", path);
+    for (const CLI::App* command : commands_of(*app)) {
+      lines += fmt::format("{} -f -a {} -d {}\n", begin, command->get_name(), fish_text(command->get_description()));
+    }
+    for (const CLI::Option* option : app->get_options()) {
+      std::string names;
+      for (const std::string& name : option->get_snames()) names += " -s " + name;
+      for (const std::string& name : option->get_lnames()) names += " -l " + name;
+      if (names_of(*option).empty()) continue;
+      const std::vector<std::string> values = choices_of(*option);
+      const std::string value = !values.empty() ? fmt::format(" -x -a '{}'", fmt::join(values, " "))
+                                : option->get_items_expected_max() > 0 ? " -r"
+                                                                       : "";
+      lines += fmt::format("{}{}{} -d {}\n", begin, names, value, fish_text(option->get_description()));
+    }
+  }
+  return fmt::format(R"(# fish completion of shapegauge; made by 'shapegauge completion fish'
+function __shapegauge_at
+    set -l command
+    for word in (commandline -opc)[2..]
+        contains -- (string join / $command $word) {}; and set -a command $word
+    end
+    test "$command" = "$argv"
+end
+{})",
+                     fmt::join(paths_of_commands(program), " "), lines);
+}
+
 }  // namespace
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
@@ -159,11 +204,13 @@ void add_completion_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("completion", "Print a completion script for a shell");
   command->footer(
       "Example: shapegauge completion bash > ~/.local/share/bash-completion/completions/shapegauge\n"
-      "         shapegauge completion zsh > ~/.zfunc/_shapegauge");
+      "         shapegauge completion zsh > ~/.zfunc/_shapegauge\n"
+      "         shapegauge completion fish > ~/.config/fish/completions/shapegauge.fish");
   const auto shell = std::make_shared<std::string>();
-  command->add_option("shell", *shell, "Shell: bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  command->add_option("shell", *shell, "Shell")->required()->check(one_of({"bash", "zsh", "fish"}));
   command->callback([&app, shell, &status] {
-    print_output("{}", *shell == "bash" ? bash_completion(app) : zsh_completion(app));
+    const auto script = *shell == "bash" ? bash_completion : *shell == "zsh" ? zsh_completion : fish_completion;
+    print_output("{}", script(app));
     status = exit_success;
   });
 }

@@ -43,7 +43,7 @@ struct LabelsArguments {
 struct GenerateArguments {
   fs::path folder;
   ParameterTexts settings;
-  bool force = false;
+  bool replace = false;
   int threads = 0;
 };
 
@@ -135,13 +135,13 @@ int validate(const LookArguments& arguments) {
 int generate(const GenerateArguments& arguments) {
   GeneratorOptions options = options_from(
       generator_table(), parameter_values(generator_parameters(), arguments.settings, "generated data sets"));
-  options.force = arguments.force;
+  options.replace = arguments.replace;
   catch_interruption();
   ProgressLine progress;
   with_threads(arguments.threads, [&] {
     generate_dataset(arguments.folder, options, [&](int done, int total) {
       if (interrupted()) {
-        throw Interrupted(fmt::format("interrupted; the data set in {} is incomplete; --force replaces it",
+        throw Interrupted(fmt::format("interrupted; the data set in {} is incomplete; --replace replaces it",
                                       arguments.folder.string()));
       }
       progress.show("models", static_cast<std::size_t>(done), static_cast<std::size_t>(total));
@@ -191,9 +191,9 @@ std::shared_ptr<LookArguments> add_look_arguments(CLI::App* command) {
   command->add_option("--classification", arguments->classification,
                       "Classification (.cla) or CSV table, if not in the folder");
   command->add_option("--layout", arguments->layout, "Layout of the data set (default: detected)")
-      ->check(CLI::IsMember(layout_names()));
+      ->check(one_of(layout_names()));
   command->add_option("--split", arguments->split, "Part of the data set, for layouts that have splits")
-      ->check(CLI::IsMember(std::vector<std::string>(dataset_splits.begin(), dataset_splits.end())))
+      ->check(one_of(std::vector<std::string>(dataset_splits.begin(), dataset_splits.end())))
       ->capture_default_str();
   return arguments;
 }
@@ -207,7 +207,8 @@ void add_generate(CLI::App* dataset, int& status) {
   for (const Parameter& parameter : generator_parameters()) {
     add_parameter_option(*command, parameter, arguments->settings[std::string(parameter.name)]);
   }
-  command->add_flag("--force", arguments->force, "Overwrite a data set in the folder");
+  command->add_flag("--replace", arguments->replace, "Overwrite a data set in the folder");
+  command->add_flag("--force", arguments->replace)->group("");  // the older name
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = generate(*arguments); });
 }

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/output_files.h"
@@ -62,7 +63,7 @@ void add_distances_command(CLI::App& app, int& status) {
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Method");
   command->add_option("--distance", arguments->distance, "Distance, or descriptor that defines it")
-      ->check(CLI::IsMember(feature_distance_names()))
+      ->check(one_of(feature_distance_names()))
       ->required();
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { with_threads(arguments->threads, [&] { status = run(*arguments); }); });

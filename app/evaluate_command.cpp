@@ -13,6 +13,7 @@
 #include "app/evaluation_arguments.h"
 #include "app/help_format.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
@@ -24,6 +25,7 @@
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/evaluation_warnings.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
@@ -55,9 +57,9 @@ struct EvaluateCommandArguments {
 };
 
 // Returns the inputs of a result as JSON, before the scores.
-nlohmann::ordered_json inputs_json(const EvaluateCommandArguments& arguments) {
+nlohmann::ordered_json inputs_json(const fs::path& path, const EvaluateCommandArguments& arguments) {
   const EvaluationFiles& files = arguments.evaluation.files;
-  nlohmann::ordered_json json{{"version", version()}, {"file", arguments.distances.string()}};
+  nlohmann::ordered_json json{{"version", version()}, {"file", path.string()}};
   if (!arguments.evaluation.evaluator.empty()) json["evaluator"] = arguments.evaluation.evaluator;
   if (!files.variable.empty()) json["variable"] = files.variable;
   if (!files.labels.empty()) json["labels"] = files.labels.string();
@@ -77,29 +79,48 @@ nlohmann::ordered_json coverage_json(const ListCoverage& coverage, const std::st
           {"longest_list", coverage.longest},   {"incomplete_lists", coverage.incomplete}};
 }
 
-std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& task,
-                           const EvaluateCommandArguments& arguments) {
-  nlohmann::ordered_json json = inputs_json(arguments);
+// Evaluated inputs: the file of the command, or the matrices of a run.
+struct EvaluatedInputs {
+  std::unique_ptr<ScratchFolder> scratch = {};  // with a copy of standard input
+  std::vector<fs::path> paths = {};
+  std::vector<EvaluatedFiles> files = {};
+  std::vector<NamedEvaluation> named = {};  // refer to the files
+
+  [[nodiscard]] const EvaluationTask& task() const { return files.front().data.task; }
+};
+
+nlohmann::ordered_json evaluated_json(const fs::path& path, const NamedEvaluation& named, const EvaluationTask& task,
+                                      const EvaluateCommandArguments& arguments) {
+  nlohmann::ordered_json json = inputs_json(path, arguments);
   json["method"] = named.method;
   if (task.coverage) json["lists"] = coverage_json(*task.coverage, arguments.evaluation.missing_queries);
   json.update(evaluation_json(*named.evaluation, task.class_names, named.intervals));
   if (arguments.each_query) json["per_query"] = per_query_json(*named.evaluation, task.query_ids);
-  return json_text(json, 2) + "\n";
+  return json;
 }
 
-std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationTask& task,
-                                 const EvaluateCommandArguments& arguments) {
-  if (arguments.printed.format == "json") return formatted_json(named, task, arguments);
-  const std::vector<NamedEvaluation> one{named};
+std::string formatted_json(const EvaluatedInputs& inputs, const EvaluateCommandArguments& arguments) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < inputs.named.size(); ++i) {
+    all.push_back(evaluated_json(inputs.paths[i], inputs.named[i], inputs.files[i].data.task, arguments));
+  }
+  return json_text(all.size() > 1 ? all : all.front(), 2) + "\n";
+}
+
+std::string formatted_evaluation(const EvaluatedInputs& inputs, const EvaluateCommandArguments& arguments) {
+  if (arguments.printed.format == "json") return formatted_json(inputs, arguments);
+  const EvaluationTask& task = inputs.task();
   const ScoreStyle style = style_of(arguments.printed);
-  const IntervalCells intervals = arguments.printed.format == "csv" ? IntervalCells::columns
-                                  : named.intervals.micro.empty()   ? IntervalCells::none
-                                                                    : IntervalCells::beside;
+  const IntervalCells intervals = arguments.printed.format == "csv"      ? IntervalCells::columns
+                                  : arguments.resampling.confidence == 0 ? IntervalCells::none
+                                                                         : IntervalCells::beside;
   const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
-  const auto text_of = [&](const TextTable& table) { return table_text(table, format); };
+  const auto text_of = [&](const TextTable& table) { return table_text(table, format, output_has_colours()); };
   std::string text;
-  if (arguments.each_query) text = text_of(per_query_table(one, task.query_ids, task.class_names, style)) + "\n";
-  return text + text_of(summary_table(one, style, intervals));
+  if (arguments.each_query)
+    text = text_of(per_query_table(inputs.named, task.query_ids, task.class_names, style)) + "\n";
+  const TextTable summary = summary_table(inputs.named, style, intervals);
+  return text + text_of(format == TableFormat::table ? merge_equal_averages(summary) : summary);
 }
 
 /// Throws InputError unless all models are queries to all others, as reports require.
@@ -110,21 +131,22 @@ void check_fit_for_report(const EvaluationTask& task) {
       "separate queries and targets, judgements and ranked lists");
 }
 
-void write_files(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateCommandArguments& arguments) {
-  const std::vector<NamedEvaluation> one{named};
+void write_files(const EvaluatedInputs& inputs, const EvaluateCommandArguments& arguments) {
+  const std::vector<NamedEvaluation>& named = inputs.named;
+  const EvaluationTask& task = inputs.task();
   if (!arguments.curve.empty()) {
     const bool plot = lower_case(arguments.curve.extension().string()) == ".plot";
-    write_file_atomically(arguments.curve,
-                          plot ? psb_plot(named.evaluation->micro_curve) : to_csv(precision_recall_table(one)));
+    write_file_atomically(arguments.curve, plot ? psb_plot(named.front().evaluation->micro_curve)
+                                                : to_csv(precision_recall_table(named)));
   }
   const auto write_table = [](const fs::path& path, const TextTable& table) {
     write_file_atomically(path, to_csv(table));
   };
-  if (!arguments.class_curves.empty()) write_table(arguments.class_curves, class_curves_table(one, task.class_names));
+  if (!arguments.class_curves.empty()) write_table(arguments.class_curves, class_curves_table(named, task.class_names));
   if (!arguments.per_query.empty()) {
-    write_table(arguments.per_query, per_query_table(one, task.query_ids, task.class_names));
+    write_table(arguments.per_query, per_query_table(named, task.query_ids, task.class_names));
   }
-  if (!arguments.per_class.empty()) write_table(arguments.per_class, per_class_table(one, task.class_names));
+  if (!arguments.per_class.empty()) write_table(arguments.per_class, per_class_table(named, task.class_names));
 }
 
 /// Returns the format identified by the first bytes; text without a format is CSV.
@@ -163,11 +185,17 @@ EvaluatedFiles evaluate_standard_input(const EvaluateCommandArguments& arguments
   }
 }
 
+// Returns true for the folder of a run.
+bool is_run(const fs::path& path) {
+  std::error_code unknown;
+  return fs::exists(path / manifest_name, unknown);
+}
+
 /// Throws InputError for unusable output files, before any work.
 void check_outputs(const EvaluateCommandArguments& arguments) {
   std::vector<fs::path> inputs = label_files(arguments.evaluation);
   inputs.push_back(arguments.distances);
-  if (is_folder(arguments.distances)) {
+  if (is_folder(arguments.distances) && !is_run(arguments.distances)) {
     std::ranges::move(ranked_list_files(arguments.distances), std::back_inserter(inputs));
   }
   const std::vector<std::string> csv{".csv"};
@@ -186,45 +214,96 @@ void check_outputs(const EvaluateCommandArguments& arguments) {
   check_output_files(inputs, outputs, arguments.replace);
 }
 
-int run(const EvaluateCommandArguments& arguments) {
+// Returns the distance matrices of a run.
+std::vector<fs::path> matrices_of_run(const fs::path& run) {
+  std::vector<fs::path> matrices;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(run / "distances", failure)) {
+    if (entry.path().extension() == ".npy") matrices.push_back(entry.path());
+  }
+  if (matrices.empty()) throw InputError(fmt::format("{}: the run has no distance matrices", run.string()));
+  std::ranges::sort(matrices);
+  return matrices;
+}
+
+// Adds an evaluated file with its intervals and warnings.
+void add_evaluated(const fs::path& path, EvaluatedFiles evaluated, const EvaluateCommandArguments& arguments,
+                   EvaluatedInputs& inputs, std::vector<std::string>& warnings) {
+  const EvaluatedFiles& files = inputs.files.emplace_back(std::move(evaluated));
+  inputs.paths.push_back(path);
+  const std::string name = is_standard_stream(path) ? "standard input" : path.string();
+  NamedEvaluation& named = inputs.named.emplace_back(
+      NamedEvaluation{.method = method_name(name, files.data), .evaluation = &files.evaluation});
+  std::vector<std::string> found = files.warnings;
+  if (arguments.resampling.confidence > 0) {
+    const BusyLine line("resampling");
+    named.intervals = intervals_of(files.evaluation, {.confidence = arguments.resampling.confidence,
+                                                      .blocks = resampling_unit_of(arguments.resampling.blocks).value(),
+                                                      .resampling = arguments.resampling.resampling});
+    if (named.intervals.micro.empty()) {
+      found.push_back(fmt::format("no intervals: fewer than two {}", arguments.resampling.blocks));
+    }
+  }
+  const auto tied = ties_warning(files.evaluation, files.findings);
+  if (tied && arguments.printed.format != "json") found.push_back(*tied);  // JSON has their number
+  for (const std::string& warning : found) {
+    warnings.push_back(is_run(arguments.distances) ? fmt::format("{}: {}", named.method, warning) : warning);
+  }
+}
+
+// Evaluates the input of the command. The labels of a run are those of its models.
+EvaluatedInputs evaluate_inputs(EvaluateCommandArguments& arguments, std::vector<std::string>& warnings) {
+  EvaluatedInputs inputs;
+  if (is_standard_stream(arguments.distances)) {
+    inputs.scratch = std::make_unique<ScratchFolder>();
+    add_evaluated(arguments.distances, evaluate_standard_input(arguments, *inputs.scratch), arguments, inputs,
+                  warnings);
+    return inputs;
+  }
+  std::vector<fs::path> paths{arguments.distances};
+  EvaluationFiles& files = arguments.evaluation.files;
+  if (is_run(arguments.distances)) {
+    paths = matrices_of_run(arguments.distances);
+    if (files.labels.empty() && files.qrels.empty()) files.labels = arguments.distances / "shapes.csv";
+  }
+  inputs.files.reserve(paths.size());  // NamedEvaluation refers to them
+  for (const fs::path& path : paths) {
+    add_evaluated(path, evaluate_with_progress(path, arguments.evaluation), arguments, inputs, warnings);
+  }
+  return inputs;
+}
+
+void write_charts(const EvaluatedInputs& inputs, const EvaluateCommandArguments& arguments) {
+  std::vector<NamedCurve> curves;
+  for (const NamedEvaluation& named : inputs.named) curves.push_back(named_curve(named));
+  if (!arguments.plot.empty()) write_drawing(arguments.plot, curves_plot(curves));
+  if (arguments.class_plot.empty()) return;
+  const std::string& measure = inputs.named.front().evaluation->measures.front();
+  write_drawing(arguments.class_plot, class_plot(inputs.named, inputs.task().class_names, measure));
+}
+
+void write_report(const EvaluatedInputs& inputs, const EvaluateCommandArguments& arguments) {
+  if (arguments.report.empty()) return;
+  std::vector<ReportedEvaluation> reported;
+  for (std::size_t i = 0; i < inputs.named.size(); ++i) {
+    reported.push_back({.named = inputs.named[i], .data = &inputs.files[i].data});
+  }
+  write_file_atomically(arguments.report, evaluation_report_page(reported));
+}
+
+int run(EvaluateCommandArguments& arguments) {
   check_outputs(arguments);
-  const bool piped = is_standard_stream(arguments.distances);
-  if (!piped && !arguments.input_format.empty()) {
+  if (!is_standard_stream(arguments.distances) && !arguments.input_format.empty()) {
     throw InputError(
         "--input-format applies to standard input (-) only; the format of a file follows from its extension");
   }
-  std::optional<ScratchFolder> scratch;
-  if (piped) scratch.emplace();
-  const EvaluatedFiles evaluated = piped ? evaluate_standard_input(arguments, *scratch)
-                                         : evaluate_with_progress(arguments.distances, arguments.evaluation);
-  const EvaluationTask& task = evaluated.data.task;
-  if (!arguments.report.empty()) check_fit_for_report(task);
-  std::vector<std::string> warnings = evaluated.warnings;
-  NamedEvaluation named{.method = method_name(piped ? "standard input" : arguments.distances, evaluated.data),
-                        .evaluation = &evaluated.evaluation};
-  if (arguments.resampling.confidence > 0) {
-    const BusyLine line("resampling");
-    named.intervals = intervals_of(evaluated.evaluation,
-                                   {.confidence = arguments.resampling.confidence,
-                                    .blocks = value_of_word<ResamplingUnit>(arguments.resampling.blocks).value(),
-                                    .resampling = arguments.resampling.resampling});
-    if (named.intervals.micro.empty()) {
-      warnings.push_back(fmt::format("no intervals: fewer than two {}", arguments.resampling.blocks));
-    }
-  }
-  const auto tied = ties_warning(evaluated.evaluation, evaluated.findings);
-  if (tied && arguments.printed.format != "json") warnings.push_back(*tied);  // JSON has their number
-  write_files(named, task, arguments);
-  const NamedCurve curve = named_curve(named);
-  if (!arguments.plot.empty()) write_drawing(arguments.plot, curves_plot({&curve, 1}));
-  if (!arguments.class_plot.empty()) {
-    const std::string& measure = evaluated.evaluation.measures.front();
-    write_drawing(arguments.class_plot, class_plot({&named, 1}, task.class_names, measure));
-  }
-  if (!arguments.report.empty()) {
-    write_file_atomically(arguments.report, evaluation_report_page(named, evaluated.data));
-  }
-  print_output("{}", formatted_evaluation(named, task, arguments));
+  std::vector<std::string> warnings;
+  const EvaluatedInputs inputs = evaluate_inputs(arguments, warnings);
+  if (!arguments.report.empty()) check_fit_for_report(inputs.task());
+  write_files(inputs, arguments);
+  write_charts(inputs, arguments);
+  write_report(inputs, arguments);
+  print_output("{}", formatted_evaluation(inputs, arguments));
   print_warnings(warnings);
   return exit_success;
 }
@@ -238,7 +317,7 @@ void add_output_options(CLI::App& command, EvaluateCommandArguments& arguments) 
   command
       .add_option("--curve", arguments.evaluation.curve,
                   "Interpolation of precision-recall curves (default: that of the protocol)")
-      ->check(CLI::IsMember(list_of_words<CurveKind>()));
+      ->check(one_of(list_of_words<CurveKind>()));
   command.add_option("--per-query", arguments.per_query, "CSV file for the scores of each query, for 'compare'");
   command.add_flag("--each-query", arguments.each_query,
                    "Print the scores of each query before the averages, as trec_eval -q");
@@ -264,22 +343,24 @@ void add_evaluate_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("evaluate", "Evaluate distances, features or ranked lists of any method against classes");
   command->footer(
-      "Example: shapegauge evaluate distances.npy --labels test.cla --protocol psb --format json\nRows without ids "
-      "(CSV, --ids) are in the order of the labels' file if it is a list (a table, one class per line, .npy),\nand in "
-      "natural order (2 before 10) for a .cla file or a folder. Princeton's own tools use the order of the .cla\nfile: "
-      "--order file.\nTables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
+      "Example: shapegauge evaluate distances.npy --labels test.cla\n"
+      "         shapegauge evaluate results.run --qrels judgements.txt --format json\n"
+      "Rows without ids (CSV, --ids) are in the order of the labels' file if it is a list (a table, one class per "
+      "line, .npy), and in natural order (2 before 10) for a .cla file or a folder. Princeton's own tools use the "
+      "order of the .cla file: --order file.\n"
+      "Tables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
   const auto arguments = std::make_shared<EvaluateCommandArguments>();
   command
       ->add_option("distances", arguments->distances,
                    fmt::format("Distances or features ({}) or ranked lists ({}, .txt); .npy and text also compressed "
-                               "(.gz); - for standard input",
+                               "(.gz); the folder of a run, for all its methods; - for standard input",
                                fmt::join(matrix_extensions(), ", "), fmt::join(ranked_answers_extensions, ", ")))
       ->required();
   begin_option_group(*command, input_options);
   command
       ->add_option("--input-format", arguments->input_format,
                    "Format of standard input, as an extension without the dot (default: by contents, otherwise csv)")
-      ->check(CLI::IsMember(input_formats()));
+      ->check(one_of(input_formats()));
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);

@@ -37,13 +37,14 @@ void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
       .add_option("--order", arguments.order,
                   "Order of rows without ids: natural order of the labels' ids, or order of the labels' file (default: "
                   "file for lists, otherwise natural)")
-      ->check(CLI::IsMember({"natural", "file", "classification"}));
+      ->check(one_of({"natural", "file"}))
+      ->transform([](const std::string& word) { return word == "classification" ? "file" : word; });  // the older word
   CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "Read the matrix as similarities");
   command
       .add_option(
           "--distance", files.distance,
           "Distance of features: the file has features, one row per model; a descriptor stands for its distance")
-      ->check(CLI::IsMember(feature_distance_names()))
+      ->check(one_of(feature_distance_names()))
       ->excludes(similarity);
 }
 
@@ -55,23 +56,24 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
   CLI::Option* evaluator = command
                                .add_option("--evaluator", arguments.evaluator,
                                            "Evaluation program to reproduce: its protocol, measures and conventions")
-                               ->check(CLI::IsMember(evaluator_names()));
+                               ->check(one_of(evaluator_names()));
   command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, or trec with --qrels)")
-      ->check(CLI::IsMember(list_of_words<Protocol>()))
+      ->check(one_of(list_of_words<Protocol>()))
       ->excludes(evaluator);
   CLI::Option* missing = command
                              .add_option("--missing-queries", arguments.missing_queries,
                                          "Treatment of queries without a ranked list; zero: they have scores of 0")
-                             ->check(CLI::IsMember(missing_queries))
+                             ->check(one_of(missing_queries))
                              ->capture_default_str();
   command
       .add_flag_callback(
           "-c,--all-queries", [&arguments] { arguments.missing_queries = word_of(Unanswered::count); },
           "Like --missing-queries zero, as trec_eval -c")
-      ->excludes(missing);
+      ->excludes(missing)
+      ->group("");
   command
       .add_option("--ties", arguments.ties, "Order of models at equal distance; expected for the mean over all orders")
-      ->check(CLI::IsMember(list_of_words<Ties>()))
+      ->check(one_of(list_of_words<Ties>()))
       ->capture_default_str()
       ->excludes(evaluator);
   command.add_option("--measures", arguments.measures, "Measures, such as NN,FT,P@10 (default: those of the protocol)")
@@ -94,9 +96,10 @@ std::vector<std::string> given_options(const CLI::App& command, std::span<const 
 
 void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description) {
   add_format_option(command, arguments.format, description);
-  command.add_option("--unit", arguments.unit, "Unit of scores in tables; JSON has fractions")
-      ->check(CLI::IsMember({"percent", "fraction"}))
-      ->capture_default_str();
+  command.add_flag("--fractions", arguments.fractions,
+                   "Print scores in tables as fractions, not in percent, as JSON does");
+  const auto set_unit = [&arguments](const std::string& unit) { arguments.fractions = unit == "fraction"; };
+  command.add_option_function<std::string>("--unit", set_unit)->check(one_of({"percent", "fraction"}))->group("");
   command
       .add_option("--digits", arguments.digits,
                   "Number of decimal places in tables (default: 2, or 4 for csv; 2 more for fractions)")
@@ -104,7 +107,7 @@ void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const s
 }
 
 ScoreStyle style_of(const ScoreFormat& arguments) {
-  const bool percent = arguments.unit == "percent";
+  const bool percent = !arguments.fractions;
   const int usual = (arguments.format == "csv" ? 4 : 2) + (percent ? 0 : 2);
   return {.percent = percent, .decimals = arguments.digits.value_or(usual)};
 }
@@ -121,7 +124,7 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
                 "or queries (about these classes)"
               : "Unit of resampling: queries (claims about these classes, beside a second test about classes "
                 "like these), or classes")
-      ->check(CLI::IsMember(list_of_words<ResamplingUnit>()))
+      ->check(one_of(list_of_words<ResamplingUnit>()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")
       ->check(within<int>(parameter_named("resamples", resampling_table).bounds))
@@ -157,7 +160,7 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
 EvaluationFiles files_as_given(const EvaluationArguments& arguments) {
   EvaluationFiles files = arguments.files;
   if (arguments.order == "natural") files.order = RowOrder::natural;
-  if (arguments.order == "file" || arguments.order == "classification") files.order = RowOrder::file;
+  if (arguments.order == "file") files.order = RowOrder::file;
   files.unanswered = value_of_word<Unanswered>(arguments.missing_queries).value();
   return files;
 }

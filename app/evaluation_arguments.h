@@ -53,11 +53,11 @@ struct ResamplingArguments {
 /// Format of printed scores, as given.
 struct ScoreFormat {
   std::string format = "table";
-  std::string unit = "percent";
+  bool fractions = false;  ///< instead of percent
   std::optional<int> digits = {};
 };
 
-/// Adds --format, described as given, --unit and --digits.
+/// Adds --format, described as given, --fractions and --digits.
 void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description);
 
 /// Returns the style of scores in tables. Default: 2 decimal places, or 4 for csv; 2 more for fractions.

@@ -1,14 +1,25 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace shapegauge {
 
-/// Layout of --help: short value types, and after each description one parenthesis with defaults and conditions:
-/// "(default: 25; not with --list)".
+/// Breaks lines at blanks so that they have at most `width` characters, as far as their words permit. Continued lines
+/// are indented like their first line, and under the command of an "Example: ".
+std::string wrapped(std::string_view text, std::size_t width);
+
+/// Layout of help, as wide as the terminal: short value types, and after each description one parenthesis with defaults
+/// and conditions: "(default: 25; not with --list)". `-h` (AppFormatMode::Normal) shows the options needed most, and
+/// `--help` (AppFormatMode::All) all options.
 class HelpFormat : public CLI::Formatter {
  public:
+  [[nodiscard]] std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+  [[nodiscard]] std::string make_option(const CLI::Option* option, bool is_positional) const override;
+  [[nodiscard]] std::string make_subcommand(const CLI::App* command) const override;
+  [[nodiscard]] std::string make_footer(const CLI::App* app) const override;
   [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
   [[nodiscard]] std::string make_option_desc(const CLI::Option* option) const override;
 };

@@ -14,9 +14,11 @@
 
 #include "app/commands.h"
 #include "app/help_format.h"
+#include "app/parameter_options.h"
 #include "app/shape_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/preparation/cavities.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/connectivity.h"
@@ -120,9 +122,13 @@ std::string value_text(const OrderedJson& value) {
   if (value.is_null()) return "none";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float() && !std::isfinite(value.get<double>())) return "too large to compute";
+  constexpr int digits = 6;
+  if (value.is_number_float()) return plain_number(value, digits);
   if (!value.is_object()) return value.dump();
   const auto corner = [&](const char* name) {
-    return fmt::format("{}", fmt::join(value[name].get<std::vector<double>>(), " "));
+    std::vector<std::string> numbers;
+    for (const double coordinate : value[name]) numbers.push_back(plain_number(coordinate, digits));
+    return fmt::format("{}", fmt::join(numbers, " "));
   };
   return corner("min") + " to " + corner("max");
 }
@@ -171,7 +177,7 @@ void add_info_command(CLI::App& app, int& status) {
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, output_options);
   command->add_option("--format", arguments->format, "Format of the report; lengths and areas are in the file's units")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of({"text", "json"}))
       ->capture_default_str();
   command->callback([arguments, &status] { status = run(*arguments); });
 }

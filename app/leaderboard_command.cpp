@@ -83,7 +83,7 @@ std::string formatted_leaderboard(const Leaderboard& board, const JudgingOptions
   if (arguments.printed.format == "json") return json_text(leaderboard_json(board, options), 2) + "\n";
   const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
   if (format == TableFormat::csv) return to_csv(leaderboard_csv_table(board, style));
-  const std::string table = table_text(leaderboard_table(board, style), format);
+  const std::string table = table_text(leaderboard_table(board, style), format, output_has_colours());
   return format == TableFormat::latex ? table : table + "\n" + letter_words(options.standings) + "\n";
 }
 
@@ -151,7 +151,7 @@ std::string formatted_datasets(const DatasetLeaderboards& all, const JudgingOpti
   const auto format = value_of_word<TableFormat>(arguments.printed.format).value();
   if (format == TableFormat::csv) return to_csv(multi_dataset_csv_table(all.results, style));
   const MultiDatasetTable& main = main_table(all.results);
-  const std::string table = table_text(multi_dataset_summary(all.results, main, style), format);
+  const std::string table = table_text(multi_dataset_summary(all.results, main, style), format, output_has_colours());
   if (format == TableFormat::latex) return table;
   return fmt::format("{}\n{} ({}, mean over queries). {}\n", table, main.measure, main.protocol,
                      test_words(all.results, main));
@@ -221,10 +221,10 @@ void add_leaderboard_command(CLI::App& app, int& status) {
       "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n"
       "         shapegauge leaderboard submissions/ --labels test.cla -o site\n"
       "         shapegauge leaderboard shrec11/ psb/ tosca/ -o all.html\n"
-      "A submission is any file that 'evaluate' reads. foo.json beside foo.npy may have name, authors, paper, url,\n"
-      "similarity, distance and ids. foo.seed1.npy, foo.seed2.npy, ... are repetitions of foo. Invalid submissions\n"
-      "are refused with the reason (exit status 1). Without --labels and --qrels, each argument is the folder of a\n"
-      "data set with its own labels.* or qrels.*, and methods are compared by their ranks on all data sets.");
+      "A submission is any file that 'evaluate' reads. foo.json beside foo.npy may have name, authors, paper, url, "
+      "similarity, distance and ids. foo.seed1.npy, foo.seed2.npy, ... are repetitions of foo. Invalid submissions are "
+      "refused with the reason (exit status 1). Without --labels and --qrels, each argument is the folder of a data "
+      "set with its own labels.* or qrels.*, and methods are compared by their ranks on all data sets.");
   const auto arguments = std::make_shared<LeaderboardArguments>();
   command->add_option("submissions", arguments->submissions, "Files, or folders of files; without --labels, data sets")
       ->required();

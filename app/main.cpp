@@ -135,7 +135,10 @@ int parse_and_run(CLI::App& app, std::span<const std::string> given) {
       print_output("{}", text.str());
       return exit_success;
     }
-    return report(fmt::format("{}; see '{}'", error.what(), help_on(error, command_in(app))), exit_unusable_input);
+    const std::string message = error.what();
+    const bool suggests = message.ends_with('?');
+    const std::string help = suggests ? "" : fmt::format("; see '{}'", help_on(error, command_in(app)));
+    return report(message + help, exit_unusable_input);
   }
   return exit_success;
 }

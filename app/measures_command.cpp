@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/metrics/evaluators.h"
 #include "shapegauge/metrics/measures.h"
@@ -82,7 +83,7 @@ void add_measures_command(CLI::App& app, int& status) {
   command->footer("Example: shapegauge measures");
   const auto format = std::make_shared<std::string>("text");
   command->add_option("--format", *format, "Format of the definitions")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of({"text", "json"}))
       ->capture_default_str();
   command->callback([format, &status] { status = run(*format); });
 }

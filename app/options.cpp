@@ -43,12 +43,12 @@ void add_replace_option(CLI::App& command, bool& replace) {
 void add_format_option(CLI::App& command, std::string& format, const std::string& description) {
   std::vector<std::string> formats = list_of_words<TableFormat>();
   formats.emplace_back("json");
-  command.add_option("--format", format, description)->check(CLI::IsMember(formats))->capture_default_str();
+  command.add_option("--format", format, description)->check(one_of(formats))->capture_default_str();
 }
 
 void add_site_option(CLI::App& command, std::string& site) {
   command.add_option("--at", site, "Sampling sites on a mesh; point clouds are sampled at their points")
-      ->check(CLI::IsMember({std::string(word_of(SampleSite::faces)), std::string(word_of(SampleSite::vertices))}))
+      ->check(one_of({std::string(word_of(SampleSite::faces)), std::string(word_of(SampleSite::vertices))}))
       ->capture_default_str();
 }
 
@@ -74,7 +74,7 @@ void add_cleaning_options(CLI::App& command, CleaningArguments& arguments) {
 
 void add_unit_option(CLI::App& command, std::string& unit) {
   command.add_option("--unit", unit, "Unit of the files' coordinates, for formats without units (STL, OBJ)")
-      ->check(CLI::IsMember(length_unit_names()))
+      ->check(one_of(length_unit_names()))
       ->group(input_options);
 }
 
@@ -95,7 +95,7 @@ void add_colour_options(CLI::App& command, ColourArguments& arguments) {
                   "thickest 2 % of the area)")
       ->type_name("LOW,HIGH");
   command.add_option("--scale", arguments.scale, "Scale of the colour map")
-      ->check(CLI::IsMember({"linear", "log"}))
+      ->check(one_of({"linear", "log"}))
       ->capture_default_str();
   command.add_option("--below", arguments.below, "Threshold, such as 2 or 2mm; thinner parts are red")
       ->type_name("LENGTH");

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <utility>
 
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/nearest_word.h"
 
 namespace shapegauge {
 
@@ -32,6 +34,14 @@ std::string type_name_of(ParameterKind kind) {
 }
 
 }  // namespace
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  std::string description = fmt::format("{{{}}}", fmt::join(words, ","));
+  return {[words = std::move(words)](const std::string& word) {
+            return std::ranges::count(words, word) > 0 ? "" : no_such_word("choice", word, words);
+          },
+          std::move(description)};
+}
 
 std::string meaning_of(const Parameter& parameter, bool with_default) {
   if (parameter.kind == ParameterKind::boolean) return without_full_stop(parameter.description);

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shapegauge/core/base/parameter.h"
 
@@ -39,6 +40,9 @@ CLI::Validator within(const Bounds& bounds) {
           },
           range.get_description()};
 }
+
+/// Returns a check that an option's value is one of the words. Its message suggests the word that was meant.
+CLI::Validator one_of(std::vector<std::string> words);
 
 /// Adds an option, or a flag for a boolean, that fills `given`. `names` as in CLI11; if empty, `--` and the parameter's
 /// name. `meaning` is meaning_of() if empty.

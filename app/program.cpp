@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/help_format.h"
@@ -28,7 +30,7 @@ void settle(CLI::App& app) {
 }
 
 void add_program_options(CLI::App& app) {
-  app.set_version_flag("--version", fmt::format("shapegauge {} ({})", version(), commit()));
+  app.set_version_flag("-V,--version", fmt::format("shapegauge {} ({})", version(), commit()));
   const auto quiet = app.add_flag_callback(
       "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print no messages except warnings and errors");
   app.add_flag_callback(
@@ -39,24 +41,34 @@ void add_program_options(CLI::App& app) {
       "Example: shapegauge run configs/quickstart.json\n"
       "Help on a command: shapegauge help COMMAND\n"
       "Exit status: 0 success; 1 completed with reported failures; 2 unusable input or arguments, or results that "
-      "could\n"
-      "not be written; 3 a part does not pass 'check'; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).");
+      "could not be written; 3 a part does not pass 'check'; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).\n"
+      "NO_COLOR=1 switches colours off.");
 }
 
 }  // namespace
 
 void add_commands(CLI::App& app, int& status) {
   app.formatter(std::make_shared<HelpFormat>());
+  app.set_help_flag("-h", "Print usage and the options needed most");
+  app.set_help_all_flag("--help", "Print all options");
   add_program_options(app);
-  for (const auto add : {add_run_command,       add_sdf_command,         add_check_command,
-                         add_normals_command,   add_info_command,        add_perturb_command,
-                         add_convert_command,   add_segment_command,     add_view_command,
-                         add_search_command,    add_describe_command,    add_distances_command,
-                         add_rerank_command,    add_evaluate_command,    add_compare_command,
-                         add_audit_command,     add_leaderboard_command, add_segmentation_evaluation_command,
-                         add_measures_command,  add_dataset_command,     add_cache_command,
-                         add_completion_command}) {
-    add(app, status);
+  using Add = void (*)(CLI::App&, int&);
+  const std::vector<std::pair<const char*, std::vector<Add>>> groups{
+      {"Measure shapes",
+       {add_sdf_command, add_check_command, add_normals_command, add_info_command, add_segment_command,
+        add_view_command}},
+      {"Search and compare shapes",
+       {add_search_command, add_describe_command, add_distances_command, add_rerank_command}},
+      {"Evaluate methods",
+       {add_evaluate_command, add_compare_command, add_audit_command, add_leaderboard_command,
+        add_segmentation_evaluation_command, add_measures_command}},
+      {"Experiments", {add_run_command, add_cache_command}},
+      {"Data and tools", {add_dataset_command, add_perturb_command, add_convert_command, add_completion_command}}};
+  for (const auto& [heading, commands] : groups) {
+    for (const Add add : commands) {
+      add(app, status);
+      app.get_subcommands([](const CLI::App*) { return true; }).back()->group(heading);
+    }
   }
   settle(app);
 }

@@ -140,7 +140,7 @@ void add_rerank_command(CLI::App& app, int& status) {
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Method");
   command->add_option("--method", arguments->method, "Re-ranking method")
-      ->check(CLI::IsMember(rerank_methods().names()))
+      ->check(one_of(rerank_methods().names()))
       ->capture_default_str();
   add_settings(*command, *arguments);
   command->add_flag("--sparse", arguments->sparse, "Use the sparse solver of diffusion for any number of models");

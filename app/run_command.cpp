@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
@@ -15,7 +16,9 @@
 #include "app/run_report.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/output_files.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/json_document.h"
@@ -60,6 +63,8 @@ struct RunArguments {
   int threads = 0;
   bool force = false;
   bool replace = false;
+  bool print_configuration = false;
+  bool dry_run = false;
   CacheOption cache;
 };
 
@@ -138,9 +143,9 @@ RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
   catch_interruption();
   return {.threads = arguments.threads,
           .interrupted = interrupted,
-          .progress = [&progress](std::string_view stage, std::size_t done, std::size_t total) {
-            progress.show(stage, done, total);
-          }};
+          .progress = [&progress](std::string_view stage, std::size_t done,
+                                  std::size_t total) { progress.show(stage, done, total); },
+          .bold = output_has_colours()};
 }
 
 /// Returns the message of an interrupted run.
@@ -190,6 +195,20 @@ int report_part(const PartOutcome& outcome, const Part& part, const fs::path& ca
   return exit_success;
 }
 
+/// Checks what a run would check before it computes, and prints its inputs and results.
+int describe_run(const RunArguments& arguments, const Experiment& experiment, const fs::path& folder) {
+  check_earlier_results(folder, experiment.configuration, arguments.replace || arguments.force);
+  std::size_t files = 0;
+  const nlohmann::json inputs = experiment.inputs ? experiment.inputs(arguments.threads) : nlohmann::json::object();
+  for (const char* kind : {"models", "shapes"}) files += inputs.value(kind, nlohmann::json::object()).size();
+  print_output("The configuration of {} is valid.\n", printable(experiment.name));
+  if (files > 0) print_output("Inputs: {}\n", count_text(static_cast<std::int64_t>(files), "file", "files"));
+  std::error_code unknown;
+  print_output("Results: {}{}\n", printable(folder.string()),
+               fs::exists(folder / manifest_name, unknown) ? ", replacing those that are there" : "");
+  return exit_success;
+}
+
 int run(const RunArguments& arguments) {
   check_plot(arguments);
   const std::optional<Part> part = arguments.part.empty() ? std::nullopt : std::optional(parse_part(arguments.part));
@@ -197,6 +216,11 @@ int run(const RunArguments& arguments) {
   Experiment experiment = read_experiment(request.document, request.source, request.folder);
   const fs::path folder = result_folder(arguments, experiment.name);
   std::ranges::copy(request.files, std::back_inserter(experiment.input_paths));
+  if (arguments.print_configuration) {
+    print_output("{}\n", json_text(experiment.configuration, 2));
+    return exit_success;
+  }
+  if (arguments.dry_run) return describe_run(arguments, experiment, folder);
   warn_of_inputs(request, experiment, arguments.threads);
   ProgressLine progress;
   if (part) {
@@ -218,9 +242,10 @@ int run(const RunArguments& arguments) {
 void add_run_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("run", "Run an experiment from its configuration");
   command->footer(
-      "Example: shapegauge run configs/shrec11_table2.json --set signatures.0.histogram.bins=40\n"
-      "Results of another configuration are replaced only with --replace or --force. An interrupted run continues from "
-      "the\ncache (shapegauge cache --help).\n"
+      "Example: shapegauge run configs/quickstart.json\n"
+      "         shapegauge run methods.json --set signatures.0.histogram.bins=40\n"
+      "Results of another configuration are replaced only with --replace. An interrupted run continues from the cache "
+      "(shapegauge cache --help).\n"
       "After the parts of --part, which may run at the same time, the run without it writes the results.\n"
       "--replay repeats a run without the cache, into results/NAME-replay or --output, and compares each output.");
   const auto arguments = std::make_shared<RunArguments>();
@@ -250,6 +275,11 @@ void add_run_command(CLI::App& app, int& status) {
                                             "srun, mpirun)")
                                 ->excludes(no_cache)
                                 ->excludes(plot);
+  begin_option_group(*command, "Without a run");
+  command->add_flag("--dry-run", arguments->dry_run,
+                    "Check the configuration and read all inputs, but compute nothing");
+  command->add_flag("--print-config", arguments->print_configuration,
+                    "Print the configuration with all defaults and the changes of --set");
   begin_option_group(*command, "Replay");
   command->add_option("--replay", arguments->source.replay, "Manifest of a run to repeat (manifest.json)")
       ->excludes(configuration)

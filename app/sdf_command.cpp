@@ -59,12 +59,12 @@ std::string descriptions_of_methods() {
     text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
     texts.push_back(fmt::format("{}: {}", type.name, text));
   }
-  return fmt::format("{}; ball is short for inscribed_ball", fmt::join(texts, "; "));
+  return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 struct SdfArguments {
   ShapeFiles files{.output_format = "csv"};
-  std::string method;
+  std::string method = "offset_sdf";
   std::string site{word_of(SamplePlan{}.site)};
   OffsetArguments offset{.offset = fmt::format("{:g}%", 100 * OffsetSdfOptions{}.offset)};
   ParameterTexts settings;  ///< of the method, without the offset
@@ -196,7 +196,8 @@ void add_outputs(CLI::App& command, SdfArguments& arguments) {
                     ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)")
       ->required(false);
   command.add_flag("--summary", arguments.summary,
-                   "Print minimum, percentiles, maximum and mean of the thickness, and the area below --below");
+                   "Print minimum, percentiles, maximum and mean of the thickness, and the area below --below; done "
+                   "anyway without -o and --plot");
   add_format_option(command, arguments.format, "Format of the summary");
   command.add_option("--plot", arguments.plot, "File for a histogram of the values: .svg, .pdf or .png");
 }
@@ -264,9 +265,7 @@ Drawing histogram_plot(const SdfArguments& arguments, const std::vector<Measured
 }
 
 void check_outputs(SdfArguments& arguments) {
-  if (arguments.files.output.empty() && !arguments.summary && arguments.plot.empty()) {
-    throw InputError("--output, --summary or --plot is required");
-  }
+  if (arguments.files.output.empty() && arguments.plot.empty()) arguments.summary = true;
   if (!arguments.timings.empty() && arguments.files.inputs.size() > 1) {
     throw InputError("--timings requires a single shape");
   }
@@ -326,17 +325,18 @@ void add_sdf_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("sdf", "Compute the thickness of shapes by the shape diameter function or inscribed balls");
   command->footer(
-      "Example: shapegauge sdf bunny.off --method offset_sdf --offset 0.03 -o bunny.ply\n"
-      "         shapegauge sdf models/*.off --method cone_sdf -o sdf/\n"
+      "Example: shapegauge sdf bunny.off\n"
+      "         shapegauge sdf bunny.off --offset 3% -o bunny.ply\n"
+      "         shapegauge sdf models/ --method cone_sdf -o sdf/\n"
       "         shapegauge sdf bracket.stl --method inscribed_ball --unit mm --summary --below 2mm\n"
       "Values are in the units of the files.");
   const auto arguments = std::make_shared<SdfArguments>();
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, "Method");
   command->add_option("--method", arguments->method, descriptions_of_methods())
-      ->required()
-      ->check(CLI::IsMember(method_names()))
-      ->transform([](const std::string& name) { return name == "ball" ? "inscribed_ball" : name; });
+      ->check(one_of(method_names()))
+      ->capture_default_str()
+      ->transform([](const std::string& name) { return name == "ball" ? "inscribed_ball" : name; });  // short
   add_outputs(*command, *arguments);
   begin_option_group(*command, "Method");
   add_site_option(*command, arguments->site);

@@ -50,7 +50,7 @@ SearchMethod chosen_method(const SearchArguments& arguments) {
   if (arguments.articulated) return recommended_search_method(RecommendedMethod::articulated);
   if (!arguments.method.empty()) return read_search_method(arguments.method, arguments.settings, arguments.signature);
   if (!arguments.settings.empty() || !arguments.signature.empty()) {
-    throw InputError("--set and --signature require --method");
+    throw InputError("--set and --signature require --configuration");
   }
   return recommended_search_method();
 }
@@ -225,10 +225,12 @@ class SearchRun {
 void add_search_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("search", "Search a collection for similar shapes");
   command->footer(
-      "Example: shapegauge search chair.obj models/\n         shapegauge search models/ant_*.off models/ -k 5 --format "
-      "csv\n         shapegauge search models/                (only builds the index)\nThe first search describes "
-      "every shape of the collection, a fraction of a second each, and writes an index. Later\nones use the index and "
-      "update it for new, changed and removed files. Distances are comparable only within one\ncollection and method.");
+      "Example: shapegauge search chair.obj models/\n"
+      "         shapegauge search models/ant_*.off models/ -k 5 --format csv\n"
+      "         shapegauge search models/                (only builds the index)\n"
+      "The first search describes every shape of the collection, a fraction of a second each, and writes an index. "
+      "Later ones use the index and update it for new, changed and removed files. Distances are comparable only within "
+      "one collection and method.");
   const auto arguments = std::make_shared<SearchArguments>();
   command
       ->add_option(
@@ -250,13 +252,14 @@ void add_search_command(CLI::App& app, int& status) {
       command->add_flag("--articulated", arguments->articulated,
                         "Use the method of configs/recommended_articulated.json, for shapes whose pose does not count");
   for (CLI::Option* option :
-       {command->add_option(
-            "--method", arguments->method,
+       {command->add_option("--method", arguments->method)->group(""),  // the older name
+        command->add_option(
+            "--configuration", arguments->method,
             "Configuration of a retrieval experiment with the signatures to compare (default: recommended method)"),
         command->add_option("--signature", arguments->signature,
-                            "Signature of the configuration given by --method (default: its last suitable one)"),
+                            "Signature of the --configuration (default: its last suitable one)"),
         command->add_option("--set", arguments->settings,
-                            "Override a value of the configuration of --method, key=value; repeatable")}) {
+                            "Override a value of the --configuration, key=value; repeatable")}) {
     articulated->excludes(option);
   }
   add_cache_option(*command, arguments->cache);

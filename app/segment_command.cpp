@@ -98,7 +98,10 @@ void segment(const SegmentArguments& arguments, SegmentationOptions options, Lab
       remarks.notes.push_back(
           *polygons + "; .seg files have one line per face of the file, with the part that covers most of its area");
     }
-    remarks.notes.push_back(count_text(*std::ranges::max_element(labels) + 1, "part", "parts"));
+    const std::string parts = count_text(*std::ranges::max_element(labels) + 1, "part", "parts");
+    const bool is_streamed = is_standard_stream(arguments.files.output);
+    remarks.notes.push_back(is_streamed ? parts
+                                        : fmt::format("{} in {}", parts, job.output.lexically_normal().string()));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", job.input, error.what()));
   }
@@ -109,17 +112,20 @@ void segment(const SegmentArguments& arguments, SegmentationOptions options, Lab
 void add_segment_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("segment", "Segment shapes into parts");
   command->footer(
-      "Example: shapegauge segment hand.off -o hand.png\n"
-      "         shapegauge segment models/*.off -o segments/");
+      "Example: shapegauge segment hand.off\n"
+      "         shapegauge segment hand.off -o hand.png\n"
+      "         shapegauge segment models/ -o segments/\n"
+      "Without -o, the result is hand.seg in the working folder.");
   const auto arguments = std::make_shared<SegmentArguments>();
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files,
-                    ".seg (one part number per line, by face), .ply or .png (coloured parts)");
+                    ".seg (one part number per line, by face), .ply or .png (coloured parts)")
+      ->required(false);
   begin_option_group(*command, "Method");
   command
       ->add_option("--method", arguments->method,
                    "best: parts as people choose them; paper: clusters of patches by their SDF")
-      ->check(CLI::IsMember(list_of_words<SegmentationAlgorithm>()))
+      ->check(one_of(list_of_words<SegmentationAlgorithm>()))
       ->capture_default_str();
   for (const Parameter& parameter : parameters) {
     if (parameter.name == "method" || parameter.name == "offset") continue;
@@ -129,6 +135,9 @@ void add_segment_command(CLI::App& app, int& status) {
   add_cleaning_options(*command, arguments->cleaning);
   command->callback([arguments, &status, offset] {
     const SegmentationOptions options = options_of(*arguments);
+    if (arguments->files.output.empty()) {
+      arguments->files.output = is_standard_stream(arguments->files.inputs.front()) ? "-" : ".";
+    }
     if (options.method != SegmentationAlgorithm::paper && offset->count() > 0) {
       throw InputError("--offset requires --method paper");
     }

@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
@@ -120,7 +121,7 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       ->required();
   begin_option_group(*command, "Evaluation");
   command->add_option("--by", arguments->weights, "Weight per triangle")
-      ->check(CLI::IsMember(list_of_words<TriangleWeights>()))
+      ->check(one_of(list_of_words<TriangleWeights>()))
       ->capture_default_str();
   command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, which takes the longest");
   begin_option_group(*command, output_options);

@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
@@ -20,6 +21,7 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/shape/polygons.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {
@@ -33,6 +35,24 @@ std::vector<std::string> input_formats() {
   std::vector<std::string> formats;
   for (const std::string_view extension : shape_extensions()) formats.emplace_back(extension.substr(1));
   return formats;
+}
+
+/// Replaces folders by their shapes.
+std::vector<fs::path> with_shapes_of_folders(const std::vector<std::string>& words) {
+  std::vector<fs::path> inputs;
+  for (const std::string& word : words) {
+    if (!is_folder(word)) {
+      inputs.emplace_back(word);
+      continue;
+    }
+    const std::vector<fs::path> shapes = model_files(word);
+    if (shapes.empty()) {
+      throw InputError(
+          fmt::format("{}: the folder has no shapes ({})", word, fmt::join(unambiguous_shape_extensions(), ", ")));
+    }
+    inputs.insert(inputs.end(), shapes.begin(), shapes.end());
+  }
+  return inputs;
 }
 
 /// Returns true if the outputs go into a folder.
@@ -119,11 +139,13 @@ void add_shape_inputs(CLI::App& command, ShapeFiles& files) {
   const std::vector<std::string> formats = input_formats();
   begin_option_group(command, input_options);
   command
-      .add_option("input", files.inputs,
-                  fmt::format("Meshes or point clouds ({}); - for standard input", fmt::join(formats, ", ")))
+      .add_option_function<std::vector<std::string>>(
+          "input", [&files](const std::vector<std::string>& words) { files.inputs = with_shapes_of_folders(words); },
+          fmt::format("Meshes or point clouds ({}), or folders of them; - for standard input",
+                      fmt::join(formats, ", ")))
       ->required();
   command.add_option("--input-format", files.input_format, "Format of the inputs (default: by extension or contents)")
-      ->check(CLI::IsMember(formats));
+      ->check(one_of(formats));
   add_threads_option(command, files.threads);
 }
 

@@ -5,11 +5,16 @@
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
+#include <optional>
+#include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
 
+#include "shapegauge/core/base/environment.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/setting_names.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/datasets/files/table.h"
 
 namespace shapegauge {
 
@@ -28,6 +33,18 @@ void write_message(std::string_view text) {
   [[maybe_unused]] const std::size_t written = std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+bool has_colours(int stream) {
+  return isatty(stream) == 1 && environment_variable("NO_COLOR").value_or("").empty() &&
+         environment_variable("TERM") != "dumb";
+}
+
+/// Makes the beginning of a message, with the word in colour (a code of SGR) if possible.
+std::string message_start(std::string_view word, int colour) {
+  const bool plain = !has_colours(STDERR_FILENO);
+  return plain ? fmt::format("shapegauge: {}: ", word)
+               : fmt::format("shapegauge: \x1b[1;{}m{}:{} ", colour, word, terminal_plain);
+}
+
 std::string for_terminal(std::string_view text) { return with_options(printable(text)); }
 
 }  // namespace
@@ -35,13 +52,22 @@ std::string for_terminal(std::string_view text) { return with_options(printable(
 std::string printable_lines(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find_first_of("\n\t"), text.size());
-    shown += printable(text.substr(0, end));
-    if (end < text.size()) shown += text[end];
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::size_t end = std::min(text.find_first_of("\n\t\x1b", 1), text.size());
+    std::string_view piece = text.substr(0, end);
+    for (const std::string_view kept :
+         {std::string_view("\n"), std::string_view("\t"), terminal_bold, terminal_plain}) {
+      if (!piece.starts_with(kept)) continue;
+      shown += kept;
+      piece.remove_prefix(kept.size());
+      break;
+    }
+    shown += printable(piece);
+    text.remove_prefix(end);
   }
   return shown;
 }
+
+bool output_has_colours() { return has_colours(STDOUT_FILENO); }
 
 void write_output(std::string_view text) {
   static const bool on_terminal = isatty(STDOUT_FILENO) == 1;
@@ -55,6 +81,14 @@ int output_error() {
   const bool flushed = std::fflush(stdout) == 0;
   if (!flushed && first_output_error == 0) first_output_error = errno;
   return first_output_error;
+}
+
+std::size_t terminal_width() {
+  constexpr double widest = 100;
+  winsize window{};
+  const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 0;
+  const std::optional<double> columns = parse_number(environment_variable("COLUMNS").value_or(""));
+  return static_cast<std::size_t>(std::clamp(columns.value_or(is_known ? window.ws_col : widest), 60.0, widest));
 }
 
 void set_verbosity(Verbosity verbosity) { current_verbosity = verbosity; }
@@ -79,12 +113,16 @@ void note(std::string_view text) {
   if (current_verbosity != Verbosity::quiet) write_message(fmt::format("shapegauge: {}\n", for_terminal(text)));
 }
 
-void warn(std::string_view text) { write_message(fmt::format("shapegauge: warning: {}\n", for_terminal(text))); }
+void warn(std::string_view text) {
+  constexpr int yellow = 33;
+  write_message(fmt::format("{}{}\n", message_start("warning", yellow), for_terminal(text)));
+}
 
 void print_error(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   text.erase(text.find_last_not_of(' ') + 1);
-  write_message(fmt::format("shapegauge: error: {}\n", for_terminal(text)));
+  constexpr int red = 31;
+  write_message(fmt::format("{}{}\n", message_start("error", red), for_terminal(text)));
 }
 
 ProgressLine::ProgressLine() : shown_(shows_progress()) {}

@@ -21,14 +21,21 @@ enum class Verbosity {
   verbose  ///< also steps and their run times
 };
 
-/// Sanitises text of several lines for a terminal: printable(), but keeps ends of lines and tabs.
+/// Sanitises text of several lines for a terminal: printable(), but keeps ends of lines, tabs and the
+/// sequences of bold cells (to_plain_text()).
 std::string printable_lines(std::string_view text);
+
+/// Returns true if standard output is a terminal that shows bold text and colours: not "dumb", and without $NO_COLOR.
+bool output_has_colours();
 
 /// Writes the text to standard output, on a terminal sanitised by printable_lines(); output_error() reports failures.
 void write_output(std::string_view text);
 
 /// Flushes standard output. Returns the error (errno) of the first failed write, or 0.
 int output_error();
+
+/// Returns the width for text on standard output: that of $COLUMNS or of the terminal, from 60 to 100; 100 otherwise.
+std::size_t terminal_width();
 
 /// Sets the verbosity of the functions below; normal by default.
 void set_verbosity(Verbosity verbosity);

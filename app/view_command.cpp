@@ -209,13 +209,19 @@ std::string title_of(const ViewArguments& arguments, const std::vector<ShapeView
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void check_output(const fs::path& output) {
-  if (is_standard_stream(output) || is_page(output)) return;
+/// Returns the page to write: by default, for a single shape, that of its name.
+fs::path page_of(const ViewArguments& arguments) {
+  const fs::path& output = arguments.output;
+  const std::vector<fs::path>& inputs = arguments.files.inputs;
+  if (output.empty() && inputs.size() > 1) throw InputError("--output is required for several shapes");
+  if (output.empty()) return is_standard_stream(inputs[0]) ? inputs[0] : fs::path(inputs[0].stem().string() + ".html");
+  if (is_standard_stream(output) || is_page(output)) return output;
   throw InputError(fmt::format("cannot write {}: the name of a page must end in .html", output.string()));
 }
 
 int run(ViewArguments& arguments, bool offset_given) {
-  check_output(arguments.output);
+  const bool is_named = !arguments.output.empty();
+  arguments.output = page_of(arguments);
   const std::vector<WantedField> fields = wanted_fields(arguments, offset_given);
   arguments.offset.unit_of_files = take_unit_of_files(arguments.offset.unit, arguments.files.inputs);
   const GivenOffset offset = parse_offset(arguments.offset);
@@ -249,6 +255,7 @@ int run(ViewArguments& arguments, bool offset_given) {
     write_standard_output(html);
   else
     write_file_atomically(arguments.output, html);
+  if (!is_named) note(fmt::format("page: {}", arguments.output.string()));
   if (status != exit_success) warn(fmt::format("{} does not show these shapes", arguments.output.string()));
   return status;
 }
@@ -259,13 +266,14 @@ void add_view_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("view", "Write a page with interactive 3D views of shapes, coloured by fields");
   command->footer(
-      "Example: shapegauge view hand.off -o hand.html\n         shapegauge view a.off b.ply scan.xyz --offset 0.02 -o "
+      "Example: shapegauge view hand.off\n         shapegauge view a.off b.ply scan.xyz --offset 0.02 -o "
       "three.html\n         shapegauge view hand.off --field offset_sdf,offset=0.01 --field heat_kernel,time=0.05 -o "
       "hand.html\nThe page is one self-contained file. Values are in the units of the files.");
   const auto arguments = std::make_shared<ViewArguments>();
   add_shape_inputs(*command, arguments->files);
   begin_option_group(*command, output_options);
-  command->add_option("-o,--output", arguments->output, "Output file: .html; - for standard output")->required();
+  command->add_option("-o,--output", arguments->output,
+                      "Output file: .html; - for standard output (default: NAME.html in the working folder)");
   add_replace_option(*command, arguments->files.replace);
   begin_option_group(*command, "Method");
   command
@@ -290,7 +298,7 @@ void add_view_command(CLI::App& app, int& status) {
       ->add_option("--up", arguments->up,
                    "Vertical axis of the initial view; auto: by the convention of the file format; principal: the "
                    "shape's own axes")
-      ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z", "principal"}))
+      ->check(one_of({"auto", "x", "y", "z", "-x", "-y", "-z", "principal"}))
       ->capture_default_str();
   command->add_option("--title", arguments->title, "Title of the page (default: names of the shapes)");
   add_cleaning_options(*command, arguments->cleaning);

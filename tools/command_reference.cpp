@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 
 namespace shapegauge {
 
@@ -65,7 +66,8 @@ std::vector<const CLI::Option*> listed_options(const CLI::App& command) {
   std::vector<const CLI::Option*> listed;
   for (const CLI::Option* option : command.get_options()) {
     const bool is_hidden = !option->get_positional() && option->get_group().empty();
-    if (option != command.get_help_ptr() && !is_hidden) listed.push_back(option);
+    const bool is_help = option == command.get_help_ptr() || option == command.get_help_all_ptr();
+    if (!is_help && !is_hidden) listed.push_back(option);
   }
   std::ranges::stable_partition(listed, &CLI::Option::get_positional);
   return listed;
@@ -117,7 +119,8 @@ std::string section(const CLI::App& command, const std::string& path, const Shar
   std::string text = fmt::format("\n## {}\n\n{}.\n", path, in_markdown(command.get_description()));
   if (text.ends_with("..\n")) text.erase(text.size() - 2, 1);
   text += option_list(command, shared);
-  if (const std::string notes = command.get_footer(); !notes.empty())
+  constexpr std::size_t line_width = 100;
+  if (const std::string notes = wrapped(command.get_footer(), line_width); !notes.empty())
     text += fmt::format("\n```text\n{}\n```\n", notes);
   for (const CLI::App* inner : commands_of(command)) {
     text += section(*inner, path + " " + inner->get_name(), shared);
@@ -131,10 +134,9 @@ std::string command_reference(const CLI::App& program) {
   std::string page =
       "# Commands\n\n"
       "<!-- Written by the target update_reference from the program's tables of options. -->\n\n"
-      "Every command explains itself with `--help`; `shapegauge help COMMAND` is the same. [Shared\n"
-      "options](#shared-options) are listed once. See also [exit statuses](definitions.md#exit-status) and [formats "
-      "of\n"
-      "files](file_formats.md).\n\n"
+      "`-h` prints the options of a command that are needed most, and `--help` all; `shapegauge help COMMAND` is the\n"
+      "same. [Shared options](#shared-options) are listed once. See also [exit statuses](definitions.md#exit-status)\n"
+      "and [formats of files](file_formats.md).\n\n"
       "| command | purpose |\n|---|---|\n";
   for (const CLI::App* command : commands_of(program)) {
     page +=

@@ -158,7 +158,12 @@ std::optional<std::string_view> choice_of(const Parameter& parameter, std::strin
 
 ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value) {
   if (const std::optional<ParameterValue> legal = legal_value(parameter, value)) return *legal;
-  fail_value(parameter, shown(value), legal_values(parameter));
+  std::string legal = legal_values(parameter);
+  if (const auto* const word = std::get_if<std::string_view>(&value)) {
+    const std::vector<std::string> choices(parameter.choices.begin(), parameter.choices.end());
+    if (const auto meant = nearest_word(*word, choices)) legal += fmt::format("; did you mean \"{}\"?", *meant);
+  }
+  fail_value(parameter, shown(value), legal);
 }
 
 ParameterValue parse_value(const Parameter& parameter, std::string_view text) {

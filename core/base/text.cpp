@@ -61,6 +61,18 @@ std::string two_digits(double number) {
   return is_short ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number);
 }
 
+std::string plain_number(double number, int digits) {
+  const double size = std::abs(number);
+  if (size == 0) return "0";
+  if (!(size >= 1e-9 && size < 1e15)) return fmt::format("{:.{}g}", number, digits);
+  const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(size)));
+  const double unit = std::pow(10, std::max(-decimals, 0));
+  std::string text = fmt::format("{:.{}f}", std::round(number / unit) * unit, std::max(decimals, 0));
+  if (decimals > 0) text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
 std::string quoted_word(std::string_view word) { return '"' + printable(word, 40) + '"'; }
 
 }  // namespace shapegauge

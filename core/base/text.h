@@ -34,6 +34,10 @@ std::string count_text(std::int64_t count, std::string_view one, std::string_vie
 /// Formats a number for messages with two significant digits, and from 100 to 10^6 as an integer: "0.12", "250".
 std::string two_digits(double number);
 
+/// Formats a number with that many significant digits and without an exponent: "1234600", "0.00012"; finite numbers
+/// from 1e15 or below 1e-9 keep theirs.
+std::string plain_number(double number, int digits);
+
 /// Quotes a word for a one-line message: in quotation marks, sanitised by printable(), truncated to 40 bytes.
 std::string quoted_word(std::string_view word);
 

@@ -16,9 +16,10 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// Counts the letters, not bytes, of a UTF-8 text.
+/// Counts the letters, not bytes, of a UTF-8 text. Escape sequences are those of bold cells.
 std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & '\xC0') != '\x80'; }));
+  const auto all = std::ranges::count_if(text, [](char c) { return (c & '\xC0') != '\x80'; });
+  return static_cast<std::size_t>(all - std::ranges::count(text, '\x1b') * std::ssize(terminal_bold));
 }
 
 std::vector<std::size_t> column_widths(const TextTable& table) {
@@ -124,6 +125,11 @@ std::string with_plain_mark(const std::string& cell, const Emphasis& emphasis) {
   return emphasis.mark.empty() ? cell : cell + " " + emphasis.mark;
 }
 
+std::string with_bold_text(const std::string& cell, const Emphasis& emphasis) {
+  const std::string text = with_plain_mark(cell, emphasis);
+  return emphasis.bold ? fmt::format("{}{}{}", terminal_bold, text, terminal_plain) : text;
+}
+
 std::string with_markdown(const std::string& cell, const Emphasis& emphasis) {
   const std::string mark = emphasis.mark.empty() ? "" : fmt::format(" <sup>{}</sup>", emphasis.mark);
   return (emphasis.bold ? fmt::format("**{}**", cell) : cell) + mark;
@@ -185,8 +191,8 @@ std::string to_csv(const TextTable& table) {
   return text;
 }
 
-std::string to_plain_text(const TextTable& table) {
-  const TextTable marked = with_emphases(with_cells(table, plain_cell), with_plain_mark);
+std::string to_plain_text(const TextTable& table, bool bold) {
+  const TextTable marked = with_emphases(with_cells(table, plain_cell), bold ? with_bold_text : with_plain_mark);
   const std::vector<std::size_t> widths = column_widths(marked);
   std::string text = line(marked.header, widths, marked.text_columns, "  ") + "\n";
   for (const Row& row : marked.rows) text += line(row, widths, marked.text_columns, "  ") + "\n";
@@ -233,7 +239,7 @@ std::string to_latex(const TextTable& table) {
   return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
-std::string table_text(const TextTable& table, TableFormat format) {
+std::string table_text(const TextTable& table, TableFormat format, bool bold) {
   switch (format) {
     case TableFormat::csv:
       return to_csv(table);
@@ -244,7 +250,7 @@ std::string table_text(const TextTable& table, TableFormat format) {
     case TableFormat::table:
       break;
   }
-  return to_plain_text(table);
+  return to_plain_text(table, bold);
 }
 
 }  // namespace shapegauge

@@ -10,6 +10,12 @@
 
 namespace shapegauge {
 
+/// Begin and end of bold text on a terminal.
+/// @{
+inline constexpr std::string_view terminal_bold = "\x1b[1m";
+inline constexpr std::string_view terminal_plain = "\x1b[0m";
+/// @}
+
 /// Emphasis of a cell: bold in Markdown and LaTeX, followed by a mark; ignored in CSV.
 struct Emphasis {
   std::size_t row = 0;
@@ -37,8 +43,8 @@ void embolden_best(TextTable& table, std::size_t first_key);
 
 /// Formats a table as CSV (RFC 4180, LF).
 std::string to_csv(const TextTable& table);
-/// Formats a table for a terminal: aligned columns, separated by two blanks.
-std::string to_plain_text(const TextTable& table);
+/// Formats a table for a terminal: aligned columns, separated by two blanks; bold cells by escape sequences if `bold`.
+std::string to_plain_text(const TextTable& table, bool bold = false);
 /// Escapes a text for one line of Markdown, where it then appears as it is.
 std::string markdown_text(const std::string& text);
 /// Formats a table as Markdown, aligned in the source as well.
@@ -51,7 +57,7 @@ enum class TableFormat { table, csv, markdown, latex };
 template <>
 inline constexpr std::array<std::string_view, 4> words_of<TableFormat>{"table", "csv", "markdown", "latex"};
 
-/// Formats a table by one of the functions above.
-std::string table_text(const TextTable& table, TableFormat format);
+/// Formats a table by one of the functions above. `bold` is for to_plain_text().
+std::string table_text(const TextTable& table, TableFormat format, bool bold = false);
 
 }  // namespace shapegauge

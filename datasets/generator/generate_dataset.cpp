@@ -97,17 +97,17 @@ bool belongs_to_dataset(const std::filesystem::path& file) {
 }
 
 // Creates the folder and checks that it has no data set.
-void prepare_folder(const std::filesystem::path& folder, bool force) {
+void prepare_folder(const std::filesystem::path& folder, bool replace) {
   try {
     std::filesystem::create_directories(folder);
     std::vector<std::filesystem::path> old_files;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (belongs_to_dataset(entry.path())) old_files.push_back(entry.path());
     }
-    if (!old_files.empty() && !force) {
-      throw InputError(fmt::format("{} already has a data set ({}); use another folder, or `force=true` to replace it",
-                                   folder.string(),
-                                   std::min_element(old_files.begin(), old_files.end())->filename().string()));
+    if (!old_files.empty() && !replace) {
+      throw InputError(
+          fmt::format("{} already has a data set ({}); use another folder, or `replace=true` to replace it",
+                      folder.string(), std::min_element(old_files.begin(), old_files.end())->filename().string()));
     }
     for (const std::filesystem::path& file : old_files) std::filesystem::remove(file);
   } catch (const std::filesystem::filesystem_error& error) {
@@ -221,7 +221,7 @@ Shape generate_model(const GeneratedModel& wanted) {
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,
                       const GeneratorProgress& progress) {
   check_options("generate", generator_table(), options);
-  prepare_folder(folder, options.force);
+  prepare_folder(folder, options.replace);
   const Models models{scattered_numbers(options), folder};
   const auto classes = static_cast<std::size_t>(options.classes);
   std::mutex mutex;

@@ -33,13 +33,13 @@ struct GeneratorOptions {
   int models_per_class = 8;  ///< individuals of the class in random poses, or random objects
   int faces = 4000;          ///< approximate number of triangles of a model
   std::uint64_t seed = 1;    ///< the same seed and options give the same bytes for any number of threads
-  bool force = false;        ///< replace a data set already in the folder
+  bool replace = false;      ///< replace a data set already in the folder
 };
 
-/// Returns the table of GeneratorOptions, without `force`.
+/// Returns the table of GeneratorOptions, without `replace`.
 const std::array<OptionParameter<GeneratorOptions>, 4>& generator_table();
 
-/// Return the parameters of GeneratorOptions, without `force`, and those of GeneratedModel, whose class is called
+/// Return the parameters of GeneratorOptions, without `replace`, and those of GeneratedModel, whose class is called
 /// `class`.
 /// @{
 std::span<const Parameter> generator_parameters();
@@ -57,7 +57,7 @@ using GeneratorProgress = std::function<void(int done, int total)>;
 /// - parts.json: per class the names of its parts, in the order of labels; an object may lack some.
 ///
 /// Models are generated in parallel (TBB). Throws InputError for an option out of range, a folder that cannot be
-/// written, and a folder that already has T*.off, T*.seg or test.cla (with `force`, these are replaced or removed).
+/// written, and a folder that already has T*.off, T*.seg or test.cla (with `replace`, these are replaced or removed).
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,
                       const GeneratorProgress& progress = {});
 

@@ -178,7 +178,7 @@ std::string dotted(const nlohmann::json::json_pointer& place) {
 
 nlohmann::json parse_json(std::string_view text, const std::string& source) {
   try {
-    return nlohmann::json::parse(text, Strictness(source));
+    return nlohmann::json::parse(text, Strictness(source), /*allow_exceptions=*/true, /*ignore_comments=*/true);
   } catch (const nlohmann::json::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid JSON: {}", source,
                                  position_of(text, error.byte > 0 ? error.byte - 1 : 0),
@@ -189,7 +189,8 @@ nlohmann::json parse_json(std::string_view text, const std::string& source) {
 }
 
 std::optional<nlohmann::json> parse_if_json(std::string_view text, const std::string& source) {
-  nlohmann::json parsed = nlohmann::json::parse(text, Strictness(source), /*allow_exceptions=*/false);
+  nlohmann::json parsed =
+      nlohmann::json::parse(text, Strictness(source), /*allow_exceptions=*/false, /*ignore_comments=*/true);
   if (parsed.is_discarded()) return std::nullopt;
   return std::optional<nlohmann::json>(std::move(parsed));
 }

@@ -36,8 +36,9 @@ auto at_key(const std::string& key, Step step) {
 /// Returns the position in the notation of `--set`: "datasets.0.root".
 std::string dotted(const nlohmann::json_pointer<std::string>& place);
 
-/// Parses a JSON text. Throws InputError for invalid JSON, with line and column, for a repeated key of an object, and
-/// for values nested more than 100 deep. `source`, such as the name of the file, is the text's name in messages.
+/// Parses a JSON text, which may have comments (`//` and `/* */`). Throws InputError for invalid JSON, with line and
+/// column, for a repeated key of an object, and for values nested more than 100 deep. `source`, such as the name of the
+/// file, is the text's name in messages.
 nlohmann::json parse_json(std::string_view text, const std::string& source);
 
 /// Parses a JSON text; returns nothing if it is not JSON.

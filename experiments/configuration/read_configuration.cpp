@@ -18,6 +18,7 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/configuration/short_forms.h"
 
 namespace shapegauge {
 
@@ -43,11 +44,11 @@ std::size_t signature_named(const std::string& name, const std::vector<Signature
   return static_cast<std::size_t>(found - signatures.begin());
 }
 
-Interval picture_range(const Json& range) {
+/// Reads a list of two numbers. `path` is its position in messages.
+Interval read_range(const char* path, const Json& range) {
   const Interval interval{.low = range.at(0), .high = range.at(1)};
   if (interval.low < interval.high) return interval;
-  throw ConfigurationError{"pictures.range",
-                           fmt::format("the first value must be less than the second, not {}", range.dump())};
+  throw ConfigurationError{path, fmt::format("the first value must be less than the second, not {}", range.dump())};
 }
 
 /// Reads the setting "report" of a retrieval experiment with these signatures. Throws ConfigurationError for pictures
@@ -62,7 +63,7 @@ ReportConfiguration read_report(const Json& setting, const std::vector<Signature
   report.views = report.pictures && (!setting.is_object() || setting.value("views", true));
   if (!pictures.is_object()) return report;
   if (pictures.contains("of")) report.pictured_signature = signature_named(pictures.at("of"), signatures);
-  if (pictures.contains("range")) report.picture_options.range = picture_range(pictures.at("range"));
+  if (pictures.contains("range")) report.picture_options.range = read_range("pictures.range", pictures.at("range"));
   return report;
 }
 
@@ -75,19 +76,15 @@ HistogramConfiguration histogram_of(const Json& settings) {
                                          histogram.options.bins, histogram.options.smoothing_bins)};
   }
   const Json& range = settings.at("range");
-  if (range.is_object()) {
-    histogram.range = HistogramRange::fixed;
-    histogram.fixed = {.low = range.at("fixed").at(0), .high = range.at("fixed").at(1)};
-    if (!(histogram.fixed.low < histogram.fixed.high)) {
-      throw ConfigurationError{
-          "range.fixed", fmt::format("the first value must be less than the second, not {}", range.at("fixed").dump())};
-    }
-    if (!std::isfinite(histogram.fixed.high - histogram.fixed.low)) {
-      throw ConfigurationError{"range.fixed",
-                               fmt::format("the values are too far apart: {}", range.at("fixed").dump())};
-    }
-  } else {
+  if (range.is_string()) {
     histogram.range = value_of_word<HistogramRange>(range.get<std::string>()).value();
+    return histogram;
+  }
+  const char* path = range.is_object() ? "range.fixed" : "range";
+  histogram.range = HistogramRange::fixed;
+  histogram.fixed = read_range(path, range.is_object() ? range.at("fixed") : range);
+  if (!std::isfinite(histogram.fixed.high - histogram.fixed.low)) {
+    throw ConfigurationError{path, fmt::format("the values are too far apart: {}", range.dump())};
   }
   return histogram;
 }
@@ -308,6 +305,7 @@ std::uint64_t read_seed(const Json& experiment) {
 Configuration configuration_from_json(const Json& given, const std::string& source, const fs::path& folder) {
   Json document = given;
   read_dataset_files(document, source, folder, retrieval_paths().datasets);
+  expand_short_forms(document);
   check_against_schema(document, "retrieval_experiment", source);
   try {
     return checked_configuration(document, folder);

@@ -12,6 +12,7 @@
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/configuration/short_forms.h"
 
 namespace shapegauge {
 
@@ -121,7 +122,9 @@ Json to_json(const ShapeComparison& comparison) {
   return json;
 }
 
-ShapeComparison comparison_from_json(const Json& document, const std::string& source, const fs::path& folder) {
+ShapeComparison comparison_from_json(const Json& given, const std::string& source, const fs::path& folder) {
+  Json document = given;
+  expand_short_forms(document);
   check_against_schema(document, "comparison_experiment", source);
   try {
     return checked_comparison(document, folder);

@@ -48,8 +48,8 @@ void generate(const fs::path& folder, const GeneratorOptions& options, Json reco
   // The record is written first, to recognise the folder after an interruption.
   record["complete"] = false;
   GeneratorOptions now = options;
-  now.force = earlier.is_object();
-  if (now.force || has_only_lock(folder)) write_file_atomically(record_file, record.dump(2) + "\n");
+  now.replace = earlier.is_object();
+  if (now.replace || has_only_lock(folder)) write_file_atomically(record_file, record.dump(2) + "\n");
   generate_dataset(folder, now, [&](int done, int total) {
     if (control.interrupted()) throw Interrupted();
     control.progress("generating models", static_cast<std::size_t>(done), static_cast<std::size_t>(total));

@@ -199,11 +199,15 @@ void check_results_are_no_inputs(const fs::path& folder, std::span<const std::st
   }
 }
 
-void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace) {
-  require_writable(folder);
+void check_earlier_results(const fs::path& folder, const nlohmann::json& configuration, bool replace) {
   if (replace || !has_results(folder) || earlier_configuration(folder) == escaped_json(configuration)) return;
   throw InputError(fmt::format(
       "{} has results of another configuration; use another folder with `output`, or `replace=true`", folder.string()));
+}
+
+void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace) {
+  require_writable(folder);
+  check_earlier_results(folder, configuration, replace);
 }
 
 StagedResults::StagedResults(fs::path destination)

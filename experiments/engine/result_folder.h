@@ -58,6 +58,9 @@ void require_writable(const std::filesystem::path& folder);
 void check_results_are_no_inputs(const std::filesystem::path& folder, std::span<const std::string> files,
                                  std::span<const std::filesystem::path> inputs);
 
+/// Throws InputError if the folder has results of another configuration, unless `replace` is set.
+void check_earlier_results(const std::filesystem::path& folder, const nlohmann::json& configuration, bool replace);
+
 /// Prepares the result folder before a run. The folder may be new, have no results, or have those of the same
 /// configuration, which a repeated run replaces. Throws InputError if it has other results, unless `replace` is set, or
 /// cannot be created or written to.

@@ -30,6 +30,7 @@ struct RunControl {
   /// Receives the stage and its progress; calls are serialised.
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress =
       [](std::string_view, std::size_t, std::size_t) {};
+  bool bold = false;  ///< the printed summary has the best scores in bold, for a terminal
 };
 
 /// Shape that a run omitted.

@@ -227,6 +227,16 @@ std::vector<std::string> label_warnings(const TaskLabels& labels) {
   return warnings;
 }
 
+// Adds the ids that a run has stored beside its matrices.
+EvaluationFiles with_stored_ids(EvaluationFiles files) {
+  const fs::path stored = files.matrix.parent_path() / stored_ids_name;
+  std::error_code unknown;
+  const bool is_matrix = lower_case(files.matrix.extension().string()) == ".npy";
+  if (is_matrix && files.ids.empty() && files.order == RowOrder::usual && fs::exists(stored, unknown))
+    files.ids = stored;
+  return files;
+}
+
 EvaluationData open_labelled(const EvaluationFiles& files) {
   TaskLabels labels = read_task_labels(files);
   std::vector<std::string> warnings = label_warnings(labels);
@@ -334,7 +344,8 @@ EvaluationData open_evaluation_files(const EvaluationFiles& files) {
   if (files.labels.empty() == files.qrels.empty()) {
     throw InputError("exactly one of `labels` (classes of the models) and `qrels` (judgements) is required");
   }
-  return files.qrels.empty() ? open_labelled(files) : open_judged(files);
+  const EvaluationFiles complete = with_stored_ids(files);
+  return files.qrels.empty() ? open_labelled(complete) : open_judged(complete);
 }
 
 std::vector<std::string> merged_warnings(std::span<const FileWarning> warnings, std::string_view noun) {

@@ -31,6 +31,10 @@ struct EvaluationFiles {
   std::string distance{};  ///< distance between features, if the matrix has features, one row per model; may be empty
 };
 
+/// File of a run with the ids of the models, one per line, beside its matrices (.npy) of distances and of features.
+/// Evaluations use it unless `ids` or `order` is given.
+inline constexpr std::string_view stored_ids_name = "ids.txt";
+
 /// Reads the labels that the files name: of one set of models, or of queries and targets.
 TaskLabels read_task_labels(const EvaluationFiles& files);
 

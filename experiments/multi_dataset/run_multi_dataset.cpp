@@ -251,7 +251,7 @@ class MultiDatasetRun {
     to_->manifest["inputs"] = inputs_;
     to_->manifest["failed_models"] = failures_json(outcome_.left_out);
     outcome_.summary = fmt::format("{} ({}, {}), percent\n{}\n{}\n", main.measure, main.protocol, name_of(main.average),
-                                   to_plain_text(summary), test_words(results_, main));
+                                   to_plain_text(summary, context_->control.bold), test_words(results_, main));
   }
 
   const MultiDatasetExperiment* experiment_;

@@ -116,6 +116,21 @@ TextTable summary_table(std::span<const NamedEvaluation> evaluations, const Scor
   return table;
 }
 
+TextTable merge_equal_averages(TextTable table) {
+  const auto average = static_cast<std::size_t>(std::ranges::find(table.header, "average") - table.header.begin());
+  for (std::size_t i = table.rows.size(); i-- > 1;) {
+    Row& row = table.rows[i - 1];
+    Row other = table.rows[i];
+    other[average] = row[average];
+    if (other != row) continue;
+    row[average] = "both";
+    table.rows.erase(table.rows.begin() + static_cast<std::ptrdiff_t>(i));
+    std::erase_if(table.emphases, [i](const Emphasis& emphasis) { return emphasis.row == i; });
+    for (Emphasis& emphasis : table.emphases) emphasis.row -= emphasis.row > i ? 1 : 0;
+  }
+  return table;
+}
+
 TextTable intervals_table(std::span<const NamedEvaluation> evaluations) {
   TextTable table{
       .header = {"method", "protocol", "average", "measure", "value", "low", "high"}, .rows = {}, .text_columns = 4};

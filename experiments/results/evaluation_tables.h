@@ -63,6 +63,9 @@ enum class IntervalCells { none, beside, columns };
 TextTable summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style = {},
                         IntervalCells intervals = IntervalCells::none);
 
+/// Replaces the rows of both averages of a method by one with the average "both" if their scores read the same.
+TextTable merge_equal_averages(TextTable table);
+
 /// Makes a table with a row for each evaluation, average and measure: method, protocol, average, measure, value, low,
 /// high; percent. Evaluations without intervals have no rows.
 TextTable intervals_table(std::span<const NamedEvaluation> evaluations);

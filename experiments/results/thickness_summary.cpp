@@ -14,7 +14,7 @@ namespace {
 using OrderedSummary = nlohmann::ordered_json;
 
 /// Formats a number with five digits.
-std::string short_number(double value) { return std::isnan(value) ? "none" : fmt::format("{:.5g}", value); }
+std::string short_number(double value) { return std::isnan(value) ? "none" : plain_number(value, 5); }
 
 OrderedSummary number_or_null(double value) {
   return std::isnan(value) ? OrderedSummary(nullptr) : OrderedSummary(value);

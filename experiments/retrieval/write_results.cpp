@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/result_folder.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/retrieval/experiment_report.h"
 #include "shapegauge/experiments/retrieval/manifest_entries.h"
@@ -79,22 +81,7 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
   return json_text(json, 2) + "\n";
 }
 
-/// The summary for a terminal, with one row where both averages are equal, as in classes of one size.
-std::string printed_summary(std::span<const NamedEvaluation> evaluations) {
-  TextTable table = summary_table(evaluations);
-  const auto average = static_cast<std::size_t>(std::ranges::find(table.header, "average") - table.header.begin());
-  std::vector<std::vector<std::string>> rows;
-  for (std::vector<std::string>& row : table.rows) {
-    std::vector<std::string> other = row;
-    if (!rows.empty()) other[average] = rows.back()[average];
-    if (!rows.empty() && other == rows.back()) {
-      rows.back()[average] = "both";
-    } else {
-      rows.push_back(std::move(row));
-    }
-  }
-  return to_plain_text({.header = table.header, .rows = std::move(rows), .text_columns = table.text_columns});
-}
+bool has_descriptor(const SignatureConfiguration& signature) { return signature.descriptor.has_value(); }
 
 /// Returns the text files of the results by name.
 std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results,
@@ -102,18 +89,25 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
   std::vector<std::string> ids;
   for (const Model& model : results.models) ids.push_back(model.id);
   const TextTable rounded = summary_table(evaluations);
-  return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
-          {"summary.json", summary_json(results, evaluations)},
-          {"summary.md", to_markdown(rounded)},
-          {"summary.tex", to_latex(rounded)},
-          {"intervals.csv", to_csv(intervals_table(evaluations))},
-          {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
-          {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},
-          {"pr_curves.csv", to_csv(precision_recall_table(evaluations))},
-          {"shapes.csv", to_csv(shapes_table(results.models, results.classes, results.shapes,
-                                             results.configuration.preparation, results.fields))},
-          {"shape_seconds.csv", to_csv(shape_seconds_table(results.models, results.shapes, results.fields,
-                                                           results.configuration.signatures))}};
+  const std::string id_lines = fmt::format("{}\n", fmt::join(ids, "\n"));
+  std::vector<std::pair<std::string, std::string>> files{
+      {"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
+      {"summary.json", summary_json(results, evaluations)},
+      {"summary.md", to_markdown(rounded)},
+      {"summary.tex", to_latex(rounded)},
+      {"intervals.csv", to_csv(intervals_table(evaluations))},
+      {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
+      {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},
+      {"pr_curves.csv", to_csv(precision_recall_table(evaluations))},
+      {"shapes.csv", to_csv(shapes_table(results.models, results.classes, results.shapes,
+                                         results.configuration.preparation, results.fields))},
+      {"shape_seconds.csv",
+       to_csv(shape_seconds_table(results.models, results.shapes, results.fields, results.configuration.signatures))}};
+  if (results.configuration.keep_distances) files.emplace_back(fmt::format("distances/{}", stored_ids_name), id_lines);
+  if (std::ranges::any_of(results.configuration.signatures, has_descriptor)) {
+    files.emplace_back(fmt::format("features/{}", stored_ids_name), id_lines);
+  }
+  return files;
 }
 
 /// Returns the files of that kind, one a method.
@@ -130,8 +124,7 @@ std::vector<std::string> write_features(const fs::path& folder, const Experiment
   const std::vector<std::string> names = method_files("features", results.configuration);
   std::vector<std::string> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!results.configuration.signatures[i].descriptor) continue;
-    make_folder(folder / "features");
+    if (!has_descriptor(results.configuration.signatures[i])) continue;
     files.push_back(names[i]);
     write_npy(folder / names[i], results.methods[i].signatures.cast<double>());
   }
@@ -144,11 +137,11 @@ std::vector<std::string> distance_files(const Configuration& configuration) {
   return configuration.keep_distances ? method_files("distances", configuration) : std::vector<std::string>();
 }
 
-RunOutcome write_results(const RunResults& to, const ExperimentResults& results) {
+RunOutcome write_results(const RunResults& to, const ExperimentResults& results, bool bold) {
   to.manifest = manifest_entries(results);
   to.execution = execution_json(results.threads, results.timings, results.fields, results.cache);
   std::vector<NamedEvaluation> evaluations = all_evaluations(results);
-  RunOutcome outcome{.summary = printed_summary(evaluations),
+  RunOutcome outcome{.summary = to_plain_text(merge_equal_averages(summary_table(evaluations)), bold),
                      .warnings = run_warnings(results),
                      .left_out = results.failures,
                      .incomplete = incomplete_methods(results),
@@ -163,6 +156,7 @@ RunOutcome write_results(const RunResults& to, const ExperimentResults& results)
   }
   for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
   for (const auto& [name, text] : text_files(results, evaluations)) {
+    make_folder((to.folder / name).parent_path());
     write_file_atomically(to.folder / name, text);
     outcome.files.push_back(name);
   }
@@ -185,7 +179,7 @@ RunOutcome run_retrieval(const Configuration& configuration, const RunContext& c
   if (configuration.keep_distances) make_folder(to.folder / "distances");
   const ExperimentResults results = run_experiment(configuration, context, files);
   RunOutcome outcome;
-  with_threads(context.control.threads, [&] { outcome = write_results(to, results); });
+  with_threads(context.control.threads, [&] { outcome = write_results(to, results, context.control.bold); });
   return outcome;
 }
 

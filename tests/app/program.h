@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <sys/types.h>
+#include <system_error>
 #include <vector>
 
 #include "tests/support/test_files.h"
@@ -66,6 +67,25 @@ class BackgroundRun {
   pid_t process_ = -1;
   bool ended_ = false;
   int status_ = 0;
+};
+
+/// Changes the working folder during its lifetime.
+class WorkingFolder {
+ public:
+  explicit WorkingFolder(const std::filesystem::path& folder) : before_(std::filesystem::current_path()) {
+    std::filesystem::current_path(folder);
+  }
+  WorkingFolder(const WorkingFolder&) = delete;
+  WorkingFolder& operator=(const WorkingFolder&) = delete;
+  WorkingFolder(WorkingFolder&&) = delete;
+  WorkingFolder& operator=(WorkingFolder&&) = delete;
+  ~WorkingFolder() {
+    std::error_code ignored;
+    std::filesystem::current_path(before_, ignored);
+  }
+
+ private:
+  std::filesystem::path before_;
 };
 
 /// A folder with the small data set in data/, and with a configuration over it: small.json.

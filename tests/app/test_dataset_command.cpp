@@ -116,8 +116,8 @@ TEST_F(DatasetCommand, AnInterruptedGenerationSaysWhatItLeaves) {
       run.wait_until([&] { return std::filesystem::exists(at("made")) && !std::filesystem::is_empty(at("made")); }));
   run.send(SIGINT);
   EXPECT_EQ(run.wait(), 130);
-  EXPECT_EQ(test::text_of(at("errors")),
-            "shapegauge: error: interrupted; the data set in " + at("made") + " is incomplete; --force replaces it\n");
+  EXPECT_EQ(test::text_of(at("errors")), "shapegauge: error: interrupted; the data set in " + at("made") +
+                                             " is incomplete; --replace replaces it\n");
 }
 
 TEST_F(DatasetCommand, GenerateMakesWhatInfoReads) {

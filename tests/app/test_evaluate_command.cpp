@@ -89,6 +89,11 @@ TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
   }
 }
 
+TEST_F(EvaluateCommand, EqualAveragesAreOneRow) {
+  const std::string equal = evaluate_toy("--measures P@3 --min-class-size 4").output;  // one class
+  EXPECT_THAT(equal, testing::AllOf(HasSubstr("toy     psb       both "), testing::Not(HasSubstr("macro"))));
+}
+
 TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
   const Outcome outcome = evaluate_toy("--report '" + at("report.html") + "'");
   ASSERT_EQ(outcome.status, 0) << outcome.errors;

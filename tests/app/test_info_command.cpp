@@ -33,6 +33,15 @@ TEST(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
   EXPECT_DOUBLE_EQ(found["boundary_fraction"], (2 + std::sqrt(2)) / std::sqrt(3));
 }
 
+TEST(InfoCommand, NumbersAreShortAndHaveNoExponent) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path() / "box.off").string();
+  Shape box = test::box({1, 1, 1}, 1);
+  box.vertices *= 1234.5;
+  write_off(file, box);
+  EXPECT_THAT(run_executable("info '" + file + "'").output, HasSubstr("area                    9143940\n"));
+}
+
 TEST(InfoCommand, AVolumeThatIsTooLargeIsSaidToBe) {
   const test::TemporaryFolder folder;
   const std::string file = (folder.path() / "huge.off").string();

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <map>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <sys/wait.h>
 #include <vector>
@@ -41,7 +42,55 @@ TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     EXPECT_THAT(outcome.output, HasSubstr("Example: shapegauge ")) << arguments;
     EXPECT_EQ(outcome.errors, "") << arguments;
   }
+  EXPECT_EQ(run_executable("-V").output, run_executable("--version").output);
   EXPECT_THAT(run_executable("--version").output, MatchesRegex("shapegauge [0-9.]+ \\([0-9a-z-]+\\)\n"));
+}
+
+const std::vector<std::string> all_commands{"",
+                                            "run",
+                                            "sdf",
+                                            "check",
+                                            "normals",
+                                            "info",
+                                            "perturb",
+                                            "convert",
+                                            "segment",
+                                            "view",
+                                            "search",
+                                            "describe",
+                                            "distances",
+                                            "rerank",
+                                            "evaluate",
+                                            "compare",
+                                            "audit",
+                                            "leaderboard",
+                                            "evaluate-segmentation",
+                                            "measures",
+                                            "dataset info",
+                                            "dataset validate",
+                                            "dataset labels",
+                                            "dataset generate",
+                                            "cache",
+                                            "completion"};
+
+TEST_F(Program, HelpFitsTheTerminal) {
+  setenv("COLUMNS", "72", 1);
+  for (const std::string& command : all_commands) {
+    std::istringstream help(run_executable(command + " --help").output);
+    for (std::string line; std::getline(help, line);) EXPECT_LE(line.size(), 72U) << line;
+  }
+  unsetenv("COLUMNS");
+}
+
+TEST_F(Program, ShortHelpShowsTheOptionsNeededMost) {
+  for (const std::string& command : all_commands) {
+    const Outcome brief = run_executable(command + " -h");
+    EXPECT_EQ(brief.status, 0) << command << brief.errors;
+    EXPECT_LE(brief.output.size(), run_executable(command + " --help").output.size()) << command;
+  }
+  const std::string brief = run_executable("sdf -h").output;
+  EXPECT_THAT(brief, testing::AllOf(HasSubstr("--offset"), testing::Not(HasSubstr("--opening-angle-degrees")),
+                                    HasSubstr("All options: shapegauge sdf --help")));
 }
 
 TEST_F(Program, AWordThatIsNoCommandOrOptionIsNamed) {
@@ -54,6 +103,7 @@ TEST_F(Program, AWordThatIsNoCommandOrOptionIsNamed) {
                       {"", "subcommand is required"},
                       {"rum", "there is no command \"rum\"; did you mean \"run\"?"},
                       {"dataset list x", "there is no command \"list\"; known here: \"info\""},
+                      {"evaluate x.npy --ties exepcted", "there is no choice \"exepcted\"; did you mean \"expected\"?"},
                       {"-q rum", "there is no command \"rum\""}});
 }
 
@@ -95,6 +145,8 @@ TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
   EXPECT_EQ(complete("shapegauge dataset inf", 2), "info\n");
   EXPECT_EQ(complete("shapegauge run --rep", 2), "--replace --replay\n");
   EXPECT_EQ(complete("shapegauge sdf --method c", 3), "cone_sdf\n");
+  EXPECT_THAT(run_executable("completion fish").output,
+              HasSubstr("-n '__shapegauge_at sdf' -l method -x -a 'offset_sdf cone_sdf inscribed_ball' -d "));
   EXPECT_THAT(run_executable("completion zsh").output, HasSubstr("'*--method[offset"));
 }
 
@@ -155,26 +207,7 @@ TEST_F(Program, APipeThatNobodyReadsIsNoReasonToStop) {
 
 TEST_F(Program, AShortOptionMeansOneThingEverywhere) {
   std::map<std::string, std::string> meanings;
-  for (const std::string command : {"",
-                                    "run",
-                                    "sdf",
-                                    "normals",
-                                    "info",
-                                    "perturb",
-                                    "convert",
-                                    "segment",
-                                    "view",
-                                    "describe",
-                                    "rerank",
-                                    "evaluate",
-                                    "compare",
-                                    "evaluate-segmentation",
-                                    "measures",
-                                    "dataset info",
-                                    "dataset validate",
-                                    "dataset generate",
-                                    "cache",
-                                    "completion"}) {
+  for (const std::string& command : all_commands) {
     const std::string help = run_executable(command + " --help").output;
     const std::regex names("(-[a-zA-Z]),(--[a-z-]+)");
     for (auto match = std::sregex_iterator(help.begin(), help.end(), names); match != std::sregex_iterator(); ++match) {

@@ -42,7 +42,7 @@ TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
   EXPECT_THAT(outcome.output, HasSubstr("same          summary.csv\n"));
   EXPECT_THAT(outcome.output, HasSubstr("same          distances/fixed.npy\n"));
   EXPECT_THAT(outcome.output, HasSubstr("not compared  shape_seconds.csv\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("All 14 outputs are identical"));
+  EXPECT_THAT(outcome.output, HasSubstr("All 15 outputs are identical"));
   EXPECT_EQ(text_of(at("again/per_query.csv")), text_of(at("out/per_query.csv")));
 }
 
@@ -60,17 +60,55 @@ TEST_F(SmallRun, PlotsItsCurvesAndCompareDrawsThemToo) {
   EXPECT_EQ(run_executable(run + " --plot " + quoted("run.eps")).status, 2);
 }
 
+TEST_F(SmallRun, ADryRunChecksWhatARunWouldAndPrintsTheConfiguration) {
+  const std::string run = "run " + quoted("small.json") + " --output " + quoted("out");
+  const Outcome dry = run_executable(run + " --dry-run");
+  EXPECT_EQ(dry.status, 0) << dry.errors;
+  EXPECT_THAT(dry.output, HasSubstr("Inputs: 9 files\nResults: " + at("out").string() + "\n"));
+  const Outcome printed = run_executable(run + " --print-config --set signatures.0.histogram.bins=7");
+  EXPECT_EQ(printed.status, 0) << printed.errors;
+  const auto configuration = nlohmann::json::parse(printed.output);
+  EXPECT_EQ(configuration["signatures"][0]["histogram"]["bins"], 7);
+  EXPECT_EQ(configuration["signatures"][0]["field"]["rays"], 25) << "a default";
+  EXPECT_FALSE(fs::exists(at("out")));
+  ASSERT_EQ(run_executable(run).status, 0);
+  EXPECT_THAT(run_executable(run + " --dry-run").output, HasSubstr("replacing"));
+  EXPECT_EQ(run_executable(run + " --dry-run --set signatures.0.histogram.bins=7").status, 2);
+}
+
+TEST_F(SmallRun, EvaluateReadsTheFolderOfARun) {
+  ASSERT_EQ(run_executable("run " + quoted("small.json") + " --output " + quoted("out")).status, 0);
+  EXPECT_EQ(text_of(at("out/distances/ids.txt")), "0\n1\n2\n3\n4\n5\n6\n7\n8\n");
+  const Outcome all = run_executable("evaluate " + quoted("out") + " --protocol paper --format csv");
+  ASSERT_EQ(all.status, 0) << all.errors;
+  const std::string summary = text_of(at("out/summary.csv"));
+  EXPECT_THAT(all.output, StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\nboth,paper,micro,"));
+  std::size_t begin = summary.find("fixed,paper,micro");
+  EXPECT_THAT(all.output, HasSubstr(summary.substr(begin, summary.find('\n', begin) - begin)));
+  const Outcome json = run_executable("evaluate " + quoted("out") + " --format json");
+  EXPECT_EQ(nlohmann::json::parse(json.output).size(), 4U);
+}
+
+TEST_F(SmallRun, TheIdsBesideAMatrixReplaceTheOrderOfLabels) {
+  ASSERT_EQ(run_executable("run " + quoted("small.json") + " --output " + quoted("out")).status, 0);
+  const std::string evaluate = "evaluate " + quoted("out/distances/fixed.npy") + " --format csv --labels ";
+  write_text(at("shuffled.csv"), "id,class\n8,c\n0,a\n1,b\n2,c\n3,a\n4,b\n5,c\n6,a\n7,b\n");
+  const Outcome outcome = run_executable(evaluate + quoted("shuffled.csv"));
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_EQ(outcome.output, run_executable(evaluate + quoted("data/test.cla")).output);
+}
+
 TEST_F(ReplayReport, TheDataSetMayBeElsewhere) {
   fs::rename(at("data"), at("moved"));
   EXPECT_EQ(replay().status, 2);
   const Outcome outcome = replay("--dataset-root " + quoted("moved"));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("All 14 outputs are identical"));
+  EXPECT_THAT(outcome.output, HasSubstr("All 15 outputs are identical"));
 }
 
 TEST_F(ReplayReport, NothingComesFromTheCache) {
   const std::string cache = " --cache " + quoted("cache");
-  EXPECT_THAT(replay(cache).output, HasSubstr("All 14"));
+  EXPECT_THAT(replay(cache).output, HasSubstr("All 15"));
   EXPECT_THAT(replay(cache).output, Not(HasSubstr("From the cache")));
 }
 
@@ -81,7 +119,7 @@ TEST_F(ReplayReport, AChangedInputIsNamedAndSoAreTheOutputsThatDiffer) {
   EXPECT_THAT(outcome.errors, HasSubstr("shapegauge: warning: input: model 4 differs from the recorded one\n"));
   EXPECT_THAT(outcome.output, HasSubstr("DIFFERENT     distances/fixed.npy\n"));
   EXPECT_THAT(outcome.output, HasSubstr("input         model 4 differs from the recorded one"));
-  EXPECT_THAT(outcome.output, MatchesRegex("(.|\n)*[0-9]+ of 14 outputs differ from the recorded ones; 1 of its "
+  EXPECT_THAT(outcome.output, MatchesRegex("(.|\n)*[0-9]+ of 15 outputs differ from the recorded ones; 1 of its "
                                            "inputs differ as well\\.\n"));
 }
 

@@ -56,6 +56,14 @@ TEST_F(SdfCommand, GivesValuesInTheInputsUnitsAndOrder) {
   }
 }
 
+TEST_F(SdfCommand, WithoutOptionsTheOffsetSdfIsSummarised) {
+  const Outcome outcome = sdf("");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, StartsWith("shape "));
+  EXPECT_EQ(outcome.output, sdf("--method offset_sdf --offset 5% --summary").output);
+  EXPECT_EQ(sdf("--method cone_sdf").output, sdf("--method cone_sdf --summary").output);
+}
+
 TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
   ASSERT_EQ(sdf("--method offset_sdf --offset 0.02 -o '" + at("x.csv") + "'").status, 0);
   // The icosphere is a little thinner than the sphere, and its flat faces are nearer to the centre than its corners.
@@ -231,9 +239,8 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {"sdf '" + at("point.xyz") + "' --method offset_sdf" + out, "point.xyz: the shape has no usable extent"},
       {"sdf '" + at("nan.xyz") + "' --method offset_sdf" + out, "nan.xyz:2"},
       {"sdf '" + at("nan.off") + "' --method cone_sdf" + out, "nan.off:5"},
-      {good + "--method cone_sdf", "--output"},
-      {good + out, "--method is required"},
       {good + "--method heat" + out, "--method"},
+      {good + "--method offst_sdf" + out, "did you mean \"offset_sdf\"?"},
       {good + "--method cone_sdf -o x.xlsx", "must end in .csv"},
       {good + "--method cone_sdf -o /nowhere/x.csv", "/nowhere/x.csv"},
       {good + "--method offset_sdf --offset 0" + out, "offset"},

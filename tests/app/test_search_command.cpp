@@ -143,7 +143,7 @@ TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
   expect_error_line(search("query.off", "-o " + quoted("o.html") + " --index " + quoted("o.html")),
                     "--index and --output would both be written to");
   expect_error_line(run_executable("search " + quoted("query.off") + " " + quoted("models") + " --signature d2"),
-                    "require --method");
+                    "require --configuration");
   expect_error_line(search("query.off", "--articulated"), "--articulated");
 }
 

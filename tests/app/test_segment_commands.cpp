@@ -64,6 +64,20 @@ TEST_F(SegmentCommands, SegmentWritesALineAFace) {
   }
 }
 
+TEST_F(SegmentCommands, SegmentNeedsNoOptionsAndTakesFolders) {
+  write_off(folder_.path() / "balls.off", two_balls());
+  const test_command_line::WorkingFolder here(folder_.path());
+  const Outcome one = run_executable("segment balls.off");
+  EXPECT_EQ(one.status, 0) << one.errors;
+  EXPECT_THAT(one.errors, HasSubstr("2 parts in balls.seg\n"));
+  EXPECT_EQ(text_of(at("balls.seg")), segments(0, 1));
+  EXPECT_THAT(run_executable("segment balls.off").errors, HasSubstr("--replace"));
+  EXPECT_EQ(run_executable("segment - < balls.off").output, segments(0, 1));
+  EXPECT_EQ(run_executable("segment psb/off -o parts/").status, 0);
+  for (const char* name : {"parts/1.seg", "parts/21.seg"}) EXPECT_EQ(text_of(at(name)), segments(0, 1)) << name;
+  expect_error_lines({{"segment psb", "the folder has no shapes"}});
+}
+
 TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
   const Outcome outcome = run_executable(fmt::format(
       "segment '{}' --patches 40 --least-probability 0.99 --border-width 0 -o '{}'", at("psb/off/1.off"), at("x.seg")));

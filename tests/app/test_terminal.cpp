@@ -20,6 +20,7 @@ TEST(PrintableLines, KeepLinesAndReplaceEscapes) {
   EXPECT_EQ(printable_lines("a,b\tc\n\x1b[31md\n"), "a,b\tc\n?[31md\n");
   EXPECT_EQ(printable_lines("e\u202E\n\nf"), "e?\n\nf");
   EXPECT_EQ(printable_lines(""), "");
+  EXPECT_EQ(printable_lines("\x1b[1m9.5\x1b[0m\x1b[2J"), "\x1b[1m9.5\x1b[0m?[2J") << "bold cells of tables";
 }
 
 }  // namespace

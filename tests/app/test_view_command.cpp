@@ -150,13 +150,22 @@ TEST_F(ViewCommand, WritesTheSamePageToStandardOutput) {
   EXPECT_TRUE(run_executable("view " + call + " -o -").output == text_of(at("page.html")));
 }
 
+TEST_F(ViewCommand, ThePageOfASingleShapeHasItsName) {
+  const test_command_line::WorkingFolder here(std::filesystem::path(at("")));
+  ASSERT_EQ(view("capsule.off").status, 0);
+  const Outcome outcome = run_executable("view capsule.off");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.errors, HasSubstr("page: capsule.html\n"));
+  EXPECT_EQ(text_of(at("capsule.html")), text_of(at("page.html")));
+}
+
 TEST_F(ViewCommand, UnusableInputIsOneClearLine) {
   write_text(at("cloud.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
   const std::string good = "view '" + at("capsule.off") + "' ";
   const std::string out = " -o '" + at("x.html") + "' ";
   const std::vector<UnusableCall> cases{
       {"view /nowhere.off" + out, "/nowhere.off"},
-      {good, "--output is required"},
+      {good + "'" + at("cloud.xyz") + "'", "--output is required"},
       {good + "-o x.png", "must end in .html"},
       {good + "--field cone" + out, "--field cone"},
       {good + "--field offset_sdf,ofset=0.1" + out, "offset"},

@@ -135,5 +135,22 @@ TEST(ParseValue, RefusesOtherText) {
   EXPECT_THROW(parse_value(parameters[3], "other"), InputError);
 }
 
+TEST(ParameterValues, SayWhatIsLegal) {
+  ParameterValues values(parameters);
+  const auto message_of = [&](std::string_view name, const ParameterValue& value) -> std::string {
+    try {
+      values.set(name, value);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message_of("offset", 2), "offset is 2; it must be a number above 0 and at most 1, or auto, none");
+  EXPECT_EQ(message_of("rays", 0), "rays is 0; it must be a whole number from 1 to 100");
+  EXPECT_EQ(message_of("engine", std::string_view("x")), "engine is \"x\"; it must be one of embree, cgal");
+  EXPECT_EQ(message_of("engine", std::string_view("embre")),
+            "engine is \"embre\"; it must be one of embree, cgal; did you mean \"embree\"?");
+}
+
 }  // namespace
 }  // namespace shapegauge

@@ -75,6 +75,17 @@ TEST(TwoDigits, HaveNoShortExponent) {
   EXPECT_EQ(two_digits(1e9), "1e+09");
 }
 
+TEST(PlainNumber, HasItsDigitsAndNoExponent) {
+  const std::vector<std::pair<double, std::string>> cases{{0, "0"},
+                                                          {6, "6"},
+                                                          {1.7320508, "1.73205"},
+                                                          {-1234567, "-1234570"},
+                                                          {0.00012345678, "0.000123457"},
+                                                          {999999.7, "1000000"},
+                                                          {1e160, "1e+160"}};
+  for (const auto& [number, text] : cases) EXPECT_EQ(plain_number(number, 6), text);
+}
+
 TEST(QuotedWord, StandsInQuotationMarksOnOneLine) {
   EXPECT_EQ(quoted_word("T12"), "\"T12\"");
   EXPECT_EQ(quoted_word(""), "\"\"");

@@ -76,6 +76,15 @@ TEST(Table, TheBestOfAGroupAreBold) {
               AllOf(HasSubstr("| **10.0 [9.0, 11.0]** <sup>ab</sup> |"), HasSubstr("**10.0** |")));
 }
 
+TEST(Table, BoldCellsOfATerminalKeepTheirColumns) {
+  EXPECT_EQ(to_plain_text(two_groups(), true),
+            "method  average                   NN\n"
+            "a       x                        9.5\n"
+            "b       x        \x1b[1m10.0 [9.0, 11.0] ab\x1b[0m\n"
+            "c       x                       \x1b[1m10.0\x1b[0m\n"
+            "d       y                        3.0\n");
+}
+
 TEST(Table, MarksAreInPlainTextButNotInCsv) {
   EXPECT_THAT(to_plain_text(two_groups()), HasSubstr("10.0 [9.0, 11.0] ab\n"));
   EXPECT_THAT(to_csv(two_groups()), HasSubstr("b,x,\"10.0 [9.0, 11.0]\"\n"));

@@ -267,7 +267,7 @@ TEST(GenerateDataset, ReplacesAnotherDataSetOnlyWhenForcedAndLeavesOtherFiles) {
   options.models_per_class = 1;
   EXPECT_THAT(test::input_error_of([&] { generate_dataset(folder.path(), options); }), HasSubstr("T77.off"));
   EXPECT_EQ(bytes_of(folder.path() / "T77.off"), "old");
-  options.force = true;
+  options.replace = true;
   generate_dataset(folder.path(), options);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "T77.off"));
   EXPECT_EQ(bytes_of(folder.path() / "notes.txt"), "mine");

@@ -15,6 +15,11 @@ using testing::StartsWith;
 
 TEST(ParseJson, GivesTheValue) { EXPECT_EQ(parse_json(R"({"a": [1, "x"]})", "x.json")["a"][1], "x"); }
 
+TEST(ParseJson, CommentsAreSkipped) {
+  EXPECT_EQ(parse_json("// one\n{/* two */ \"a\": 1 // three\n}", "x.json"), nlohmann::json({{"a", 1}}));
+  EXPECT_THAT(test::input_error_of([] { parse_json("/* one\n*/ {,}", "x.json"); }), StartsWith("x.json:2:"));
+}
+
 TEST(ParseJson, RefusesWhatIsNotJsonWithItsPosition) {
   test::expect_refused({{"{\n  \"a\": 1\n  \"b\": 2\n}", "x.json:3:"},
                         {"[1,\n 2,,3]", "x.json:2:4: not valid JSON"},

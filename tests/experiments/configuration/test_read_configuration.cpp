@@ -57,6 +57,37 @@ TEST(Configuration, PathsAreWrittenSoThatTheyHoldFromAnyFolder) {
   EXPECT_TRUE(written["dataset"]["classification"].get<std::string>().starts_with((here / "configs/data/").string()));
 }
 
+TEST(Configuration, ShortFormsMeanTheSameAsFullOnes) {
+  const auto with = [](const char* defaults, const char* signatures) {
+    Json document = experiment_document();
+    document["defaults"] = Json::parse(defaults);
+    document["signatures"] = Json::parse(signatures);
+    return to_json(configuration_from_json(document, "x.json", "/configs"));
+  };
+  EXPECT_EQ(with(R"({"at": {"surface": 500}})",
+                 R"([{"name": "a", "field": "cone_sdf", "histogram": {"range": [0, 0.6]}},
+                     {"name": "b", "descriptor": "light_field"},
+                     {"name": "c", "descriptor": {"type": "joint_histogram", "fields": [
+                       {"type": "cone_sdf"}, {"type": "centricity"}]}},
+                     {"name": "d", "field": {"type": "cone_sdf", "at": "vertices"}, "histogram": {"range": "dataset"}},
+                     {"name": "e", "sum": ["a", {"of": "b", "weight": 2}]}])"),
+            with("{}",
+                 R"([{"name": "a", "field": {"type": "cone_sdf", "at": {"surface": 500}},
+                      "histogram": {"range": {"fixed": [0, 0.6]}}},
+                     {"name": "b", "descriptor": {"type": "light_field"}},
+                     {"name": "c", "descriptor": {"type": "joint_histogram", "fields": [
+                       {"type": "cone_sdf", "at": {"surface": 500}}, {"type": "centricity", "at": {"surface": 500}}]}},
+                     {"name": "d", "field": {"type": "cone_sdf", "at": "vertices"}, "histogram": {"range": "dataset"}},
+                     {"name": "e", "sum": [{"of": "a"}, {"of": "b", "weight": 2}]}])"));
+  const std::vector<std::pair<std::string, Json>> mistakes{{"/signatures/0/field", "cone"},
+                                                           {"/signatures/0/field", "offset_sdf"},
+                                                           {"/signatures/1/histogram/range", Json::array({1, 0})},
+                                                           {"/defaults", Json{{"at", "edges"}}},
+                                                           {"/defaults", Json{{"bins", 3}}},
+                                                           {"/defaults", 3}};
+  for (const auto& [place, value] : mistakes) EXPECT_NE(experiment_error_with(place, value), "no error") << place;
+}
+
 TEST(Configuration, SmoothingMayBeAsWideAsAllBins) {
   EXPECT_EQ(
       configuration_with("/signatures/1/histogram/smoothing_bins", 40).signatures[1].histogram.options.smoothing_bins,

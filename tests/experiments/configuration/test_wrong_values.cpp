@@ -27,8 +27,10 @@ using Json = nlohmann::json;
 /// Experiment configurations shipped with the program.
 std::vector<Json> all_experiments() {
   std::set<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER)) {
-    if (entry.is_regular_file()) files.insert(entry.path());  // data sets are in a folder
+  for (const char* folder : {"", "/paper", "/studies"}) {
+    for (const auto& entry : fs::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER + std::string(folder))) {
+      if (entry.is_regular_file()) files.insert(entry.path());
+    }
   }
   std::vector<Json> experiments;
   for (const fs::path& file : files) {

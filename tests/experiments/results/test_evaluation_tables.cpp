@@ -65,6 +65,24 @@ TEST_F(Evaluations, SummaryHasMicroAndMacro) {
                           ElementsAre("m", "psb", "macro", "29.17", "33.33", "75.00", "52.22", "66.72", "51.21")));
 }
 
+TEST(MergeEqualAverages, LeavesOneRowWhereBothReadTheSame) {
+  const TextTable table{.header = {"method", "average", "NN"},
+                        .rows = {{"a", "micro", "50.00"},
+                                 {"a", "macro", "50.00"},
+                                 {"b", "micro", "60.00"},
+                                 {"b", "macro", "60.01"},
+                                 {"c", "micro", "60.00"},
+                                 {"c", "macro", "60.00"}},
+                        .text_columns = 2,
+                        .emphases = {{.row = 1, .column = 2, .bold = true, .mark = {}},
+                                     {.row = 4, .column = 2, .bold = true, .mark = {}}}};
+  const TextTable merged = merge_equal_averages(table);
+  EXPECT_THAT(merged.rows, ElementsAre(ElementsAre("a", "both", "50.00"), ElementsAre("b", "micro", "60.00"),
+                                       ElementsAre("b", "macro", "60.01"), ElementsAre("c", "both", "60.00")));
+  ASSERT_THAT(merged.emphases, SizeIs(1));
+  EXPECT_EQ(merged.emphases[0].row, 3U);
+}
+
 TEST_F(Evaluations, FractionsAndDigitsAsAsked) {
   EXPECT_THAT(summary_table(named, {.percent = false, .decimals = 3}).rows[0],
               ElementsAre("m", "psb", "micro", "0.286", "0.333", "0.762", "0.533", "0.672", "0.513"));

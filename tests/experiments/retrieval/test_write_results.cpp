@@ -124,6 +124,8 @@ TEST_F(WriteResults, DistancesAndFeaturesAreThoseOfTheMethods) {
   EXPECT_EQ(parse_npy(test::text_of(out("features/perfect_2.npy")), "features", TableShape::any),
             features_.cast<double>());
   EXPECT_FALSE(std::filesystem::exists(out("features/line.npy"))) << "a histogram is no descriptor";
+  for (const char* ids : {"distances/ids.txt", "features/ids.txt"})
+    EXPECT_EQ(test::text_of(out(ids)), "0\n1\n2\n3\n4\n");
 }
 
 TEST_F(WriteResults, DistancesThatAreNotKeptAreNoFiles) {

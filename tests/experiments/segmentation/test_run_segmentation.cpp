@@ -340,7 +340,7 @@ TEST_F(SegmentationRun, RecordsTheFileOfClasses) {
 
 TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
   const TemporaryFolder folder;
-  nlohmann::json document = read_json(SHAPEGAUGE_CONFIGS_FOLDER "/generated_segmentation.json");
+  nlohmann::json document = read_json(SHAPEGAUGE_CONFIGS_FOLDER "/studies/generated_segmentation.json");
   document["dataset"]["generate"] = {{"classes", 2}, {"models_per_class", 1}, {"faces", 1000}};
   const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder.path());
   Cache cache;
@@ -352,7 +352,7 @@ TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
 }
 
 TEST(SegmentationConfiguration, FillsInDefaultsThatReadBackTheSame) {
-  for (const char* name : {"psb_segmentation", "table3_segmentation", "generated_segmentation"}) {
+  for (const char* name : {"paper/psb_segmentation", "paper/table3_segmentation", "studies/generated_segmentation"}) {
     const nlohmann::json document =
         read_json(std::filesystem::path(SHAPEGAUGE_CONFIGS_FOLDER) / (std::string(name) + ".json"));
     nlohmann::json here = document;
