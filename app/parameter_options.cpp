@@ -38,7 +38,7 @@ std::string type_name_of(ParameterKind kind) {
 CLI::Validator one_of(std::vector<std::string> words) {
   std::string description = fmt::format("{{{}}}", fmt::join(words, ","));
   return {[words = std::move(words)](const std::string& word) {
-            return std::ranges::count(words, word) > 0 ? "" : no_such_word("choice", word, words);
+            return std::ranges::count(words, word) > 0 ? "" : unknown_word_message("choice", word, words);
           },
           std::move(description)};
 }
