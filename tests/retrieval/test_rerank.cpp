@@ -1,6 +1,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
 #include <tbb/task_arena.h>
 #include <vector>
@@ -151,6 +152,16 @@ TEST_P(Reranking, RefusesDistancesThatAreNone) {
   EXPECT_THROW(GetParam().rerank(distances), ArgumentError);
   distances(2, 3) = -1;
   EXPECT_THROW(GetParam().rerank(distances), ArgumentError);
+}
+
+TEST(NearestModels, AreInOrderAndTheLesserIndexFirst) {
+  DistanceMatrix distances(4, 4);
+  distances << 0, 2, 1, 2, 2, 0, 3, 1, 1, 3, 0, 3, 2, 1, 3, 0;
+  const NearestModels nearest = nearest_models(4, 2, rows_of(distances));
+  EXPECT_EQ(nearest.indices.row(0), (Eigen::RowVector2i{2, 1}));
+  EXPECT_EQ(nearest.indices.row(1), (Eigen::RowVector2i{3, 0}));
+  EXPECT_EQ(nearest.distances(2, 1), 3);
+  EXPECT_EQ(nearest.indices(2, 1), 1);
 }
 
 TEST(RerankMethods, RefuseOneWithoutAFunction) {

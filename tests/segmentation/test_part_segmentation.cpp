@@ -144,7 +144,7 @@ TEST(PartSegmentation, ThreePatchesAPartAreTheFewest) {
 
 TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
   const Labels parts = part_segmentation(test::dumbbell(4), {.parts = 5});
-  EXPECT_EQ(parts, renumber_labels(parts));
+  EXPECT_EQ(parts, renumbered(parts));
 }
 
 TEST(PartSegmentation, OfOneTriangle) {
@@ -219,6 +219,15 @@ TEST(PartSegmentation, CutsACoarseDumbbellWhereItsBarBegins) {
   }
 }
 
+TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {
+  Shape shape = test::dumbbell(3);
+  const Eigen::Index count = shape.triangles.rows();
+  shape.triangles.conservativeResize(count + 2, 3);
+  shape.triangles.row(count) << 0, 0, 1;
+  shape.triangles.row(count + 1) << 0, 1, 1;
+  EXPECT_EQ(part_segmentation(shape, {}).size(), static_cast<std::size_t>(count) + 2);
+}
+
 TEST(PartSegmentation, DoesNotDependOnPlaceSizeAndDirection) {
   const Shape shape = test::dumbbell(4);
   const Shape moved = test::transformed(shape, 40, test::rotation(3), {100, -7, 3});
@@ -259,7 +268,7 @@ TEST(PartSegmentation, RefusesWhatCannotBe) {
   EXPECT_THROW(part_segmentation(box, {.parts = -1}), InputError);
   EXPECT_THROW(part_segmentation(box, {.patches = 0}), InputError);
   EXPECT_THROW(part_segmentation(box, {.samples = 0}), InputError);
-  EXPECT_THROW(part_segmentation(box, {.min_probability = 2}), InputError);
+  EXPECT_THROW(part_segmentation(box, {.least_probability = 2}), InputError);
   EXPECT_THROW(part_segmentation(Shape{}, {}), InputError);
   Shape flat = box;
   flat.vertices.setZero();

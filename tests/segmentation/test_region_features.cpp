@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,12 @@
 
 namespace shapegauge {
 namespace {
+
+TEST(RegionFeatures, HaveNamesOfTheirOwn) {
+  const auto& names = region_feature_names();
+  EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
+  EXPECT_FALSE(names.back().empty());
+}
 
 /// A region with standard deviations 0.1, 0.2 and 0.4 along the axes, times `size`, about a place.
 RegionSum formed_region(double area, double size, const Eigen::Vector3d& place) {
@@ -134,7 +141,7 @@ TEST(RegionFeatures, OfTwoRegionsByHand) {
   EXPECT_EQ(features_of(hand_made_regions(), 1, 0), features);
 }
 
-TEST(RegionFeatures, WithoutPairsAreThoseOfConvexRegions) {
+TEST(RegionFeatures, OfRegionsWithoutPairsAreThoseOfConvexOnes) {
   const RegionFeatures features = features_of(Regions(2), 0, 1);
   const auto value = [&](std::string_view name) {
     const auto& names = region_feature_names();
@@ -153,7 +160,9 @@ TEST(RegionFeatures, AreTheSameForEitherOrder) {
   for (const std::int32_t b : regions.neighbours(0)) EXPECT_EQ(features_of(regions, 0, b), features_of(regions, b, 0));
 }
 
-TEST(RegionFeatures, OfRegionsWithoutSumsAreFinite) { EXPECT_TRUE(features_of(Regions(2), 0, 1).allFinite()); }
+TEST(RegionFeatures, AreFiniteForRegionsOfWhichNothingIsKnown) {
+  EXPECT_TRUE(features_of(Regions(2), 0, 1).allFinite());
+}
 
 }  // namespace
 }  // namespace shapegauge

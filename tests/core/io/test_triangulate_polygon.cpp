@@ -121,6 +121,16 @@ double area_of(const FlatCorners& corners, const std::vector<PolygonTriangle>& t
   return area;
 }
 
+TEST(ConstrainedDelaunay, OfASquareWithABridgeToItsHole) {
+  const FlatCorners frame = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
+  const std::vector<PolygonTriangle> triangles = constrained_delaunay(frame);
+  for (const auto& [a, b, c] : triangles) {
+    const Eigen::Vector2d centre = (corner_at(frame, a) + corner_at(frame, b) + corner_at(frame, c)) / 3;
+    EXPECT_FALSE(centre.x() > 1 && centre.x() < 3 && centre.y() > 1 && centre.y() < 3) << "in the hole";
+  }
+  EXPECT_EQ(area_of(frame, triangles), 12);
+}
+
 TEST(ConstrainedDelaunay, OfSidesThatPassThroughOtherCorners) {
   // The first side passes through the next two corners, which go back along it.
   const FlatCorners corners = {{0, 0}, {10, 0}, {1, 0}, {4, 0}, {4, 4}, {13, 4}, {1, 6}, {3, 3}};
@@ -143,6 +153,11 @@ TEST(ConstrainedDelaunay, OfAnOutlineWalkedBackAndForthHasItsArea) {
     }
     EXPECT_EQ(area_of(corners, constrained_delaunay(corners)), 16) << "seed " << seed;
   }
+}
+
+TEST(ConstrainedDelaunay, OfAPolygonThatCrossesItselfIsEmpty) {
+  EXPECT_TRUE(constrained_delaunay(FlatCorners{{0, 0}, {3, 3}, {3, 0}, {0, 1}}).empty());
+  EXPECT_TRUE(constrained_delaunay(FlatCorners{{0, 0}, {1, 0}, {2, 0}, {3, 0}}).empty()) << "a line";
 }
 
 /// The polygon in a plane of space.
@@ -195,6 +210,18 @@ TEST(TrianglesInPlaceOfFan, AreGivenWhereTheFanOverlaps) {
   }
   EXPECT_GT(fans, 10);
   EXPECT_LT(fans, 390);
+}
+
+TEST(TrianglesInPlaceOfFan, DoNotDependOnSizeAndPosition) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const std::vector<Eigen::Vector3d> corners = in_space(random_polygon(seed));
+    const std::vector<PolygonTriangle> expected = triangles_in_place_of_fan(corners);
+    for (const double scale : {1e-200, 3e-5, 7e6, 1e200}) {
+      std::vector<Eigen::Vector3d> others = corners;
+      for (Eigen::Vector3d& corner : others) corner = scale * (corner + Eigen::Vector3d(5, -3, 10));
+      EXPECT_EQ(triangles_in_place_of_fan(others), expected) << seed << ", times " << scale;
+    }
+  }
 }
 
 TEST(TrianglesInPlaceOfFan, AreNoneOfATriangleOrWithoutArea) {

@@ -50,6 +50,23 @@ TEST(MeanNormals, OfASphereMatchesTheIntegral) {
   }
 }
 
+TEST(MeanNormals, LieBetweenANoisyNormalAndTheTrueOne) {
+  Shape plane = test::box({2, 2, 0.5}, 40);
+  RandomNumbers random(3, 0);
+  for (Eigen::Index v = 0; v < plane.vertices.rows(); ++v) plane.vertices(v, 2) += random.uniform(-0.015, 0.015);
+  const Samples samples = sample_shape(plane, SampleSite::faces);
+  const Points means = means_at(plane, samples);
+  double noisy = 0;
+  double mean = 0;
+  for (Eigen::Index i = 0; i < means.rows(); ++i) {
+    if ((samples.points.row(i).head<2>().array().abs() > 1 - r / 2).any()) continue;
+    noisy += 1 - std::abs(samples.normals(i, 2));
+    mean += 1 - std::abs(means.row(i).normalized().z());
+    EXPECT_LE(means.row(i).norm(), 1 + 1e-6);
+  }
+  EXPECT_LT(mean, noisy / 4);
+}
+
 /// Sums over all points: the definition.
 Eigen::Vector3d literal_mean(const BlockGrid& grid, const Shape& shape, const GridSurface& surface,
                              const Eigen::Vector3d& p, const Eigen::Vector3d& n) {

@@ -101,6 +101,36 @@ double distance_to_mesh(const Shape& mesh, const Eigen::Vector3d& x) {
   return nearest;
 }
 
+TEST(OffsetExit, OfAConvexShapeIsWhereTheDistanceReachesTheOffset) {
+  const double r = 0.15;
+  const Shape box = test::transformed(test::box({1, 0.7, 0.4}, 2), 1, test::rotation(3), {5, -2, 1});
+  const ExitOf exit(box, r);
+  const Samples samples = sample_shape(box, SampleSite::faces);
+  RandomNumbers random(2);
+  for (int round = 0; round < 300; ++round) {
+    const auto i = static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(samples.points.rows())));
+    const Eigen::Vector3d p = samples.points.row(i);
+    const Eigen::Vector3d direction = random_direction(random);
+    // The offset solid is convex, and the ray leaves it once: bisection.
+    double low = 0;
+    double high = 2;
+    const auto is_outside = [&](double t) {
+      const Eigen::Vector3d local = test::rotation(3).transpose() * (p + t * direction - Eigen::Vector3d(5, -2, 1));
+      const bool inside = (local.array().abs() < Eigen::Array3d(0.5, 0.35, 0.2)).all();
+      return !inside && distance_to_mesh(box, p + t * direction) > r;
+    };
+    ASSERT_TRUE(is_outside(high));
+    for (int step = 0; step < 40; ++step) {
+      const double middle = (low + high) / 2;
+      (is_outside(middle) ? high : low) = middle;
+    }
+    const double t = exit(p, direction);
+    EXPECT_NEAR(distance_to_mesh(box, p + t * direction), r, 0.002 * r);
+    // The ray is at most 2 long and crosses the offset surface at a sine of at least r / 2.
+    EXPECT_NEAR(t, high, 0.002 * 2) << p.transpose() << " along " << direction.transpose();
+  }
+}
+
 TEST(OffsetExit, OfATorusIsTheFirstPlaceOutsideOfItsOffset) {
   const double ring = 1;
   const double tube = 0.4;

@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -81,6 +82,34 @@ TEST(OffsetSolver, SolvesSamplesOfOmittedTriangles) {
     ASSERT_EQ(results.outcomes[i], OffsetOutcome::direct) << i;
     EXPECT_NEAR(results.values[static_cast<Eigen::Index>(i)], diameter, 0.01 * 0.1) << i;
   }
+}
+
+TEST(OffsetSolver, IsNearlyInvariantToRotation) {
+  // Intersecting arms: p + r n is covered near their joints.
+  const double r = 0.05;
+  const Shape arms = test::of_diagonal_1(
+      test::joined({test::capsule(0.2, 2, 32, 12),
+                    test::transformed(test::capsule(0.2, 1.5, 32, 12), 1, test::rotation(3), {0.1, 0.2, 0.3})}));
+  const auto results_of = [&](const Shape& shape) {
+    const Samples samples = sample_shape(shape, SampleSite::faces);
+    return solve_on_grid(shape, samples.points, samples.normals, {.offset = r});
+  };
+  const OffsetResults results = results_of(arms);
+  const OffsetResults turned = results_of(test::transformed(arms, 1, test::rotation(7), {0.1, 0.2, 0.3}));
+  EXPECT_GT(std::count(results.outcomes.begin(), results.outcomes.end(), OffsetOutcome::searched), 200);
+  const auto off = ((results.values - turned.values).array().abs() > 0.01 * r).count();
+  EXPECT_LE(off, results.values.size() / 50);
+}
+
+TEST(OffsetSolver, RaisesAnOffsetTooSmallForTheGrid) {
+  const Shape sphere = test::of_diagonal_1(test::sphere(1, 3));
+  const Samples samples = sample_shape(sphere, SampleSite::faces);
+  const OffsetResults results = solve_on_grid(sphere, samples.points, samples.normals, {.offset = 1e-5});
+  EXPECT_GT(results.offset, 1e-5);
+  EXPECT_LT(results.offset, 2e-3);
+  const double diameter = 2 * sphere.vertices.row(0).norm();
+  EXPECT_NEAR(results.values.minCoeff(), diameter, 0.03 * diameter);
+  EXPECT_NEAR(results.values.maxCoeff(), diameter, 0.03 * diameter);
 }
 
 }  // namespace

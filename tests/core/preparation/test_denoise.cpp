@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <numbers>
 
 #include "shapegauge/core/base/error.h"
@@ -28,6 +29,12 @@ TEST(VertexNeighbours, OfTwoTrianglesAndAVertexOfNone) {
   EXPECT_THAT(neighbours.of(2), IsEmpty());
   EXPECT_THAT(neighbours.of(3), ElementsAre(0, 1, 4));
   EXPECT_THAT(neighbours.of(4), ElementsAre(0, 3));
+}
+
+TEST(VertexNeighbours, OfATorusAreSixEach) {
+  const Shape torus = test::torus(2, 0.7, 8, 12);
+  const VertexNeighbours neighbours = vertex_neighbours(torus);
+  for (Eigen::Index v = 0; v < torus.vertices.rows(); ++v) EXPECT_EQ(neighbours.of(v).size(), 6U) << v;
 }
 
 TEST(VertexNeighbours, OfASoupAreThoseOfItsMesh) {
@@ -212,6 +219,23 @@ TEST(TaubinSmoothing, ScalesAWaveOnATorusMeshByTheTransferFunction) {
     }
     const Points smoothed = taubin_smoothing(values, neighbours, 0.1);
     EXPECT_LT((smoothed - gain(k, 0.1) * values).cwiseAbs().maxCoeff(), 1e-12) << p << " " << q;
+  }
+}
+
+TEST(TaubinSmoothing, KeepsWhatIsInThePassBandAndFadesWhatIsNot) {
+  for (const double pass_band : {0.01, 0.02, 0.05, 0.1}) {
+    for (int i = 0; i < 200; ++i) {
+      const double k = 0.01 * i;
+      if (k < pass_band) {
+        EXPECT_GE(gain(k, pass_band), 1 - 1e-12);
+        EXPECT_LE(gain(k, pass_band), 1.02);
+      } else {
+        EXPECT_LE(std::abs(gain(k, pass_band)), 1 + 1e-12);
+      }
+      if (k > 0.75) {
+        EXPECT_LE(std::abs(gain(k, pass_band)), 0.1);
+      }
+    }
   }
 }
 

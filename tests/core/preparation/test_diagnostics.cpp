@@ -24,6 +24,29 @@ Shape with_triangle(Shape shape, int a, int b, int c) {
   return shape;
 }
 
+/// A band of n quads that is closed into a ring after half a turn.
+Shape moebius_strip(int n) {
+  Shape strip;
+  strip.vertices.resize(2 * n, 3);
+  strip.triangles.resize(2 * n, 3);
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.0) * i / n;
+    for (const int side : {0, 1}) {
+      const double across = side == 0 ? -0.3 : 0.3;
+      const double radius = 1 + across * std::cos(angle / 2);
+      strip.vertices.row(2 * i + side) << radius * std::cos(angle), radius * std::sin(angle),
+          across * std::sin(angle / 2);
+    }
+    const int a = 2 * i;
+    const int b = 2 * i + 1;
+    const int c = i + 1 < n ? a + 2 : 1;
+    const int d = i + 1 < n ? b + 2 : 0;
+    strip.triangles.row(2 * i) << a, c, b;
+    strip.triangles.row(2 * i + 1) << b, c, d;
+  }
+  return strip;
+}
+
 TEST(Diagnose, ACubeIsSound) {
   const ShapeDiagnostics found = diagnose(cube());
   EXPECT_TRUE(found.closed);
@@ -86,7 +109,7 @@ TEST(Diagnose, ABookOfThreePagesHasANonManifoldSpine) {
 }
 
 TEST(Diagnose, AMoebiusStripCannotBeOriented) {
-  const ShapeDiagnostics found = diagnose(test::twisted_band(20, 1));
+  const ShapeDiagnostics found = diagnose(moebius_strip(20));
   EXPECT_EQ(found.boundary_edges, 40U);
   EXPECT_EQ(found.inconsistent_edges, 1U);
   EXPECT_EQ(found.non_manifold_edges, 0U);
@@ -127,8 +150,7 @@ TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
 
 TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
   const Shape broken = with_triangle(
-      with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), test::twisted_band(9, 1)}), 0, 1, 2), 5,
-      5, 9);
+      with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), moebius_strip(9)}), 0, 1, 2), 5, 5, 9);
   const ShapeDiagnostics found = diagnose(broken);
   EXPECT_EQ(found.closed, is_closed(broken));
   for (unsigned seed = 0; seed < 10; ++seed) {

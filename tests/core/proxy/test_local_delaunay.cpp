@@ -1,5 +1,7 @@
 #include <Eigen/LU>
+#include <cmath>
 #include <gmock/gmock.h>
+#include <numbers>
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
@@ -43,6 +45,15 @@ TEST(DelaunayStar, HasTheTrianglesWithEmptyCircles) {
     for (Eigen::Vector2d& p : points) p = {random.uniform(-1, 1), random.uniform(lowest, 1)};
     EXPECT_THAT(delaunay_star(points), testing::UnorderedElementsAreArray(empty_circles(points))) << seed;
   }
+}
+
+TEST(DelaunayStar, OfAHexagonHasSixTriangles) {
+  std::vector<Eigen::Vector2d> points;
+  for (int k = 0; k < 6; ++k) {
+    points.emplace_back(std::cos(k * std::numbers::pi / 3), std::sin(k * std::numbers::pi / 3));
+    points.emplace_back(2 * points.back());  // behind, and no neighbours
+  }
+  EXPECT_EQ(delaunay_star(points).size(), 6U);
 }
 
 TEST(DelaunayStar, OfTooFewOrCollinearPointsIsEmpty) {

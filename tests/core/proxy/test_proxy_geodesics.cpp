@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numbers>
 
 #include "shapegauge/core/proxy/proxy_geodesics.h"
 #include "tests/support/test_shapes.h"
@@ -51,6 +54,24 @@ TEST(ProxyGeodesics, AreasAreThoseOfTheVoronoiCells) {
 TEST(ProxyGeodesics, HaveAsManyLandmarksAsThereArePoints) {
   const SurfaceProxy proxy = surface_proxy(test::sphere(1, 1), {.points = 30});
   EXPECT_EQ(proxy_geodesics(proxy, 1000).distances.cols(), proxy.points.rows());
+}
+
+TEST(ProxyGeodesics, AreAFewPercentLongerThanGreatCircles) {
+  const SurfaceProxy proxy = surface_proxy(test::sphere(1, 4));
+  const ProxyGeodesics geodesics = proxy_geodesics(proxy, 10);
+  for (Eigen::Index k = 0; k < 10; ++k) {
+    double ratio = 0;
+    int count = 0;
+    for (Eigen::Index i = 0; i < proxy.points.rows(); ++i) {
+      const double angle =
+          std::acos(std::clamp(proxy.points.row(i).normalized().dot(proxy.points.row(k).normalized()), -1.0, 1.0));
+      if (angle < std::numbers::pi / 4) continue;
+      ratio += static_cast<double>(geodesics.distances(i, k)) / angle;
+      ++count;
+    }
+    EXPECT_GT(ratio / count, 1.0);
+    EXPECT_LT(ratio / count, 1.08);
+  }
 }
 
 }  // namespace

@@ -140,6 +140,13 @@ TEST(Closedness, IsNotChangedByATriangleWithoutArea) {
 
 TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) { EXPECT_TRUE(is_closed(test::soup(test::sphere(1, 1)))); }
 
+TEST(Closedness, LeavesOutTrianglesWithoutArea) {
+  Shape sphere = test::sphere(1, 1);
+  sphere.triangles.conservativeResize(sphere.triangles.rows() + 1, Eigen::NoChange);
+  sphere.triangles.bottomRows(1) << 0, 0, 1;
+  EXPECT_TRUE(is_closed(sphere));
+}
+
 }  // namespace
 
 }  // namespace shapegauge

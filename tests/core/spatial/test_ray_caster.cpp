@@ -6,6 +6,8 @@
 #include <random>
 #include <rapidcheck/gtest.h>
 #include <span>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #include <vector>
 
 #include "shapegauge/core/spatial/ray_caster.h"
@@ -150,6 +152,26 @@ TEST(RayCaster, ManyRaysHitWhatEachHits) {
         EXPECT_EQ(hits[i].distance, hit.distance);
         EXPECT_EQ(hits[i].leaving, hit.leaving);
         EXPECT_EQ(std::ranges::count(without, hits[i].triangle), 0);
+      }
+    }
+  }
+}
+
+TEST(RayCaster, SameHitsOnAnyNumberOfThreads) {
+  const Shape shape = nested_spheres(5);  // enough triangles for a multithreaded build by Embree
+  const Eigen::Vector3d origin(7.3, -1, -1);
+  const std::vector<Eigen::Vector3d> directions = directions_to(test::sphere(1, 4), {0.1, 0.2, 0.3});
+  const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
+  for (const EdgeHandling edge_handling : {EdgeHandling::robust, EdgeHandling::fast}) {
+    tbb::task_arena alone(1);
+    const std::vector<RayHit> expected =
+        alone.execute([&] { return hits_of(shape, edge_handling, origin, directions); });
+    for (const int threads : {2, 8}) {
+      tbb::task_arena arena(threads);
+      const std::vector<RayHit> hits = arena.execute([&] { return hits_of(shape, edge_handling, origin, directions); });
+      for (std::size_t i = 0; i < hits.size(); ++i) {
+        ASSERT_EQ(hits[i].triangle, expected[i].triangle);
+        ASSERT_EQ(hits[i].distance, expected[i].distance);
       }
     }
   }
