@@ -11,7 +11,7 @@ namespace {
 
 /// Spacing of the points that determine the closest triangle, in units of r. Distances are too large by at most .25^2 /
 /// 16 of r.
-constexpr double point_spacing = 0.25;
+constexpr double spacing_by_offset = 0.25;
 constexpr double max_spacing = 0.7;
 constexpr double max_points = 6e6;
 
@@ -19,7 +19,7 @@ constexpr double max_points = 6e6;
 
 GridLayout choose_grid_layout(const Shape& shape, const Eigen::AlignedBox3d& bounds, double offset,
                               double cells_per_offset) {
-  GridLayout layout{offset, offset / cells_per_offset, point_spacing * cells_per_offset};
+  GridLayout layout{offset, offset / cells_per_offset, spacing_by_offset * cells_per_offset};
   const SurfaceExtent extent(shape);
   while (true) {
     const BlockGrid grid(bounds, layout.offset, layout.cell);
@@ -28,7 +28,7 @@ GridLayout choose_grid_layout(const Shape& shape, const Eigen::AlignedBox3d& bou
       // Enlarges cells first, then the offset.
       layout.cell *= 1.1;
       layout.offset = std::max(layout.offset, 2.5 * layout.cell);
-      layout.spacing = point_spacing * layout.offset / layout.cell;
+      layout.spacing = spacing_by_offset * layout.offset / layout.cell;
       continue;
     }
     if (extent.max_points(layout.spacing * layout.cell) <= max_points + 2 * extent.pieces) return layout;
