@@ -55,7 +55,7 @@ FriedmanTest friedman_of(const Eigen::VectorXd& mean_ranks, double sets, double 
 }  // namespace
 
 RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
-  if (values.size() == 0) throw ArgumentError("no values of methods on data sets to rank");
+  if (values.size() == 0) throw ArgumentError("a comparison by ranks needs at least one method and one data set");
   if (!values.allFinite()) throw ArgumentError("a value of a method on a data set is not a finite number");
   if (!(alpha > 0 && alpha < 1)) throw ArgumentError("a probability of error must be between 0 and 1");
   const auto sets = static_cast<double>(values.rows());

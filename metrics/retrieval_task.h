@@ -69,7 +69,7 @@ class Relevance {
   }
   /// Returns true if the target in the column is relevant to the query in the row.
   [[nodiscard]] bool is_relevant(Eigen::Index row, Eigen::Index column) const;
-  /// Returns true if the target, which is not relevant, is judged as such.
+  /// Returns true if the target is judged as not relevant; false if it was not judged.
   [[nodiscard]] bool is_judged_irrelevant(Eigen::Index row, Eigen::Index column) const;
   /// Returns the grade of a relevant column.
   [[nodiscard]] double grade(Eigen::Index row, Eigen::Index column) const;

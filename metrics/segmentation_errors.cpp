@@ -204,10 +204,10 @@ void check_edges(std::size_t triangles, const std::vector<MeshEdge>& edges, std:
   const auto is_triangle = [&](std::int32_t f) { return f >= 0 && static_cast<std::size_t>(f) < triangles; };
   for (const MeshEdge& edge : edges) {
     for (const std::int32_t v : edge.vertices) {
-      if (v < 0 || v >= vertices) throw ArgumentError("a vertex of an edge is out of range");
+      if (v < 0 || v >= vertices) throw ArgumentError("an edge refers to a vertex that does not exist");
     }
     if (!is_triangle(edge.triangles[0]) || (edge.triangles[1] != -1 && !is_triangle(edge.triangles[1]))) {
-      throw ArgumentError("a triangle of an edge is out of range");
+      throw ArgumentError("an edge refers to a triangle that does not exist");
     }
     if (!(edge.length >= 0 && std::isfinite(edge.length))) {
       throw ArgumentError("the length of an edge must be a finite number, at least 0");

@@ -13,14 +13,14 @@ namespace shapegauge {
 namespace {
 
 void check_count(std::size_t count) {
-  if (count < 2) throw ArgumentError("a range needs at least two values");
+  if (count < 2) throw ArgumentError("the studentised range needs at least two groups");
 }
 
 }  // namespace
 
 double studentised_range_probability(double range, std::size_t count) {
   check_count(count);
-  if (std::isnan(range)) throw ArgumentError("the range is not a number");
+  if (std::isnan(range)) throw ArgumentError("the studentised range is NaN");
   if (range <= 0) return 0;
   if (std::isinf(range)) return 1;
   // The smallest value is z; the others are between z and z + range.

@@ -12,9 +12,9 @@ namespace shapegauge {
 /// matrices evaluate only one of (a, b) and (b, a), and never (a, a).
 using DistanceFunction = double (*)(std::span<const float> a, std::span<const float> b);
 
-/// Batch version of a distance, equal to the bit: from each signature of `some` to each of `others`, row by row.
+/// Batch version of a distance with identical results: from each signature of `first` to each of `second`, row by row.
 /// Signatures have `size` entries and are contiguous. (a, b) and (b, a) must give the same bits.
-using BatchDistanceFunction = void (*)(std::span<const float> some, std::span<const float> others, std::size_t size,
+using BatchDistanceFunction = void (*)(std::span<const float> first, std::span<const float> second, std::size_t size,
                                        std::span<double> distances);
 
 /// Signatures for which a distance is defined. `histograms`: non-negative and not all zero.

@@ -24,7 +24,7 @@ enum class DistanceScale {
   /// hundredth of its median, which limits the effect of groups of almost equal models.
   local,
   ranks,         ///< log(1 + mutual rank) of locally scaled distances (log_mutual_ranks())
-  local_spread,  ///< as ranks; a word of version 1.0
+  local_spread,  ///< older name of `ranks`
 };
 
 template <>

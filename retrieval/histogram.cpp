@@ -77,7 +77,7 @@ Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const
     counts[is_single_bin ? 0 : bin_of(field.values[i], range, options.bins)] += weight;
     total += weight;
   }
-  if (!(total > 0)) throw ArgumentError("a field without any value of positive weight has no histogram");
+  if (!(total > 0)) throw ArgumentError("a histogram needs at least one value with a positive weight");
   if (!std::isfinite(total)) throw ArgumentError("the sum of a field's weights overflows");
   return smooth_gaussian(counts / total, options.smoothing_bins).cast<float>();
 }

@@ -6,9 +6,10 @@ namespace shapegauge {
 
 /// Options of k_reciprocal().
 struct ReciprocalOptions {
-  IntegerList neighbours =
-      16;  ///< 1 to 1000; k1 of the paper; mean over several, or over neighbour_counts() of none ("auto")
-  int expansion_neighbours = 6;  ///< 1 to the largest of the neighbours; k2 of the paper, limited to each of them
+  /// Numbers of neighbours, k1 of the paper, from 1 to 1000. The result is the mean over several; of an empty list
+  /// ("auto"), over neighbour_counts().
+  IntegerList neighbours = 16;
+  int expansion_neighbours = 6;  ///< k2 of the paper: from 1 to the largest k1; at most the current k1 is used
   double original = 0.3;         ///< 0 to 1; weight of the original distance, divided by its maximum in the matrix
 };
 

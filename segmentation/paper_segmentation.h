@@ -36,7 +36,7 @@ struct PaperSegmentationOptions {
 std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::span<const ScalarField> fields,
                                              const PaperSegmentationOptions& options);
 
-/// Segments a shape by its SDF: one label per triangle, or a point of a cloud. `offset` is that of the offset surface,
+/// Segments a shape by its SDF: one label per triangle or point. `offset` is that of the offset surface,
 /// as a fraction of the diagonal; without it, uses the conventional SDF, for meshes only. Throws InputError also as
 /// sound_mesh(), offset_sdf() and cone_sdf() do.
 std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<double> offset,

@@ -38,7 +38,7 @@ inline constexpr std::array part_segmentation_table = {
 /// Segments a shape into parts as people would: returns a part number for each triangle, or point of a cloud, from 0 on
 /// in the order of the parts' first triangles.
 ///
-/// Triangles with two corners at one place have the part of the closest other triangle, duplicates that of their first
+/// Triangles with coincident corners have the part of the closest other triangle, duplicates that of their first
 /// (sound_mesh()). Meshes of few triangles or with many cracks are replaced by their segmentation_proxy(). The surface
 /// is divided into patches, which are merged into regions. Each step merges the two regions most likely to belong to
 /// one part, according to the model. Patches of less than a tenth of the mean area join their neighbours first. The

@@ -51,7 +51,7 @@ inline constexpr std::array segmentation_table = {
 /// Returns the only algorithm that has the parameter of segmentation_table; nothing if both have it.
 std::optional<SegmentationAlgorithm> algorithm_with(std::string_view parameter);
 
-/// Segments a shape by the chosen algorithm: one label per triangle, or a point of a cloud. Throws InputError as the
+/// Segments a shape by the chosen algorithm: one label per triangle or point. Throws InputError as the
 /// algorithms do.
 std::vector<std::int32_t> segment_shape(const Shape& shape, const SegmentationOptions& options);
 

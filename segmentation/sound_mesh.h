@@ -8,10 +8,10 @@
 namespace shapegauge {
 
 /// Mesh without the triangles that are not segmented themselves: duplicates (distinct_triangles()), and triangles with
-/// two corners at one place, which have no area and no neighbours.
+/// coincident corners, which have no area and no neighbours.
 struct SoundMesh {
   Shape shape;
-  /// By triangle of the given mesh: its index in `shape`, that of its first duplicate or, for corners at one place,
+  /// By triangle of the given mesh: its index in `shape`, that of its first duplicate or, for coincident corners,
   /// that of the closest triangle. Empty for a cloud.
   std::vector<std::int32_t> triangle_of;
 

@@ -158,7 +158,7 @@ void check_options(std::string_view what, const std::array<OptionParameter<Optio
                    const Options& options) {
   for (const auto& option : table) {
     try {
-      checked_value(option.parameter, option.value(options));
+      validate_value(option.parameter, option.value(options));
     } catch (const InputError& error) {
       throw ArgumentError(std::string(what) + ": " + error.what());
     }

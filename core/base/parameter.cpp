@@ -156,7 +156,7 @@ std::optional<std::string_view> choice_of(const Parameter& parameter, std::strin
   return found == parameter.choices.end() ? std::nullopt : std::optional(*found);
 }
 
-ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value) {
+ParameterValue validate_value(const Parameter& parameter, const ParameterValue& value) {
   if (const std::optional<ParameterValue> legal = legal_value(parameter, value)) return *legal;
   std::string legal = legal_values(parameter);
   if (const auto* const word = std::get_if<std::string_view>(&value)) {
@@ -168,14 +168,14 @@ ParameterValue checked_value(const Parameter& parameter, const ParameterValue& v
 
 ParameterValue parse_value(const Parameter& parameter, std::string_view text) {
   if (parameter.kind == ParameterKind::boolean && (text == "true" || text == "false")) return text == "true";
-  if (const auto choice = choice_of(parameter, text)) return checked_value(parameter, *choice);
+  if (const auto choice = choice_of(parameter, text)) return validate_value(parameter, *choice);
   if (parameter.kind == ParameterKind::number) {
-    if (const auto number = parse_number(text)) return checked_value(parameter, *number);
+    if (const auto number = parse_number(text)) return validate_value(parameter, *number);
   } else if (const auto numbers = whole_numbers(text)) {
     const bool one = numbers->size() == 1;
-    return checked_value(parameter, one ? ParameterValue(numbers->front()) : IntegerList(std::span(*numbers)));
+    return validate_value(parameter, one ? ParameterValue(numbers->front()) : IntegerList(std::span(*numbers)));
   }
-  return checked_value(parameter, text);
+  return validate_value(parameter, text);
 }
 
 std::string to_string(const ParameterValue& value) {
@@ -201,7 +201,7 @@ void ParameterValues::set(std::string_view name, const ParameterValue& value) {
     for (const Parameter& parameter : parameters_) names.emplace_back(parameter.name);
     throw InputError(fmt::format("there is no setting {}{}", quoted_word(name), suggestion(name, names)));
   }
-  values_[static_cast<std::size_t>(found - parameters_.begin())] = checked_value(*found, value);
+  values_[static_cast<std::size_t>(found - parameters_.begin())] = validate_value(*found, value);
 }
 
 void ParameterValues::require_complete() const {

@@ -93,10 +93,10 @@ std::optional<std::string_view> choice_of(const Parameter& parameter, std::strin
 /// Validates a value and converts it to the parameter's kind. An integer becomes a double for a number parameter and a
 /// list of one for a list parameter; an empty list becomes the choice "auto". Throws InputError, with the parameter's
 /// name, for a value of another kind, out of bounds or not among the choices.
-ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value);
+ParameterValue validate_value(const Parameter& parameter, const ParameterValue& value);
 
 /// Parses a value from text: a number, integers separated by commas, true or false, or one of the choices. Throws
-/// InputError as checked_value() does.
+/// InputError as validate_value() does.
 ParameterValue parse_value(const Parameter& parameter, std::string_view text);
 
 /// Formats a value as parse_value() reads it; empty for none.
@@ -114,7 +114,7 @@ class ParameterValues {
   /// Sets all values to their defaults.
   explicit ParameterValues(std::span<const Parameter> parameters);
 
-  /// Sets one value. Throws InputError for a name that is not in the list, and as checked_value() does.
+  /// Sets one value. Throws InputError for a name that is not in the list, and as validate_value() does.
   void set(std::string_view name, const ParameterValue& value);
 
   /// Throws InputError for the first mandatory parameter without a value.

@@ -27,8 +27,8 @@ struct PointBoxes {
 /// Points on triangles, sorted by block of a grid, and within a block along a Morton curve.
 struct GridPoints {
   AlignedArray<float> x, y, z;         ///< in cells; padded by infinite ones
-  AlignedArray<float> area;            ///< area represented by each; padded
-  std::vector<std::int32_t> triangle;  ///< triangle that contains each; padded
+  AlignedArray<float> area;            ///< area represented by each point; padded
+  std::vector<std::int32_t> triangle;  ///< triangle that contains each point; padded
   std::vector<std::uint32_t> first;    ///< per block: index of its first point; one more entry at the end
   PointBoxes boxes;                    ///< of groups of points
 

@@ -53,7 +53,7 @@ class OffsetSearch {
   static inline const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(infinity);
   static constexpr std::size_t max_starts = 9;
 
-  /// What a search waits for.
+  /// Next step of a search.
   enum class State : std::uint8_t {
     near_sites,  ///< the sites nearest to the raised sample on each side
     far_sites,   ///< farther sites on the current side: no iteration from the near ones has converged

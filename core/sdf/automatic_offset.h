@@ -18,7 +18,7 @@ struct AutomaticOffset {
 };
 
 /// Chooses the offset r from the shape's gaps and noise; the paper leaves its choice open ("Limitations"). The result
-/// is the smallest offset that closes the gaps, with a tenth to spare, and smooths the noise, but at least 0.01: a
+/// is the smallest offset that closes gaps a tenth wider than those found and smooths the noise, but at least 0.01: a
 /// smaller one would hardly follow concavities better. Gaps that even largest_automatic_offset leaves open are ignored.
 /// Noise is ignored for clouds, where it cannot be distinguished from the point spacing. Throws InputError if the shape
 /// has no extent.

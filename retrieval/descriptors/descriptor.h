@@ -65,7 +65,7 @@ struct Descriptor {
 Registry<Descriptor>& descriptors();
 
 /// Returns true if the descriptor must learn from all shapes before it can describe one.
-bool needs_learning(const Descriptor& one, const DescriptorSettings& settings);
+bool needs_learning(const Descriptor& descriptor, const DescriptorSettings& settings);
 
 /// Computes the features of one shape and validates them; `learnt` is for descriptors that learn. Throws InputError if
 /// there are no features or some are not finite, and as `describe` does.
@@ -74,7 +74,7 @@ Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& in
 
 /// Computes all pairwise distances of features, one shape per row. Parallel, with the same bytes for any number of
 /// threads. Throws InputError for a feature that is not finite.
-DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& features);
+DistanceMatrix descriptor_distances(const Descriptor& descriptor, const Signatures& features);
 
 /// Returns the names that feature_distance() accepts: those of distances(), followed by those of descriptors().
 std::vector<std::string> feature_distance_names();

@@ -198,6 +198,13 @@ TEST_F(SdfCommand, PicturesHaveALegendAndARange) {
   EXPECT_EQ(read_shape(at("x.ply")).triangles, shape.triangles);
 }
 
+TEST_F(SdfCommand, FilesNameTheMethodUnlessItIsAnSdf) {
+  ASSERT_EQ(sdf("--method ball -o '" + at("ball.csv") + "'").status, 0);
+  EXPECT_THAT(text_of(at("ball.csv")), testing::StartsWith("index,inscribed_ball,weight\n"));
+  ASSERT_EQ(sdf("--method cone_sdf -o '" + at("cone.csv") + "'").status, 0);
+  EXPECT_THAT(text_of(at("cone.csv")), testing::StartsWith("index,sdf,weight\n"));
+}
+
 TEST_F(SdfCommand, PlotsAHistogram) {
   ASSERT_EQ(sdf("--method cone_sdf --unit mm --below 3 --plot '" + at("x.svg") + "'").status, 0);
   EXPECT_THAT(text_of(at("x.svg")),

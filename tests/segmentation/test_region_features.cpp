@@ -24,13 +24,13 @@ TEST(RegionFeatures, HaveNamesOfTheirOwn) {
   EXPECT_FALSE(names.back().empty());
 }
 
-/// A region with standard deviations 0.1, 0.2 and 0.4 along the axes, times `size`, about a place.
-RegionSum formed_region(double area, double size, const Eigen::Vector3d& place) {
+/// A region with standard deviations 0.1, 0.2 and 0.4 along the axes, times `size`, about a position.
+RegionSum formed_region(double area, double size, const Eigen::Vector3d& position) {
   RegionSum sum;
   sum.area = area;
-  sum.place = area * place;
+  sum.position = area * position;
   const Eigen::Matrix3d covariance = size * size * Eigen::Vector3d(0.01, 0.04, 0.16).asDiagonal().toDenseMatrix();
-  sum.squared_position = area * (covariance + place * place.transpose());
+  sum.squared_position = area * (covariance + position * position.transpose());
   return sum;
 }
 
@@ -81,7 +81,7 @@ Regions hand_made_regions() {
 
 TEST(RegionFeatures, OfTwoRegionsByHand) {
   const double bin = -std::log(0.005) / 32;
-  // Of both together: the mean place is at 2/7 of the way to the small one, 0.7 away.
+  // Of both together: the mean position is at 2/7 of the way to the small one, 0.7 away.
   const double along = (0.5 * 0.16 + 0.2 * 0.04) / 0.7 + 0.7 * 0.7 * (5.0 / 7) * (2.0 / 7);
   const double across = (0.5 * 0.04 + 0.2 * 0.01) / 0.7;
   const double least = (0.5 * 0.01 + 0.2 * 0.0025) / 0.7;

@@ -35,7 +35,7 @@ RegionSum different_sums(double factor) {
   sum.area = 2 * factor;
   sum.thickness = 3 * factor;
   sum.squared_thickness = 4 * factor;
-  sum.place = factor * Eigen::Vector3d(5, 6, 7);
+  sum.position = factor * Eigen::Vector3d(5, 6, 7);
   sum.squared_position = factor * Eigen::Vector3d(8, 9, 10).asDiagonal().toDenseMatrix();
   sum.squared_normal = factor * Eigen::Vector3d(11, 12, 13).asDiagonal().toDenseMatrix();
   sum.histogram = factor * Eigen::Array<double, thickness_bins, 1>::LinSpaced(1, thickness_bins);
@@ -53,7 +53,7 @@ TEST(Regions, MergingAddsEverySum) {
   EXPECT_EQ(sum.area, expected.area);
   EXPECT_EQ(sum.thickness, expected.thickness);
   EXPECT_EQ(sum.squared_thickness, expected.squared_thickness);
-  EXPECT_EQ(sum.place, expected.place);
+  EXPECT_EQ(sum.position, expected.position);
   EXPECT_EQ(sum.squared_position, expected.squared_position);
   EXPECT_EQ(sum.squared_normal, expected.squared_normal);
   EXPECT_TRUE(sum.histogram.isApprox(expected.histogram, 1e-15));

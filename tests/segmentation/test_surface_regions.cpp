@@ -49,8 +49,8 @@ TEST(SurfaceRegions, SeeEachOtherOutsideAcrossAConcavity) {
   const Shape right = test::transformed(test::box({1, 1, 1}, 3), 1, Eigen::Matrix3d::Identity(), {1.5, 0, 0});
   const ThickSurface surface = thick_surface(test::joined({test::box({1, 1, 1}, 3), right}));
   const double middle = surface.graph.samples.points.col(0).mean();
-  const std::vector<std::int32_t> labels = labelled(surface, [&](const Eigen::RowVector3d& place) {
-    const double side = place.x() - middle;
+  const std::vector<std::int32_t> labels = labelled(surface, [&](const Eigen::RowVector3d& position) {
+    const double side = position.x() - middle;
     return std::abs(std::abs(side) - 0.25) > 1e-9 ? 2 : side < 0 ? 0 : 1;
   });
   const Regions regions = surface_regions(surface, labels, 400);
@@ -69,7 +69,7 @@ TEST(SurfaceRegions, BordersHaveLengthTurnAndThickness) {
   ThickSurface surface = thick_surface(test::box({1, 1, 1}, 6));
   const double top = surface.graph.samples.points.col(2).maxCoeff();
   const std::vector<std::int32_t> labels =
-      labelled(surface, [&](const Eigen::RowVector3d& place) { return place.z() > top - 1e-9 ? 1 : 0; });
+      labelled(surface, [&](const Eigen::RowVector3d& position) { return position.z() > top - 1e-9 ? 1 : 0; });
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
     surface.log_thickness[i] = labels[static_cast<std::size_t>(i)] == 1 ? -1 : -3;
   }
@@ -91,7 +91,7 @@ TEST(SurfaceRegions, NodesAreSummedByArea) {
   ThickSurface surface = thick_surface(test::box({1, 1, 1}, 4));
   const double top = surface.graph.samples.points.col(2).maxCoeff();
   const std::vector<std::int32_t> labels =
-      labelled(surface, [&](const Eigen::RowVector3d& place) { return place.z() > top - 1e-9 ? 1 : 0; });
+      labelled(surface, [&](const Eigen::RowVector3d& position) { return position.z() > top - 1e-9 ? 1 : 0; });
   const double bin = -std::log(0.005) / 32;
   surface.log_thickness.setConstant(std::log(0.005) + 7.5 * bin);
   surface.log_thickness[0] = 1;  // beyond the last bin
@@ -109,7 +109,7 @@ TEST(SurfaceRegions, NodesAreSummedByArea) {
   EXPECT_EQ(regions.of(1).nodes, 2 * 4 * 4);
   const double half = 0.5 / std::sqrt(6);
   const RegionSum& of_top = regions.of(1);
-  EXPECT_TRUE((of_top.place / of_top.area).isApprox(Eigen::Vector3d(0, 0, half), 1e-9));
+  EXPECT_TRUE((of_top.position / of_top.area).isApprox(Eigen::Vector3d(0, 0, half), 1e-9));
   EXPECT_NEAR(of_top.squared_position(2, 2) / of_top.area, half * half, 1e-12);
   EXPECT_NEAR(of_top.squared_normal(2, 2), of_top.area, 1e-12);
   EXPECT_NEAR(of_top.squared_normal(0, 0), 0, 1e-12);
@@ -179,8 +179,8 @@ TEST(SurfaceRegions, OfAHookDoNotSeeEachOtherInside) {
   const ThickSurface surface = thick_surface(test::torus(4, 0.5, 24, 96));
   std::vector<std::int32_t> quarters;
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
-    const auto place = surface.graph.samples.points.row(i);
-    quarters.push_back((place.x() > 0 ? 0 : 1) + (place.y() > 0 ? 0 : 2));
+    const auto position = surface.graph.samples.points.row(i);
+    quarters.push_back((position.x() > 0 ? 0 : 1) + (position.y() > 0 ? 0 : 2));
   }
   const Regions regions = surface_regions(surface, quarters, 300);
   EXPECT_EQ(regions.of(0, 3, PairSum::seen_deep), 0);

@@ -75,7 +75,7 @@ TEST(ShapePerturbations, HaveNamesOfTheirOwnAndWords) {
       EXPECT_TRUE(of_parameters.insert(parameter.name).second) << parameter.name;
       EXPECT_FALSE(parameter.description.empty()) << entry.name << " " << parameter.name;
       if (!parameter.required()) {
-        EXPECT_EQ(checked_value(parameter, parameter.default_value), parameter.default_value) << parameter.name;
+        EXPECT_EQ(validate_value(parameter, parameter.default_value), parameter.default_value) << parameter.name;
       }
     }
   }

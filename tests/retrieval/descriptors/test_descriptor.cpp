@@ -23,7 +23,7 @@ TEST(Descriptors, HaveNamesOfTheirOwnAndDefaultsWithinTheirBounds) {
     EXPECT_LE(one.min_fields, one.max_fields);
     for (const auto& parameters : {one.parameters, one.axis_parameters}) {
       for (const Parameter& parameter : parameters) {
-        EXPECT_NO_THROW(checked_value(parameter, parameter.default_value)) << one.name << " " << parameter.name;
+        EXPECT_NO_THROW(validate_value(parameter, parameter.default_value)) << one.name << " " << parameter.name;
         EXPECT_FALSE(parameter.description.empty());
       }
     }
