@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -147,10 +146,11 @@ py::tuple intervals(const Evaluation& evaluation, double confidence, const std::
   return py::make_tuple(ends(found.micro), ends(found.macro));
 }
 
-/// Restores an evaluation from the bytes of a pickle.
-Evaluation unpickled(const py::bytes& bytes) {
+py::object pickled(const Evaluation& evaluation) { return py::bytes(encode(evaluation)); }
+
+Evaluation unpickled(const py::object& state) {
   try {
-    return decode<Evaluation>(std::string_view(bytes));
+    return decode<Evaluation>(py::isinstance<py::bytes>(state) ? state.cast<std::string>() : "");
   } catch (const DamagedBytes&) {
     throw InputError("a pickle of scores is of another version of shapegauge");
   }
@@ -219,7 +219,7 @@ void bind_evaluation(py::module_& module) {
              const std::vector<NamedEvaluation> one{{.method = method, .evaluation = &evaluation}};
              return table_text(summary_table(one), value_of_word<TableFormat>(format).value());
            })
-      .def(py::pickle([](const Evaluation& evaluation) { return py::bytes(encode(evaluation)); }, &unpickled));
+      .def(py::pickle(&pickled, &unpickled));
   module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
                             const std::optional<std::vector<int>>& targets, const std::vector<int>& subclasses,
                             const std::optional<Eigen::MatrixXi>& relevance, const std::string& protocol,
