@@ -13,13 +13,16 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "shapegauge developers <developers@shapegauge.invalid>")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
+set(purpose
+    "shapegauge measures the shape diameter function (thickness) of meshes and
+point clouds, turns it into signatures, compares shapes by them, cuts shapes
+into parts, and evaluates any retrieval method the way the SHREC contests do.")
+
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME shapegauge)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-    "shapegauge measures the shape diameter function (thickness) of meshes and
-point clouds, turns it into signatures, compares shapes by them, cuts shapes
-into parts, and evaluates any retrieval method the way the SHREC contests do.
+    "${purpose}
 
 This package has the program, its documentation and its configurations.")
 
@@ -30,9 +33,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libtbb-dev
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
     "libarchive-dev, libboost-dev, libcairo2-dev, libcgal-dev (>= 5.5), libembree-dev (>= 3), libfmt-dev (>= 9), libhwy-dev, libmatio-dev, libmaxflow-dev, libnanoflann-dev, libopenmesh-dev, libpng-dev, libssl-dev, libtinygltf-dev, libvalijson-dev, nlohmann-json3-dev (>= 3.11), zlib1g-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-    "shapegauge measures the shape diameter function (thickness) of meshes and
-point clouds, turns it into signatures, compares shapes by them, cuts shapes
-into parts, and evaluates any retrieval method the way the SHREC contests do.
+    "${purpose}
 
 This package has the C++ libraries with their headers, and the CMake package.
 The libraries of measures need what the package depends on, the others what it
@@ -47,9 +48,7 @@ if(SHAPEGAUGE_BUILD_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= 3.${SHAPEGAUGE_PYTHON_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION
-      "shapegauge measures the shape diameter function (thickness) of meshes and
-point clouds, turns it into signatures, compares shapes by them, cuts shapes
-into parts, and evaluates any retrieval method the way the SHREC contests do.
+      "${purpose}
 
 This package has the Python module, which works on NumPy arrays.")
 endif()

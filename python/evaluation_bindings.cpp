@@ -1,11 +1,12 @@
 // Evaluation of matrices and comparison of methods.
 #include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,24 +44,23 @@ struct WantedEvaluation {
   EvaluationOptions options;
 };
 
+/// Returns the value of a word of an enumeration.
+template <typename Enumeration>
+Enumeration known_word(const char* kind, const std::string& word) {
+  if (const auto value = value_of_word<Enumeration>(word)) return *value;
+  const auto& words = words_of<Enumeration>;
+  throw InputError(fmt::format("unknown {} \"{}\"; known are {} and {}", kind, word,
+                               fmt::join(words.begin(), words.end() - 1, ", "), words.back()));
+}
+
 EvaluationOptions options_of(const std::string& protocol, const std::string& ties,
                              const std::vector<std::string>& measures, int minimum_class_size, const std::string& curve,
                              const std::string& evaluator) {
   if (!evaluator.empty()) return options_of_evaluator(evaluator);
   EvaluationOptions options;
-  const auto known_protocol = value_of_word<Protocol>(protocol);
-  if (!known_protocol) throw InputError("unknown protocol \"" + protocol + "\"; known are psb, paper and trec");
-  const auto known_ties = value_of_word<Ties>(ties);
-  if (!known_ties) {
-    throw InputError("unknown ties \"" + ties + "\"; known are index, optimistic, pessimistic and expected");
-  }
-  if (!curve.empty()) {
-    options.curve = value_of_word<CurveKind>(curve);
-    if (!options.curve)
-      throw InputError("unknown curve \"" + curve + "\"; known are psb, paper, trec, raw and trec_eval");
-  }
-  options.protocol = *known_protocol;
-  options.ties = *known_ties;
+  options.protocol = known_word<Protocol>("protocol", protocol);
+  options.ties = known_word<Ties>("ties", ties);
+  if (!curve.empty()) options.curve = known_word<CurveKind>("curve", curve);
   options.measures = measures_of(measures);
   options.minimum_class_size = minimum_class_size;
   return options;
@@ -134,12 +134,10 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
 /// Returns low and high ends by measure, of the averages over queries and over classes; empty for too few units.
 py::tuple intervals(const Evaluation& evaluation, double confidence, const std::string& blocks, int resamples,
                     std::uint64_t seed, int threads) {
-  const auto known_blocks = value_of_word<ResamplingUnit>(blocks);
-  if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
+  const auto unit = known_word<ResamplingUnit>("blocks", blocks);
   const EvaluationIntervals found = compute(threads, [&] {
     return intervals_of(
-        evaluation,
-        {.confidence = confidence, .blocks = *known_blocks, .resampling = {.resamples = resamples, .seed = seed}});
+        evaluation, {.confidence = confidence, .blocks = unit, .resampling = {.resamples = resamples, .seed = seed}});
   });
   const auto ends = [](const std::vector<ConfidenceInterval>& of_measures) {
     std::vector<std::pair<double, double>> pairs;
@@ -149,10 +147,11 @@ py::tuple intervals(const Evaluation& evaluation, double confidence, const std::
   return py::make_tuple(ends(found.micro), ends(found.macro));
 }
 
-/// Restores an evaluation from the bytes of a pickle.
-Evaluation unpickled(const py::bytes& bytes) {
+py::object pickled(const Evaluation& evaluation) { return py::bytes(encode(evaluation)); }
+
+Evaluation unpickled(const py::object& state) {
   try {
-    return decode<Evaluation>(std::string_view(bytes));
+    return decode<Evaluation>(py::isinstance<py::bytes>(state) ? state.cast<std::string>() : "");
   } catch (const DamagedBytes&) {
     throw InputError("a pickle of scores is of another version of shapegauge");
   }
@@ -181,12 +180,8 @@ ComparedMethods compare_evaluations(const std::vector<std::string>& names,
                         .protocol = name_of(first.protocol),
                         .measures = first.measures,
                         .classes = first.query_classes};
-    const auto known = value_of_word<PairTest>(test);
-    if (!known) throw InputError("unknown test \"" + test + "\"; known are randomization, t and bootstrap");
-    const auto known_blocks = value_of_word<ResamplingUnit>(blocks);
-    if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
-    compared.options.test = *known;
-    compared.options.blocks = *known_blocks;
+    compared.options.test = known_word<PairTest>("test", test);
+    compared.options.blocks = known_word<ResamplingUnit>("blocks", blocks);
     compared.options.confidence = confidence;
     compared.options.resampling = {.resamples = resamples, .seed = seed};
     for (Eigen::Index k = 0; k < first.per_query.cols(); ++k) {
@@ -225,7 +220,7 @@ void bind_evaluation(py::module_& module) {
              const std::vector<NamedEvaluation> one{{.method = method, .evaluation = &evaluation}};
              return table_text(summary_table(one), value_of_word<TableFormat>(format).value());
            })
-      .def(py::pickle([](const Evaluation& evaluation) { return py::bytes(encode(evaluation)); }, &unpickled));
+      .def(py::pickle(&pickled, &unpickled));
   module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
                             const std::optional<std::vector<int>>& targets, const std::vector<int>& subclasses,
                             const std::optional<Eigen::MatrixXi>& relevance, const std::string& protocol,

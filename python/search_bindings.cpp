@@ -100,8 +100,6 @@ void check_page(const NativeIndex& opened, const py::list& given, const fs::path
   check_output_files(inputs, {&output, 1}, replace);
 }
 
-void write_page(const fs::path& page, const std::string& text) { write_file_atomically(page, text); }
-
 /// Returns by query its name, the model that it equals (or None), the models found, their distances, and the reason for
 /// a missing answer. With a page, the page's text follows.
 py::tuple answer(NativeIndex& opened, const py::list& given, std::size_t count, bool rerank,
@@ -162,7 +160,7 @@ void bind_search(py::module_& module) {
       .def("failures", &named_failures)
       .def("check_page", &check_page)
       .def("search", &answer);
-  module.def("write_page", &write_page);
+  module.def("write_page", [](const fs::path& page, const std::string& text) { write_file_atomically(page, text); });
   module.def("open_index", &open);
 }
 

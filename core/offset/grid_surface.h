@@ -2,11 +2,11 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <boost/align/aligned_allocator.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "shapegauge/core/offset/aligned_array.h"
 #include "shapegauge/core/offset/block_grid.h"
 #include "shapegauge/core/offset/triangle_table.h"
 #include "shapegauge/core/shape/shape.h"
@@ -16,6 +16,10 @@ namespace shapegauge {
 
 /// Number of padding entries of padded arrays; no vector is wider.
 inline constexpr std::size_t grid_padding = 16;
+
+/// Array in whole cache lines, so that no vector of a group of sixteen numbers crosses one.
+template <typename T>
+using AlignedArray = std::vector<T, boost::alignment::aligned_allocator<T, 64>>;
 
 /// Bounding boxes of groups of points, by axis and group. Padded.
 struct PointBoxes {

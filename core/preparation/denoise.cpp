@@ -170,11 +170,6 @@ VertexNeighbours vertex_neighbours(const Shape& shape, const Welding& welding) {
   return result;
 }
 
-VertexNeighbours vertex_neighbours(const Shape& shape) {
-  require_usable(shape);
-  return vertex_neighbours(shape, welding_of(shape));
-}
-
 NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours, const Welding& welding) {
   constexpr double pass_band = 0.1;
   constexpr double deviation_of_median = 1.4826;  // of the size of a normally distributed value
@@ -183,10 +178,6 @@ NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours, c
   return {.deviation = deviation_of_median * median_or_zero(unshared_heights(heights, neighbours)),
           .edge_length = mean_edge_length(smoothed, neighbours),
           .agreement = agreement_of(heights, neighbours)};
-}
-
-NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
-  return noise_level(shape, neighbours, welding_of(shape));
 }
 
 bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours) {

@@ -23,11 +23,7 @@ struct VertexNeighbours {
   }
 };
 
-/// Computes the vertex adjacency of a shape; empty without triangles. Throws InputError for an unusable shape
-/// (require_usable()).
-VertexNeighbours vertex_neighbours(const Shape& shape);
-
-/// The same for a usable shape and its welding_of().
+/// Computes the vertex adjacency of a usable shape from its welding_of(); empty without triangles.
 VertexNeighbours vertex_neighbours(const Shape& shape, const Welding& welding);
 
 /// Noise of the vertices of a mesh.
@@ -47,10 +43,7 @@ struct NoiseLevel {
 /// The standard deviation follows from the median absolute difference between a vertex's height above the smoothed mesh
 /// and the mean height of its neighbours. This ignores slow variation and outliers. On coarse meshes features
 /// contribute to the deviation; `agreement` separates them from noise. Independent of the orientation of triangles. All
-/// zero for a cloud.
-NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours);
-
-/// The same with the shape's welding_of().
+/// zero for a cloud. `welding` is the shape's welding_of().
 NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours, const Welding& welding);
 
 /// Returns true for clearly noisy vertices: at least 500 used, distinct vertices, a relative() of at least 0.1, and an

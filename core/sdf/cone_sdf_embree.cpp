@@ -1,6 +1,5 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -16,6 +15,7 @@
 #include "shapegauge/core/base/parallel_parts.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/sdf/cone_sdf_engines.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/spatial/morton_order.h"
 #include "shapegauge/core/spatial/ray_caster.h"
 
@@ -107,50 +107,27 @@ class StartTriangles {
         triangles_.resize(static_cast<std::size_t>(shape.triangles.rows()));
         std::iota(triangles_.begin(), triangles_.end(), 0);
       }
-      begin_.resize(triangles_.size() + 1);
-      std::iota(begin_.begin(), begin_.end(), 0);
-      group_.resize(triangles_.size());
-      std::iota(group_.begin(), group_.end(), 0);
       return;
     }
-    group_vertices(shape);
-    for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-      for (int k = 0; k < 3; ++k) ++begin_[static_cast<std::size_t>(group_[shape.triangles(f, k)]) + 1];
-    }
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    triangles_.resize(static_cast<std::size_t>(begin_.back()));
-    std::vector<std::int32_t> next = begin_;
-    for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-      for (int k = 0; k < 3; ++k) triangles_[next[group_[shape.triangles(f, k)]]++] = static_cast<std::int32_t>(f);
-    }
+    group_ = welded_vertices(shape.vertices);  // a seam that doubles them does not end a ray where it starts
+    std::vector<std::int32_t> corners(static_cast<std::size_t>(shape.triangles.size()));
+    std::iota(corners.begin(), corners.end(), 0);
+    const auto group_of = [&](std::int32_t corner) { return group_[shape.triangles(corner / 3, corner % 3)]; };
+    const BucketSorted<std::int32_t> sorted = bucket_sort(corners, group_.size(), group_of);
+    begin_ = sorted.first;
+    for (const std::int32_t corner : sorted.values) triangles_.push_back(corner / 3);
   }
 
   [[nodiscard]] std::span<const std::int32_t> of(Eigen::Index sample) const {
+    if (group_.empty()) return std::span(triangles_).subspan(sample, 1);
     const std::int32_t group = group_[sample];
     return std::span(triangles_).subspan(begin_[group], begin_[group + 1] - begin_[group]);
   }
 
  private:
-  /// Vertices of equal coordinates make one group: a seam that doubles them does not end a ray where it starts.
-  void group_vertices(const Shape& shape) {
-    const auto position = [&](std::int32_t v) {
-      return std::array{shape.vertices(v, 0), shape.vertices(v, 1), shape.vertices(v, 2)};
-    };
-    std::vector<std::int32_t> order(static_cast<std::size_t>(shape.vertices.rows()));
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, {}, position);
-    group_.resize(order.size());
-    std::int32_t groups = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (i > 0 && position(order[i]) != position(order[i - 1])) ++groups;
-      group_[order[i]] = groups;
-    }
-    begin_.assign(static_cast<std::size_t>(groups) + 2, 0);
-  }
-
-  std::vector<std::int32_t> group_;      // of every sample
-  std::vector<std::int32_t> begin_;      // of every group, where its triangles begin
-  std::vector<std::int32_t> triangles_;  // of all groups
+  std::vector<std::int32_t> group_;      // of every vertex; empty if each sample has one triangle
+  std::vector<std::size_t> begin_;       // of every group, where its triangles begin
+  std::vector<std::int32_t> triangles_;  // of all groups, or by sample
 };
 
 /// A ray that leaves through a face turned inwards says nothing of the inside.

@@ -22,19 +22,6 @@ namespace {
 
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
-template <typename Predicate>
-std::vector<fs::path> entries(const fs::path& folder, Predicate wanted) {
-  std::vector<fs::path> found;
-  std::error_code failure;
-  for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
-       entry.increment(failure)) {
-    if (!is_hidden(entry->path()) && wanted(entry->path())) found.push_back(entry->path());
-  }
-  if (failure) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failure.message()));
-  std::ranges::sort(found, natural_less, [](const fs::path& path) { return path.filename().string(); });
-  return found;
-}
-
 }  // namespace
 
 int label_of_class(const std::string& name, Dataset& dataset) {
@@ -95,6 +82,18 @@ std::string skipped_text(const SkippedEntries& skipped) {
   return parts.empty() ? "" : fmt::format("skipped: {}", fmt::join(parts, ", "));
 }
 
+std::vector<fs::path> visible_entries(const fs::path& folder, const std::function<bool(const fs::path&)>& wanted) {
+  std::vector<fs::path> found;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
+       entry.increment(failure)) {
+    if (!is_hidden(entry->path()) && wanted(entry->path())) found.push_back(entry->path());
+  }
+  if (failure) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failure.message()));
+  std::ranges::sort(found, natural_less, [](const fs::path& path) { return path.filename().string(); });
+  return found;
+}
+
 SkippedEntries skipped_entries(const fs::path& root, const std::vector<Model>& models) {
   std::set<fs::path> files;
   std::set<fs::path> holders{root};
@@ -107,7 +106,7 @@ SkippedEntries skipped_entries(const fs::path& root, const std::vector<Model>& m
   while (!waiting.empty()) {
     const fs::path folder = waiting.back();
     waiting.pop_back();
-    for (const fs::path& entry : entries(folder, [&](const fs::path& path) { return !files.contains(path); })) {
+    for (const fs::path& entry : visible_entries(folder, [&](const fs::path& path) { return !files.contains(path); })) {
       if (!is_folder(entry)) {
         ++(is_model_file(entry) ? skipped.shapes : skipped.files);
       } else if (holders.contains(entry)) {
@@ -120,10 +119,10 @@ SkippedEntries skipped_entries(const fs::path& root, const std::vector<Model>& m
   return skipped;
 }
 
-std::vector<fs::path> model_files(const fs::path& folder) { return entries(folder, is_model_file); }
+std::vector<fs::path> model_files(const fs::path& folder) { return visible_entries(folder, is_model_file); }
 
 std::vector<fs::path> subfolders(const fs::path& folder) {
-  return entries(folder, [](const fs::path& path) {
+  return visible_entries(folder, [](const fs::path& path) {
     return is_folder(path) || (leads_nowhere(path) && path.extension().empty());
   });
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -66,6 +67,11 @@ bool is_cyclic_link(const std::filesystem::path& path);
 
 /// Resolves all links of a path. Returns the path unchanged if it does not exist.
 std::filesystem::path canonical_or_same(const std::filesystem::path& path);
+
+/// Returns the entries of a folder that are not hidden and wanted, in natural order. Throws InputError if the folder
+/// cannot be read.
+std::vector<std::filesystem::path> visible_entries(const std::filesystem::path& folder,
+                                                   const std::function<bool(const std::filesystem::path&)>& wanted);
 
 /// Counts the entries of the folder, and of its subfolders with models, that are not models.
 SkippedEntries skipped_entries(const std::filesystem::path& root, const std::vector<Model>& models);

@@ -164,23 +164,11 @@ bool is_one_of(const fs::path& file, std::span<const fs::path> others) {
   });
 }
 
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code failure;
-  for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
-       entry.increment(failure)) {
-    const bool hidden = entry->path().filename().string().starts_with('.');
-    if (!hidden && !is_folder(entry->path())) files.push_back(entry->path());
-  }
-  if (failure) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failure.message()));
-  std::ranges::sort(files, natural_less, [](const fs::path& file) { return file.filename().string(); });
-  return files;
-}
-
 void add_folder(const fs::path& folder, std::span<const fs::path> others, FoundSubmissions& found) {
   const std::size_t before = found.submissions.size() + found.refused.size();
+  const std::vector<fs::path> files = visible_entries(folder, [](const fs::path& path) { return !is_folder(path); });
   std::set<fs::path> described;
-  for (const fs::path& file : files_in(folder)) {
+  for (const fs::path& file : files) {
     if (!is_submission_file(file) || is_about_submissions(file) || is_one_of(file, others)) continue;
     described.insert(description_of(file));
     if (is_within(file, folder)) {
@@ -193,7 +181,7 @@ void add_folder(const fs::path& folder, std::span<const fs::path> others, FoundS
     throw InputError(fmt::format("{}: no submissions in this folder; expected files {}, optionally with .gz",
                                  folder.string(), fmt::join(submission_extensions(), ", ")));
   }
-  for (const fs::path& file : files_in(folder)) {
+  for (const fs::path& file : files) {
     if (described.contains(file) || is_one_of(file, others)) continue;
     if (is_submission_file(file) && !is_about_submissions(file)) continue;
     if (lower_case(file.extension().string()) == ".json") {

@@ -17,6 +17,8 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
 
+VertexNeighbours vertex_neighbours(const Shape& shape) { return vertex_neighbours(shape, welding_of(shape)); }
+
 TEST(VertexNeighbours, OfTwoTrianglesAndAVertexOfNone) {
   Shape shape;
   shape.vertices.resize(5, 3);
@@ -57,13 +59,13 @@ TEST(VertexNeighbours, OfACloudOrOfNothingAreNone) {
   EXPECT_THAT(vertex_neighbours({}).neighbours, IsEmpty());
 }
 
-TEST(VertexNeighbours, RefusesATriangleWithoutVertices) {
+TEST(Denoise, RefusesATriangleWithoutVertices) {
   Shape shape = test::sphere(1, 0);
   shape.triangles(3, 1) = 12;
-  EXPECT_THROW(vertex_neighbours(shape), InputError);
+  EXPECT_THROW(denoised(shape), InputError);
 }
 
-NoiseLevel level_of(const Shape& shape) { return noise_level(shape, vertex_neighbours(shape)); }
+NoiseLevel level_of(const Shape& shape) { return noise_level(shape, vertex_neighbours(shape), welding_of(shape)); }
 
 bool is_noisy(const Shape& shape) { return is_noisy(level_of(shape), vertex_neighbours(shape)); }
 
