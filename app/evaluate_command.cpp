@@ -198,6 +198,9 @@ int run(const EvaluateCommandArguments& arguments) {
                                          : evaluate_with_progress(arguments.distances, arguments.evaluation);
   const EvaluationTask& task = evaluated.data.task;
   if (!arguments.report.empty()) check_fit_for_report(task);
+  if (!task.coverage && arguments.evaluation.missing_queries == word_of(Unanswered::count)) {
+    throw InputError("--missing-queries zero applies to ranked lists only: a matrix has an answer to each query");
+  }
   std::vector<std::string> warnings = evaluated.warnings;
   NamedEvaluation named{.method = method_name(piped ? "standard input" : arguments.distances, evaluated.data),
                         .evaluation = &evaluated.evaluation};
