@@ -299,6 +299,9 @@ int run(EvaluateCommandArguments& arguments) {
   }
   std::vector<std::string> warnings;
   const EvaluatedInputs inputs = evaluate_inputs(arguments, warnings);
+  if (!inputs.task().coverage && arguments.evaluation.missing_queries == word_of(Unanswered::count)) {
+    throw InputError("--missing-queries zero applies to ranked lists only: a matrix has an answer to each query");
+  }
   if (!arguments.report.empty()) check_fit_for_report(inputs.task());
   write_files(inputs, arguments);
   write_charts(inputs, arguments);

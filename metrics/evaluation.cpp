@@ -164,26 +164,27 @@ void RowEvaluator::evaluate_rows(Eigen::Index first, Eigen::Index last, const Li
   const auto end = std::ranges::lower_bound(blank_.queries, last) - blank_.queries.begin();
   parallel_for(begin, end, [&](std::ptrdiff_t query) {
     const auto i = static_cast<std::size_t>(query);
-    const RankedList list = list_of(blank_.queries[i], blank_.ties);
+    std::optional<TieExtremes> extremes;
+    const RankedList list = list_of(blank_.queries[i], extremes);
     keep(i - first_query_, list);
     scores_.first_tiers.row(query - static_cast<std::ptrdiff_t>(first_query_))
-        << first_tier_.value(list.tied ? list_of(blank_.queries[i], Ties::pessimistic) : list),
-        first_tier_.value(list.tied ? list_of(blank_.queries[i], Ties::optimistic) : list);
+        << first_tier_.value(extremes ? extremes->pessimistic : list),
+        first_tier_.value(extremes ? extremes->optimistic : list);
   });
 }
 
 void RowEvaluator::evaluate(const DistanceTable& rows, Eigen::Index first) {
   check_numbers(rows, first);
-  evaluate_rows(first, first + rows.rows(), [&](Eigen::Index row, Ties ties) {
+  evaluate_rows(first, first + rows.rows(), [&](Eigen::Index row, std::optional<TieExtremes>& extremes) {
     const std::span<const double> distances(&rows.coeffRef(row - first, 0), static_cast<std::size_t>(rows.cols()));
-    return ranked_list(distances, relevance_, row, {.protocol = blank_.protocol, .ties = ties});
+    return ranked_list(distances, relevance_, row, {.protocol = blank_.protocol, .ties = blank_.ties}, &extremes);
   });
 }
 
 void RowEvaluator::evaluate(const RankedAnswerLists& answers) {
-  evaluate_rows(0, std::ssize(answers), [&](Eigen::Index row, Ties ties) {
+  evaluate_rows(0, std::ssize(answers), [&](Eigen::Index row, std::optional<TieExtremes>& extremes) {
     return ranked_list(answers[static_cast<std::size_t>(row)], relevance_, row,
-                       {.protocol = blank_.protocol, .ties = ties});
+                       {.protocol = blank_.protocol, .ties = blank_.ties}, &extremes);
   });
 }
 

@@ -118,10 +118,62 @@ std::size_t count_below(std::span<const double> ascending, double x) {
   return static_cast<std::size_t>(first - ascending.data()) + (is_last_below ? 1 : 0);
 }
 
+// Buckets of equal width between the least and the largest finite distance of hits, one for each hit. Their order is
+// that of the distances.
+class Buckets {
+ public:
+  explicit Buckets(std::span<const Hit> hits) : last_(static_cast<double>(std::max<std::size_t>(hits.size(), 1) - 1)) {
+    double high = -unreachable_distance;
+    double low = unreachable_distance;
+    for (const Hit& hit : hits) {
+      if (!std::isfinite(hit.distance)) continue;
+      low = std::min(low, hit.distance);
+      high = std::max(high, hit.distance);
+    }
+    const double per_unit = static_cast<double>(hits.size()) / (high - low);
+    if (!(low < high) || !std::isfinite(per_unit)) return;  // one bucket has all
+    low_ = low;
+    per_unit_ = per_unit;
+  }
+
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(last_) + 1; }
+
+  [[nodiscard]] std::size_t of(double distance) const {
+    const double place = (distance - low_) * per_unit_;
+    return place > 0 ? static_cast<std::size_t>(std::min(place, last_)) : 0;
+  }
+
+  // Returns the index of the first of these values in each bucket, and their number. Values are in any order.
+  template <typename Values, typename Distance>
+  [[nodiscard]] std::vector<std::size_t> first_of(const Values& values, const Distance& distance) const {
+    std::vector<std::size_t> first(size() + 1);
+    for (const auto& value : values) ++first[of(std::invoke(distance, value)) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    return first;
+  }
+
+ private:
+  double last_;
+  double low_ = 0;
+  double per_unit_ = 0;
+};
+
+// Sorts hits by distance and column.
+void sort_hits(std::vector<Hit>& hits, const Buckets& buckets) {
+  const std::vector<std::size_t> first = buckets.first_of(hits, &Hit::distance);
+  std::vector<std::size_t> next = first;
+  std::vector<Hit> sorted(hits.size());
+  for (const Hit& hit : hits) sorted[next[buckets.of(hit.distance)]++] = hit;
+  for (std::size_t bucket = 0; bucket < buckets.size(); ++bucket) {
+    const auto of_bucket = std::span(sorted).subspan(first[bucket], first[bucket + 1] - first[bucket]);
+    std::ranges::sort(of_bucket, [](const Hit& a, const Hit& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.column < b.column;
+    });
+  }
+  hits = std::move(sorted);
+}
+
 void group_hits(Answer& answer) {
-  std::ranges::sort(answer.hits, [](const Hit& a, const Hit& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.column < b.column;
-  });
   for (std::size_t i = 0; i < answer.hits.size(); ++i) {
     if (i > 0 && answer.hits[i - 1].distance == answer.hits[i].distance) continue;
     answer.distances.push_back(answer.hits[i].distance);
@@ -143,10 +195,16 @@ Answer answer_of(const ForEach& for_each, const Relevance& relevance, Eigen::Ind
   for_targets(true, [&](Eigen::Index column, double distance) {
     answer.hits.push_back({distance, column, relevance.grade(row, column)});
   });
+  const Buckets buckets(answer.hits);
+  sort_hits(answer.hits, buckets);
   group_hits(answer);
+  const std::vector<std::size_t> first_group = buckets.first_of(answer.distances, std::identity());
   for_targets(false, [&](Eigen::Index column, double distance) {
     const bool judged = relevance.is_judged_irrelevant(row, column);
-    const std::size_t group = count_below(answer.distances, distance);
+    const std::size_t bucket = buckets.of(distance);
+    const std::size_t first = first_group[bucket];
+    const std::span<const double> nearby(answer.distances.data() + first, first_group[bucket + 1] - first);
+    const std::size_t group = first + count_below(nearby, distance);
     if (group < answer.distances.size() && answer.distances[group] == distance) {
       answer.tied.push_back({group, column, judged});
     } else {
@@ -197,15 +255,14 @@ bool order_matters(const Tied& tied) {
 // Appends tied models in the order, or the open order, of `ties`. Among the hits, optimistic ranks the largest grades
 // first and pessimistic the smallest.
 void append_tied(Runs& runs, const Tied& tied, Ties ties) {
+  if (tied.misses.empty() && tied.hits.size() == 1) return append(runs, tied.hits.front());
+  if (ties == Ties::index) return append_by_index(runs, tied);
   Misses misses;
   for (const TiedMiss& miss : tied.misses) misses.add(miss.judged);
   std::vector<Hit> hits(tied.hits.begin(), tied.hits.end());
   std::ranges::stable_sort(hits, std::greater<>(), &Hit::grade);
   double grades = 0;
   switch (ties) {
-    case Ties::index:
-      append_by_index(runs, tied);
-      break;
     case Ties::optimistic:
       for (const Hit& hit : hits) append(runs, hit);
       append(runs, misses);
@@ -214,7 +271,7 @@ void append_tied(Runs& runs, const Tied& tied, Ties ties) {
       append(runs, misses);
       std::for_each(hits.rbegin(), hits.rend(), [&](const Hit& hit) { append(runs, hit); });
       break;
-    case Ties::expected:
+    default:
       for (const Hit& hit : hits) grades += hit.grade;
       runs.push_back({.size = hits.size() + misses.count,
                       .hits = hits.size(),
@@ -254,15 +311,14 @@ void append(RankedList& list, const RankRun& run) {
   list.runs.push_back(run);
 }
 
-// Builds the list of an answer; for_each(f) calls f(column, distance) for each of its models.
-template <typename ForEach>
-RankedList list_of_answer(const ForEach& for_each, bool is_empty, const Relevance& relevance, Eigen::Index row,
+// Builds the list of a partially sorted answer.
+RankedList list_of_answer(const Answer& answer, bool is_empty, const Relevance& relevance, Eigen::Index row,
                           const ListConventions& conventions) {
   const bool counts_query = conventions.protocol == Protocol::paper;
   const bool starts_with_query = counts_query && !is_empty;
-  const Answer answer = answer_of(for_each, relevance, row);
   std::vector<double> grades = sorted_grades(relevance, row, counts_query);
   Runs runs;
+  runs.reserve(2 * answer.distances.size() + 2);
   if (starts_with_query) append(runs, Hit{.grade = grades.empty() ? 1 : grades.front()});
   bool tied = false;
   for_each_tied(answer, [&](std::size_t group, const Tied& models) {
@@ -280,6 +336,20 @@ RankedList list_of_answer(const ForEach& for_each, bool is_empty, const Relevanc
   return list;
 }
 
+// Builds the list of an answer, and those of the extreme orders of ties if they are wanted. for_each(f) calls
+// f(column, distance) for each of its models.
+template <typename ForEach>
+RankedList list_of_models(const ForEach& for_each, bool is_empty, const Relevance& relevance, Eigen::Index row,
+                          const ListConventions& conventions, std::optional<TieExtremes>* extremes) {
+  const Answer answer = answer_of(for_each, relevance, row);
+  const auto list_with = [&](Ties ties) {
+    return list_of_answer(answer, is_empty, relevance, row, {.protocol = conventions.protocol, .ties = ties});
+  };
+  RankedList list = list_with(conventions.ties);
+  if (extremes != nullptr && list.tied) *extremes = {list_with(Ties::pessimistic), list_with(Ties::optimistic)};
+  return list;
+}
+
 }  // namespace
 
 std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen::Index query, Eigen::Index count) {
@@ -294,15 +364,15 @@ std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen:
 }
 
 RankedList ranked_list(std::span<const ListedModel> answer, const Relevance& relevance, Eigen::Index row,
-                       const ListConventions& conventions) {
+                       const ListConventions& conventions, std::optional<TieExtremes>* extremes) {
   const auto for_each = [&](const auto& f) {
     for (const ListedModel& model : answer) f(model.column, model.distance);
   };
-  return list_of_answer(for_each, answer.empty(), relevance, row, conventions);
+  return list_of_models(for_each, answer.empty(), relevance, row, conventions, extremes);
 }
 
 RankedList ranked_list(std::span<const double> distances, const Relevance& relevance, Eigen::Index row,
-                       const ListConventions& conventions) {
+                       const ListConventions& conventions, std::optional<TieExtremes>* extremes) {
   const auto for_each = [&](const auto& f) {
     for (std::size_t column = 0; column < distances.size(); ++column) {
       f(static_cast<Eigen::Index>(column), distances[column]);
@@ -313,7 +383,7 @@ RankedList ranked_list(std::span<const double> distances, const Relevance& relev
     if (relevance.is_target(row, column) && distance < unreachable_distance) is_empty = false;
   });
   if (is_empty) return ranked_list(std::span<const ListedModel>(), relevance, row, conventions);
-  return list_of_answer(for_each, false, relevance, row, conventions);
+  return list_of_models(for_each, false, relevance, row, conventions, extremes);
 }
 
 RankedList list_of_runs(const std::vector<RankRun>& runs, bool starts_with_query, std::size_t not_in_list) {

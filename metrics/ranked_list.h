@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,15 +56,21 @@ struct ListConventions {
   Ties ties = Ties::index;
 };
 
+/// Lists of an answer whose order of ties matters, for its extreme orders.
+struct TieExtremes {
+  RankedList pessimistic;
+  RankedList optimistic;
+};
+
 /// Builds the list that a protocol evaluates. psb and trec: the targets without the query. paper: the query itself,
 /// then the others. Infinite distances rank last. The list is empty under every protocol if the answer is, or if all
-/// targets are infinitely far.
+/// targets are infinitely far. If the list is tied, sets `extremes`, if given.
 RankedList ranked_list(std::span<const ListedModel> answer, const Relevance& relevance, Eigen::Index row,
-                       const ListConventions& conventions);
+                       const ListConventions& conventions, std::optional<TieExtremes>* extremes = nullptr);
 
 /// Builds the list of a row of a distance matrix, which has a distance for each column.
 RankedList ranked_list(std::span<const double> distances, const Relevance& relevance, Eigen::Index row,
-                       const ListConventions& conventions);
+                       const ListConventions& conventions, std::optional<TieExtremes>* extremes = nullptr);
 
 /// Builds a list from runs and a number of relevant models that are missing from it. Adjacent runs may be of the same
 /// kind.

@@ -37,6 +37,9 @@ std::optional<std::string> check_features(const DistanceMatrix& features) {
         "the table has distances, not features: it is square and symmetric with a zero diagonal; leave out the "
         "distance of features");
   }
+  if (features.array().isFinite().all() && !features.cast<float>().array().isFinite().all()) {
+    throw InputError("features are compared in single precision, whose largest number is 3.4e38; scale the features");
+  }
   const std::size_t merged = rows_merged_in_single_precision(
       {features.data(), static_cast<std::size_t>(features.size())}, static_cast<std::size_t>(features.cols()));
   const double rounding = rounding_of_differences(features);

@@ -85,7 +85,8 @@ std::string_view kind_of(const matvar_t& variable) {
       break;
   }
   if (variable.isComplex != 0) return "complex";
-  return copier_of(variable.class_type) != nullptr ? "an array of another rank" : "of another class";
+  return copier_of(variable.class_type) != nullptr ? "an array of another rank"
+                                                   : "of a class that MATLAB does not write, save it as .npy";
 }
 
 // Variables of a file.

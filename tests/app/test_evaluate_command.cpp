@@ -287,6 +287,9 @@ TEST_F(EvaluateCommand, ScoresOfListsSayWhatTheyRestOn) {
     EXPECT_NEAR(of_zero["micro"][measure].get<double>() * 7, of_skipped["micro"][measure].get<double>() * 4, 1e-12);
   }
   EXPECT_EQ(evaluate("-c").output, zero.output);
+  for (const char* option : {"-c", "--missing-queries zero"}) {
+    EXPECT_THAT(evaluate_toy(option).errors, HasSubstr("--missing-queries zero applies to ranked lists only"));
+  }
   EXPECT_FALSE(nlohmann::json::parse(evaluate_toy("--format json").output).contains("lists"));
 }
 

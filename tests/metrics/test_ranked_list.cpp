@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
@@ -71,6 +72,26 @@ TEST(RankedList, UnderPaperBeginsWithTheQueryWhateverItsDistance) {
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}, RankRun{1, 1}));
   EXPECT_EQ(list.relevant, 3U);
   EXPECT_TRUE(list.starts_with_query);
+}
+
+TEST(RankedList, OrdersDistancesOfAnyScale) {
+  const std::vector<double> distances{1e308, -infinity, 5,    1e-320, 0,        -1e308, infinity, 5,   -0.0,
+                                      2,     1e-320,    -3.5, 1e308,  infinity, 7,      -3.5,     1e9, -infinity};
+  std::vector<std::size_t> order(distances.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return distances[i]; });
+  RetrievalTask task{.query_classes = {1}, .target_classes = {}, .own_column = {-1}};
+  for (const unsigned relevant : {0x2aaaaU, 0x15555U, 0x0c30fU, 0x00208U, 0x20002U, 0x3ffffU}) {  // by bit
+    task.target_classes.clear();
+    for (std::size_t i = 0; i < distances.size(); ++i)
+      task.target_classes.push_back(static_cast<int>(relevant >> i & 1U));
+    std::vector<double> expected;
+    for (std::size_t rank = 1; rank <= order.size(); ++rank) {
+      if (task.target_classes[order[rank - 1]] == 0) continue;
+      expected.push_back(static_cast<double>(expected.size() + 1) / static_cast<double>(rank));
+    }
+    EXPECT_EQ(ranked_list(std::span(distances), Relevance(task), 0, {}).precision_at_hit, expected) << relevant;
+  }
 }
 
 TEST(RankedList, TiesAreDecidedAsAsked) {

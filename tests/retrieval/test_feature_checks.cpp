@@ -25,6 +25,10 @@ TEST(CheckFeatures, WarnOfDifferencesThatSinglePrecisionChanges) {
   EXPECT_THAT(check_features(features_with_offset(1e9)).value(), HasSubstr("equal others"));
 }
 
+TEST(CheckFeatures, RefuseNumbersBeyondSinglePrecision) {
+  EXPECT_THROW(check_features(features_with_offset(1e39)), InputError);
+}
+
 TEST(CheckFeatures, RefuseDistances) {
   DistanceMatrix distances{{0, 1, 2}, {1, 0, 3}, {2, 3, 0}};
   EXPECT_THROW(check_features(distances), InputError);

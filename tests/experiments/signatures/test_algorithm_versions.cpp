@@ -9,6 +9,7 @@
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"
@@ -277,6 +278,52 @@ TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {
               testing::Pointwise(testing::FloatNear(1e-6F), recorded_plain));
   EXPECT_THAT(std::vector<float>(smooth.begin(), smooth.end()),
               testing::Pointwise(testing::FloatNear(1e-6F), recorded_smooth));
+}
+
+struct RecordedMeasure {
+  std::string name;
+  int version = 0;
+  double value = 0;
+};
+
+/// One for each measure: the mean over the queries of nine models.
+const std::vector<RecordedMeasure> measure_records{{"NN", 1, 0.375},
+                                                   {"FT", 1, 0.333333333333},
+                                                   {"ST", 1, 0.75},
+                                                   {"E", 1, 0.545454545455},
+                                                   {"DCG", 1, 0.642023556961},
+                                                   {"mAP", 1, 0.489930555556},
+                                                   {"P@4", 1, 0.3125},
+                                                   {"R@4", 1, 0.416666666667},
+                                                   {"F1@4", 1, 0.357142857143},
+                                                   {"MRR", 1, 0.645833333333},
+                                                   {"nDCG", 1, 0.681127904667},
+                                                   {"R-prec", 1, 0.333333333333},
+                                                   {"bpref", 1, 0.263888888889},
+                                                   {"AUC-PR", 1, 0.523536706349},
+                                                   {"BEP", 1, 0.90625},
+                                                   {"P@N", 1, 0.375},
+                                                   {"R@N", 1, 1},
+                                                   {"F1@N", 1, 0.545454545455},
+                                                   {"mAP@N", 1, 0.489930555556},
+                                                   {"nDCG@N", 1, 0.642023556961}};
+
+TEST(MeasureVersions, WithOtherValuesComesAnotherVersion) {
+  const std::vector<double> places{0, 1.1, 4.3, 2.05, 3.7, 7.2, 9.9, 5.6, 2.6};
+  const std::vector<int> labels{0, 0, 0, 1, 1, 1, 1, 0, 2};
+  const DistanceMatrix distances = DistanceMatrix::NullaryExpr(9, 9, [&](Eigen::Index i, Eigen::Index j) {
+    return std::abs(places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)]);
+  });
+  for (const auto& [name, version, value] : measure_records) {
+    const Measure measure = measure_of(name);
+    EXPECT_EQ(measure.definition->version, version) << name;
+    EXPECT_NEAR(evaluate(distances, labels, {.measures = {measure}}).micro[0], value, 1e-11) << name;
+  }
+  for (const std::string& name : measure_definitions().names()) {
+    const std::string stem = name.ends_with("@k") ? name.substr(0, name.size() - 1) + "4" : name;
+    EXPECT_TRUE(std::ranges::any_of(measure_records, [&](const auto& record) { return record.name == stem; }))
+        << "record a value of " << name << " here";
+  }
 }
 
 TEST(DistancesVersion, WithOtherDistancesComesAnotherVersion) {
