@@ -80,14 +80,6 @@ TEST_F(RunExperiment, CloudsAreRetrievedToo) {
   EXPECT_EQ(results.methods.at(0).distances, results.methods.at(1).distances) << "points, whatever the site";
 }
 
-TEST_F(RunExperiment, TheConventionalSdfOfACloudFailsWithAReason) {
-  const fs::path file = data() / "T0.off";
-  write_off(file, {read_shape(file).vertices, {}, {}});
-  const ExperimentResults results = run({{"on_error", "skip"}});
-  ASSERT_EQ(results.failures.size(), 1U);
-  EXPECT_THAT(results.failures[0].message, HasSubstr("the conventional SDF needs triangles"));
-}
-
 TEST_F(RunExperiment, DistancesAreThoseOfTheStepsDoneByHand) {
   const ExperimentResults results = run();
   const auto histogram_of = [&](const char* name) {
@@ -263,13 +255,6 @@ TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
   EXPECT_EQ(results.methods[0].evaluations[0].queries.size(), 3U);
   EXPECT_EQ(results.methods[0].evaluations[0].models_left_out, 1);
   EXPECT_EQ(results.methods[0].distances.rows(), 4);
-}
-
-TEST_F(RunExperiment, NoClassLargeEnoughIsAnError) {
-  EXPECT_NE(test::input_error_of([&] {
-              static_cast<void>(run({{"evaluation", {{"minimum_class_size", 4}}}}));
-            }),
-            "no error");
 }
 
 TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
