@@ -14,6 +14,7 @@
 #include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
+#include "tests/support/page_text.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -150,10 +151,7 @@ TEST_F(RunExperiment, TheReportHasIntervalsDistancesAndSettings) {
   document["perturbations"] = {{{"type", "motion"}}};
   test::publish(folder("out"), run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"),
                                               {.threads = 1}));
-  const std::string page = text_of(folder("out") / "report.html");
-  const std::string opening = R"(id="report-data">)";
-  const std::size_t begin = page.find(opening) + opening.size();
-  const Json report = Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  const Json report(test::data_in(text_of(folder("out") / "report.html"), "report-data"));
   const Json row = Json::parse(text_of(folder("out") / "summary.json")).at("rows")[1];
   ASSERT_EQ(row["average"], "macro");
   const Json& evaluation = report["methods"][0]["evaluations"][0];
