@@ -127,6 +127,13 @@ int BackgroundRun::wait() {
   return status_;
 }
 
+Outcome CommandTest::run(std::string arguments) const {
+  for (std::size_t i = arguments.find('@'); i != std::string::npos; i = arguments.find('@')) {
+    arguments.replace(i, 1, at("").string());
+  }
+  return run_executable(arguments);
+}
+
 void SmallRun::SetUp() {
   test::write_small_dataset(at("data"));
   test::write_text(at("small.json"), test::small_configuration("data").dump());

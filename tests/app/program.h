@@ -88,16 +88,23 @@ class WorkingFolder {
   std::filesystem::path before_;
 };
 
-/// A folder with the small data set in data/, and with a configuration over it: small.json.
-class SmallRun : public testing::Test {
+/// A folder for the files of calls.
+class CommandTest : public testing::Test {
  protected:
-  void SetUp() override;
   [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
   /// Quoted for a shell.
   [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
+  /// Runs the built executable. Words that begin with @ are paths in the folder.
+  [[nodiscard]] Outcome run(std::string arguments) const;
 
  private:
   test::TemporaryFolder folder_;
+};
+
+/// A folder with the small data set in data/, and with a configuration over it: small.json.
+class SmallRun : public CommandTest {
+ protected:
+  void SetUp() override;
 };
 
 }  // namespace shapegauge::test_command_line

@@ -32,20 +32,18 @@ using test_command_line::Outcome;
 using test_command_line::run_executable;
 using testing::HasSubstr;
 
-class DescribeCommand : public testing::Test {
+class DescribeCommand : public test_command_line::CommandTest {
  protected:
   void SetUp() override {
     for (const char* name : {"sphere", "box", "capsule"})
       write_off(at(std::string(name) + ".off"), test::small_shape(name, 0));
   }
-  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] std::string shapes() const {
-    return fmt::format("'{}' '{}' '{}'", at("sphere.off").string(), at("box.off").string(), at("capsule.off").string());
+    return quoted("sphere.off") + " " + quoted("box.off") + " " + quoted("capsule.off");
   }
   [[nodiscard]] Outcome describe(const std::string& arguments) const {
     return run_executable(fmt::format("describe {} {}", shapes(), arguments));
   }
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {

@@ -23,7 +23,7 @@ using testing::Not;
 using testing::StartsWith;
 
 /// A box of six quadrilaterals, and a mesh of triangles.
-class FileMessages : public testing::Test {
+class FileMessages : public test_command_line::CommandTest {
  protected:
   void SetUp() override {
     write_text(at("quads.off"),
@@ -33,11 +33,6 @@ class FileMessages : public testing::Test {
       shape_writer(at(name))(at(name), test::sphere(1, 1));
     }
   }
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
-  [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(FileMessages, OfFacesThatArePolygonsAreToldOnce) {

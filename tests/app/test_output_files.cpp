@@ -19,7 +19,6 @@ using test::write_text;
 using test_command_line::expect_error_line;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 
 /// A command that writes a file. Words that begin with @ are paths in the folder.
@@ -52,7 +51,7 @@ std::vector<WriterOfFiles> writers() {
           {.call = "evaluate-segmentation @mine --benchmark @psb --per-mesh", .input = "", .output = "x.csv"}};
 }
 
-class OutputFiles : public testing::Test {
+class OutputFiles : public test_command_line::CommandTest {
  protected:
   void SetUp() override {
     write_off(at("box.off"), test::box({1, 2, 3}, 1));
@@ -66,21 +65,11 @@ class OutputFiles : public testing::Test {
       write_text(at(file), labels);
     }
   }
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
-  [[nodiscard]] Outcome run(std::string arguments) const {
-    for (std::size_t i = arguments.find('@'); i != std::string::npos; i = arguments.find('@')) {
-      arguments.replace(i, 1, folder_.path().string() + "/");
-    }
-    return run_executable(arguments);
-  }
   void remove_outputs() const {
     for (const char* name : {"x.csv", "x.plot", "x.html", "x.npy", "x.json", "x.off", "x.ply", "x.seg", "y.csv"}) {
       fs::remove(at(name));
     }
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(OutputFiles, EmptyNamesAreErrors) {

@@ -73,12 +73,6 @@ TEST_F(RunWithCache, ASecondRunSaysWhatCameFromTheCache) {
   EXPECT_EQ(cache_use("out")["field"], (json{{"from_cache", 0}, {"computed", 9}}));
 }
 
-TEST_F(RunWithCache, OtherBinsTakeAllFieldsFromTheCache) {
-  ASSERT_EQ(run_with_cache("out").status, 0);
-  EXPECT_THAT(run("out", "--replace --set signatures.0.histogram.bins=31 --cache " + quoted("cache")).output,
-              HasSubstr("9 of 9 fields, 2 of 4 distance matrices"));
-}
-
 TEST_F(RunWithCache, AKilledRunLosesTheShapeUnderWayAtMost) {
   write_configuration(2000);
   std::size_t kept = 0;

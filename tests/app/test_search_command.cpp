@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// A folder of small shapes, models/, and a fast method, fast.json.
-class SearchCommand : public testing::Test {
+class SearchCommand : public test_command_line::CommandTest {
  protected:
   void SetUp() override {
     test::write_small_dataset(at("models"));
@@ -28,8 +28,6 @@ class SearchCommand : public testing::Test {
                      {"name": "more", "descriptor": {"type": "d2", "bins": 30}}]})");
     write_off(at("query.off"), test::small_shape("box", 5));
   }
-  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
-  [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
   /// With the fast method and the fixture's cache.
   [[nodiscard]] Outcome search(const std::string& arguments) const {
     return run_executable("search " + arguments + " --method " + quoted("fast.json") + " --cache " + quoted("cache"));
@@ -37,9 +35,6 @@ class SearchCommand : public testing::Test {
   [[nodiscard]] Outcome search(const std::string& query, const std::string& options) const {
     return search(quoted(query) + " " + quoted("models") + " " + options);
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(SearchCommand, NamesTheNearestShapes) {

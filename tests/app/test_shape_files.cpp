@@ -17,29 +17,17 @@ using test::text_of;
 using test::write_text;
 using test_command_line::expect_error_line;
 using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 using testing::StartsWith;
 
 /// A sphere, a box, and a file without a shape.
-class ShapeFiles : public testing::Test {
+class ShapeFiles : public test_command_line::CommandTest {
  protected:
   void SetUp() override {
     write_off(at("sphere.off"), test::sphere(10, 2));
     write_off(at("box.off"), test::box({1, 2, 3}, 1));
     write_text(at("broken.off"), "OFF\n3 1 0\n0 0 0\n");
   }
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
-  /// Replaces words that begin with @ by paths in the folder.
-  [[nodiscard]] Outcome run(std::string arguments) const {
-    for (std::size_t i = arguments.find('@'); i != std::string::npos; i = arguments.find('@')) {
-      arguments.replace(i, 1, folder_.path().string() + "/");
-    }
-    return run_executable(arguments);
-  }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(ShapeFiles, SeveralGiveWhatEachGivesAlone) {

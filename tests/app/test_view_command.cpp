@@ -7,6 +7,7 @@
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "tests/app/program.h"
+#include "tests/support/page_text.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
@@ -32,12 +33,7 @@ class ViewCommand : public testing::Test {
     return run_executable("view " + arguments + " --replace -o '" + at("page.html") + "'");
   }
   /// Data shown on the page.
-  [[nodiscard]] ordered_json page() const {
-    const std::string html = text_of(at("page.html"));
-    const std::string opening = R"(id="view-data">)";
-    const std::size_t begin = html.find(opening) + opening.size();
-    return ordered_json::parse(html.substr(begin, html.find("</script>", begin) - begin));
-  }
+  [[nodiscard]] ordered_json page() const { return test::data_in(text_of(at("page.html")), "view-data"); }
   [[nodiscard]] std::vector<std::string> field_names() const {
     std::vector<std::string> names;
     const ordered_json shown = page();

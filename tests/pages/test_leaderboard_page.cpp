@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "shapegauge/pages/leaderboard_page.h"
-#include "tests/pages/page_text.h"
 #include "tests/pages/sample_leaderboard.h"
+#include "tests/support/page_text.h"
 
 namespace shapegauge {
 

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/pages/multi_dataset_page.h"
-#include "tests/pages/page_text.h"
 #include "tests/pages/sample_multi_dataset.h"
+#include "tests/support/page_text.h"
 
 namespace shapegauge {
 

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/pages/report.h"
-#include "tests/pages/page_text.h"
 #include "tests/pages/sample_reports.h"
+#include "tests/support/page_text.h"
 
 namespace shapegauge {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "shapegauge/pages/search_page.h"
-#include "tests/pages/page_text.h"
 #include "tests/pages/sample_views.h"
+#include "tests/support/page_text.h"
 
 namespace shapegauge {
 namespace {

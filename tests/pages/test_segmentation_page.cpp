@@ -6,7 +6,7 @@
 #include "shapegauge/pages/html_page.h"
 #include "shapegauge/pages/palette.h"
 #include "shapegauge/pages/segmentation_page.h"
-#include "tests/pages/page_text.h"
+#include "tests/support/page_text.h"
 
 namespace shapegauge {
 namespace {

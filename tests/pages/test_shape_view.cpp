@@ -10,8 +10,8 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/render/splats.h"
 #include "shapegauge/pages/html_page.h"
-#include "tests/pages/page_text.h"
 #include "tests/pages/sample_views.h"
+#include "tests/support/page_text.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {

@@ -79,12 +79,6 @@ TEST_F(FieldFiles, AnotherExtensionIsAnError) {
               HasSubstr("must end in .csv, .npy, .ply or .png"));
 }
 
-TEST_F(FieldFiles, AnUnwritableFileIsAnError) {
-  EXPECT_THAT(
-      test::input_error_of([&] { field_file_writer("x.csv")(folder.path() / "absent/x.csv", shape, samples, values); }),
-      HasSubstr("cannot write"));
-}
-
 }  // namespace
 
 }  // namespace shapegauge

@@ -14,6 +14,7 @@
 #include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
+#include "tests/support/page_text.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -78,14 +79,6 @@ TEST_F(RunExperiment, CloudsAreRetrievedToo) {
   EXPECT_DOUBLE_EQ(results.methods.at(0).evaluations.at(0).micro[0], 1) << "NN";
   EXPECT_DOUBLE_EQ(results.methods.at(0).evaluations.at(0).micro[1], 1) << "FT";
   EXPECT_EQ(results.methods.at(0).distances, results.methods.at(1).distances) << "points, whatever the site";
-}
-
-TEST_F(RunExperiment, TheConventionalSdfOfACloudFailsWithAReason) {
-  const fs::path file = data() / "T0.off";
-  write_off(file, {read_shape(file).vertices, {}, {}});
-  const ExperimentResults results = run({{"on_error", "skip"}});
-  ASSERT_EQ(results.failures.size(), 1U);
-  EXPECT_THAT(results.failures[0].message, HasSubstr("the conventional SDF needs triangles"));
 }
 
 TEST_F(RunExperiment, DistancesAreThoseOfTheStepsDoneByHand) {
@@ -158,10 +151,7 @@ TEST_F(RunExperiment, TheReportHasIntervalsDistancesAndSettings) {
   document["perturbations"] = {{{"type", "motion"}}};
   test::publish(folder("out"), run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"),
                                               {.threads = 1}));
-  const std::string page = text_of(folder("out") / "report.html");
-  const std::string opening = R"(id="report-data">)";
-  const std::size_t begin = page.find(opening) + opening.size();
-  const Json report = Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  const Json report(test::data_in(text_of(folder("out") / "report.html"), "report-data"));
   const Json row = Json::parse(text_of(folder("out") / "summary.json")).at("rows")[1];
   ASSERT_EQ(row["average"], "macro");
   const Json& evaluation = report["methods"][0]["evaluations"][0];
@@ -263,13 +253,6 @@ TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
   EXPECT_EQ(results.methods[0].evaluations[0].queries.size(), 3U);
   EXPECT_EQ(results.methods[0].evaluations[0].excluded_models, 1);
   EXPECT_EQ(results.methods[0].distances.rows(), 4);
-}
-
-TEST_F(RunExperiment, NoClassLargeEnoughIsAnError) {
-  EXPECT_NE(test::input_error_of([&] {
-              static_cast<void>(run({{"evaluation", {{"minimum_class_size", 4}}}}));
-            }),
-            "no error");
 }
 
 TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
