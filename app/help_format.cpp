@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "app/terminal.h"
@@ -155,12 +156,12 @@ std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
     notes.push_back("default: " + option->get_default_str());
   }
   if (option->get_required()) notes.emplace_back("required");
-  if (!option->get_needs().empty()) {
-    notes.push_back(fmt::format("needs {}", fmt::join(sorted_names(option->get_needs()), ", ")));
-  }
-  if (!option->get_excludes().empty()) {
-    notes.push_back(fmt::format("not with {}", fmt::join(sorted_names(option->get_excludes()), ", ")));
-  }
+  const auto add_names = [&](const char* words, const std::set<CLI::Option*>& options) {
+    const std::vector<std::string> names = sorted_names(options);
+    if (!names.empty()) notes.push_back(fmt::format("{} {}", words, fmt::join(names, ", ")));
+  };
+  add_names("needs", option->get_needs());
+  add_names("not with", option->get_excludes());
   std::string text = option->get_description();
   if (notes.empty()) return text;
   const bool continues = text.ends_with(')') && text.find("default: ") != std::string::npos;
