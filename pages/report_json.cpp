@@ -194,6 +194,7 @@ Json report_json(const Report& report) {
           {"ids", report.ids},
           {"labels", report.labels},
           {"methods", std::move(methods)},
+          {"tests", {{"words", report.tests.words}, {"pairs", table_json(report.tests.pairs)}}},
           {"pictures", pictures_json(report.pictures)},
           {"views", views_json(report.views)},
           {"perturbations", report.perturbations},

@@ -39,6 +39,13 @@ struct ViewRegion {
   double size = 0;                 ///< of what is shown around the position
 };
 
+/// Parts in a view.
+struct ViewParts {
+  std::string name;
+  std::vector<std::int32_t> labels;  ///< one per element
+  std::vector<Colour> colours;       ///< by part
+};
+
 /// Interactive 3D view of a shape with its colourings. Its elements are faces or vertices, or the points of a cloud.
 struct ShapeView {
   std::string name;
@@ -46,9 +53,8 @@ struct ShapeView {
   Shape shape;
   SampleSite site = SampleSite::faces;  ///< faces or vertices; vertices for a cloud
   std::vector<ViewField> fields = {};
-  std::vector<std::int32_t> parts = {};   ///< one an element, or empty
-  std::vector<Colour> part_colours = {};  ///< by part
-  Points normals = {};                    ///< unit or zero, one an element, or empty
+  std::vector<ViewParts> parts = {};  ///< by segmentation
+  Points normals = {};                ///< unit or zero, one an element, or empty
   std::optional<Eigen::Vector3d> up =
       {};  ///< vertical direction of the initial position; if absent, that of principal_view()
   std::vector<ViewRegion> regions = {};

@@ -1,11 +1,12 @@
 // The page of `shapegauge search`: each query with the shapes that are nearest to it.
 
 import { byId, make, pageData } from '../common/elements.mjs';
-import { followTheme } from '../common/theme.mjs';
+import { drawFrame } from '../common/frame.mjs';
 import { number } from '../common/words.mjs';
 import { ComparisonDialog } from './comparison_dialog.mjs';
 
-const { title, version, facts, shapes, answers } = pageData('search-data');
+const page = pageData();
+const { shapes, answers } = page;
 const dialog = new ComparisonDialog(shapes);
 
 const pictureOf = ({ picture }) => (picture ? make('img', { src: `data:image/png;base64,${picture}`, alt: '' })
@@ -36,9 +37,5 @@ function answerOf(answer) {
     make('ol', { class: 'found' }, ...nearest.map((_, rank) => foundItem(answer, rank))));
 }
 
-followTheme();
-byId('title').textContent = title;
-byId('facts').textContent = facts.join(' \u00b7 ');
+drawFrame(page, page.facts);
 byId('answers').replaceChildren(...answers.map(answerOf));
-byId('footer').textContent = `Made by shapegauge ${version}. Everything is in this file. Charts: D3 (BSD licence), ` +
-  'shapes: three.js (MIT licence), both in the source of this page.';

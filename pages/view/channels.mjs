@@ -2,10 +2,11 @@
 
 // Fields, parts, normals, the bare shape: { name, kind, of(shape) }, where of() is null for a shape without it.
 export function channelsOf(shapes) {
-  const names = [...new Set(shapes.flatMap(({ fields }) => fields.map(({ name }) => name)))];
-  const fieldNamed = (name) => (shape) => shape.fields.find((field) => field.name === name) || null;
-  const channels = names.map((name) => ({ name, kind: 'values', of: fieldNamed(name) }));
-  if (shapes.some(({ parts }) => parts)) channels.push({ name: 'Parts', kind: 'parts', of: ({ parts }) => parts });
+  const named = (key, kind) => {
+    const names = [...new Set(shapes.flatMap((shape) => shape[key].map(({ name }) => name)))];
+    return names.map((name) => ({ name, kind, of: (shape) => shape[key].find((one) => one.name === name) || null }));
+  };
+  const channels = [...named('fields', 'values'), ...named('parts', 'parts')];
   if (shapes.some(({ directions }) => directions)) {
     channels.push({ name: 'Normals', kind: 'normals', of: ({ directions }) => directions });
   }

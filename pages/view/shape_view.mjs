@@ -1,6 +1,6 @@
 // Shapes that can be turned, side by side, with what their colours show: the same in a page of its own and in reports.
 
-import { colourScale, rampColour, scalePart, scaleTicks } from '../common/chart.mjs';
+import { colourScale, rampColour, scalePart } from '../common/chart.mjs';
 import { choice, make } from '../common/elements.mjs';
 import { belowColour } from '../common/constants.mjs';
 import { tipHead, tipLine, tooltip } from '../common/tooltip.mjs';
@@ -86,12 +86,14 @@ export class ShapeView {
       canvas: make('canvas', { tabindex: 0, role: 'img', 'aria-label': label, hidden: !this.live }),
       bars: make('div', { class: 'chart view-bars' }),
     };
-    const picture = make('img', { alt: `Picture of ${shape.name}`, src: shape.picture, hidden: this.live });
+    const src = `data:image/png;base64,${shape.picture}`;
+    const picture = make('img', { alt: `Picture of ${shape.name}`, src: shape.picture && src, hidden: this.live });
     const note = make('span', { class: 'count' }, shape.note ? ` ${shape.note}` : '');
     cell.figure = make('figure', { class: 'view-cell' },
       make('figcaption', {}, make('b', {}, shape.name), note),
-      make('div', { class: 'view-stage' }, picture, cell.canvas), cell.bars,
-      shape.regions.length ? regionList(shape.regions, (region) => this.goTo(cell, region)) : null);
+      make('div', { class: 'view-stage' }, picture, cell.canvas),
+      make('div', { class: 'view-side' }, cell.bars,
+        shape.regions.length ? regionList(shape.regions, (region) => this.goTo(cell, region)) : null));
     if (this.live) {
       listenToTurning(cell.canvas, {
         turn: (x, y) => this.turn(x, y),
@@ -162,12 +164,11 @@ export class ShapeView {
       this.legend.replaceChildren(make('p', { class: 'stamp' }, words));
       return;
     }
-    const ticks = scale.to > scale.from ? scaleTicks(scale) : [scale.from];
-    const unit = this.unit ? ` (${this.unit})` : '';
-    this.legend.replaceChildren(colourScale(`${this.channel.name}${unit}:`, ticks, (value) => scalePart(scale, value),
-      (value) => number(value, 3)));
+    this.legend.replaceChildren(colourScale(this.channelWords, scale));
     if (scale.below !== undefined) this.legend.append(make('p', { class: 'stamp' }, this.thinWords()));
   }
+
+  get channelWords() { return `${this.channel.name}${this.unit && ` (${this.unit})`}`; }
 
   // How much of each shape is thinner than the threshold.
   thinWords() {
@@ -201,10 +202,10 @@ export class ShapeView {
     cell.shares = binShares(shown.values, shape.weights, low, high, bins);
     cell.histogram = valueHistogram(cell.bars, {
       shares: cell.shares, low, high,
-      width: Math.max(260, cell.bars.clientWidth || 420),
       label: `${this.channel.name} of ${shape.name}: share of the area`,
       colourOf: (bin) => (colours ? colours[bin] : this.colourOf(shown, edge(bin + 0.5))),
-      unit: colours ? '' : this.unit, mark: shown.below,
+      title: colours ? this.channel.name : this.channelWords, mark: shown.below,
+      size: { width: Math.max(260, cell.bars.clientWidth || 420), height: this.cells.length > 1 || shape.regions.length ? 200 : 420 },
       ticks: colours && d3.range(0, bins, Math.ceil(bins / 12)),
       chosen: (first, last) => this.choose(cell, first, last),
     });
@@ -256,7 +257,10 @@ export class ShapeView {
     const known = ({ values }) => hit.places.every((place) => !Number.isNaN(values[place]));
     const words = (field) => (known(field) ? number(valueIn(field)) : 'no value');
     const lines = shape.fields.map((field) => tipLine([field.name], words(field)));
-    if (shape.parts) lines.push(tipLine(['Part'], String(shape.parts.values[hit.place] + 1)));
+    const alone = shape.parts.length === 1;
+    for (const { name, values } of shape.parts) {
+      lines.push(tipLine([alone ? 'Part' : name], String(values[hit.place] + 1)));
+    }
     const head = shape.site === 'vertex' ? shape.name : `${shape.name}, ${shape.site} ${hit.place}`;
     tooltip.show(event.clientX, event.clientY, tipHead(head), ...lines);
     const data = this.channel.of(shape);

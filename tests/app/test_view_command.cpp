@@ -34,7 +34,7 @@ class ViewCommand : public testing::Test {
   /// Data shown on the page.
   [[nodiscard]] ordered_json page() const {
     const std::string html = text_of(at("page.html"));
-    const std::string opening = R"(id="view-data">)";
+    const std::string opening = R"(id="page-data">)";
     const std::size_t begin = html.find(opening) + opening.size();
     return ordered_json::parse(html.substr(begin, html.find("</script>", begin) - begin));
   }

@@ -47,10 +47,10 @@ class Browser:
 class Page:
     """A page that is open, and what a reader does with it."""
 
-    def __init__(self, driver, address, data):
+    def __init__(self, driver, address):
         self.driver = driver
         driver.get(address)
-        self.data = json.loads(self.run("return document.getElementById(arguments[0]).textContent", data))
+        self.data = json.loads(self.run("return document.getElementById('page-data').textContent"))
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)

@@ -20,7 +20,7 @@ std::size_t occurrences(const std::string& text, const std::string& word) {
 }
 
 nlohmann::ordered_json board_in(const std::string& page) {
-  const std::string opening = R"(id="leaderboard-data">)";
+  const std::string opening = R"(id="page-data">)";
   const std::size_t begin = page.find(opening) + opening.size();
   return nlohmann::ordered_json::parse(page.substr(begin, page.find("</script>", begin) - begin));
 }

@@ -29,7 +29,7 @@ TEST(MultiDatasetPage, NoNameCanBreakThePage) {
 TEST(MultiDatasetPage, HasTheValuesRanksAndGroupsOfEachTable) {
   const auto& sample = test_multi_dataset::sample_multi_dataset();
   const std::string page = multi_dataset_page(sample.page);
-  const std::string opening = R"(id="multi-dataset-data">)";
+  const std::string opening = R"(id="page-data">)";
   const std::size_t begin = page.find(opening) + opening.size();
   const auto json = nlohmann::ordered_json::parse(page.substr(begin, page.find("</script>", begin) - begin));
   ASSERT_EQ(json["tables"].size(), 8U);

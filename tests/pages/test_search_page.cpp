@@ -14,7 +14,7 @@ using testing::Not;
 
 /// The data that the page's script reads.
 nlohmann::json data_of_search(const std::string& page) {
-  const std::string begin = R"(id="search-data">)";
+  const std::string begin = R"(id="page-data">)";
   const std::size_t from = page.find(begin) + begin.size();
   return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
 }

@@ -159,7 +159,7 @@ TEST_F(RunExperiment, TheReportHasIntervalsDistancesAndSettings) {
   test::publish(folder("out"), run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"),
                                               {.threads = 1}));
   const std::string page = text_of(folder("out") / "report.html");
-  const std::string opening = R"(id="report-data">)";
+  const std::string opening = R"(id="page-data">)";
   const std::size_t begin = page.find(opening) + opening.size();
   const Json report = Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
   const Json row = Json::parse(text_of(folder("out") / "summary.json")).at("rows")[1];
