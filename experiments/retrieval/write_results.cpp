@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -76,8 +77,8 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
   return json_text(json, 2) + "\n";
 }
 
-/// The summary for a terminal, with one row where both averages are equal, as in classes of one size.
-std::string printed_summary(std::span<const NamedEvaluation> evaluations) {
+/// Makes the summary table with one row where both averages are equal, as in classes of one size.
+TextTable summary_with_equal_averages_merged(std::span<const NamedEvaluation> evaluations) {
   TextTable table = summary_table(evaluations);
   const auto average = static_cast<std::size_t>(std::ranges::find(table.header, "average") - table.header.begin());
   std::vector<std::vector<std::string>> rows;
@@ -90,7 +91,28 @@ std::string printed_summary(std::span<const NamedEvaluation> evaluations) {
       rows.push_back(std::move(row));
     }
   }
-  return to_plain_text({.header = table.header, .rows = std::move(rows), .text_columns = table.text_columns});
+  table.rows = std::move(rows);
+  table.emphases.clear();
+  return table;
+}
+
+/// Removes a column of words if all rows have the same.
+void remove_if_constant(TextTable& table, std::string_view title) {
+  const auto column = std::ranges::find(table.header, title) - table.header.begin();
+  const auto at = [&](const std::vector<std::string>& row) { return row[static_cast<std::size_t>(column)]; };
+  if (std::ranges::any_of(table.rows, [&](const auto& row) { return at(row) != at(table.rows.front()); })) return;
+  table.header.erase(table.header.begin() + column);
+  for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + column);
+  --table.text_columns;
+}
+
+/// Formats the summary for a paper, without repetition.
+std::string latex_summary(std::span<const NamedEvaluation> evaluations) {
+  TextTable table = summary_with_equal_averages_merged(evaluations);
+  const auto words = static_cast<std::size_t>(std::ranges::find(table.header, "protocol") - table.header.begin());
+  for (const char* title : {"protocol", "average"}) remove_if_constant(table, title);
+  embolden_best(table, words);
+  return to_latex(table);
 }
 
 /// Returns the text files of the results by name.
@@ -102,7 +124,7 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
   return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
           {"summary.json", summary_json(results, evaluations)},
           {"summary.md", to_markdown(rounded)},
-          {"summary.tex", to_latex(rounded)},
+          {"summary.tex", latex_summary(evaluations)},
           {"intervals.csv", to_csv(intervals_table(evaluations))},
           {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
           {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},
@@ -145,7 +167,7 @@ RunOutcome write_results(const fs::path& folder, const ExperimentResults& result
   std::vector<NamedEvaluation> evaluations = all_evaluations(results);
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_entries(results),
-                     .summary = printed_summary(evaluations),
+                     .summary = to_plain_text(summary_with_equal_averages_merged(evaluations)),
                      .warnings = run_warnings(results),
                      .left_out = results.failures,
                      .incomplete = incomplete_methods(results),

@@ -41,7 +41,7 @@ export class ComparisonDialog {
     this.closeView();
     const found = rank < 0 ? null : nearest[rank];
     const shown = (found ? [query, found[0]] : [query]).map((index) => shapes[index]);
-    const words = found ? `, rank ${rank + 1}, distance ${number(found[1])}` : '';
+    const words = found ? `, rank ${rank + 1}, distance ${number(found[1], 3)}` : '';
     const place = make('div');
     fillDialog(this.dialog, [shown[shown.length - 1].name, make('span', { class: 'count' }, words)], [
       dialogButton('Nearer', () => this.step(-1), { class: 'previous', disabled: rank < 1 }),

@@ -24,7 +24,7 @@ function foundItem(answer, rank) {
   const longest = answer.nearest[answer.nearest.length - 1][1];
   const share = longest > 0 ? (100 * distance) / longest : 0;
   return make('li', {}, card(index, { click: () => dialog.open(answer, rank) },
-    make('span', { class: 'note' }, `${rank + 1}. distance ${number(distance)}`),
+    make('span', { class: 'note' }, `${rank + 1}. distance ${number(distance, 3)}`),
     make('span', { class: 'length', style: `width:${share.toFixed(1)}%` })));
 }
 

@@ -43,8 +43,7 @@ TEST(ReportPage, NoNameCanBreakThePage) {
 
 TEST(ReportPage, AsksForNothingButItself) {
   const std::string page = report_page(test_report::plain_report().report);
-  for (const char* word : {" src=\"", " href=\"http", "@import", "url("})
-    EXPECT_THAT(page, Not(HasSubstr(word)));
+  for (const char* word : {" src=\"", " href=\"http", "@import", "url("}) EXPECT_THAT(page, Not(HasSubstr(word)));
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));
 }
 
