@@ -136,7 +136,8 @@ void add_field(const WantedField& wanted, const GivenOffset& offset, const Colou
                          .colours = {scale.low, scale.high},
                          .set_range = is_length && colours.range.has_value(),
                          .logarithmic = scale.logarithmic,
-                         .threshold = scale.threshold});
+                         .threshold = scale.threshold,
+                         .measured_by = is_length ? measured_by(wanted.settings.type) : ""});
   if (view.normals.rows() == 0) view.normals = std::move(computed.normals);
 }
 

@@ -55,6 +55,7 @@ struct ReportPictures {
 struct ViewedField {
   std::string name;
   std::optional<Interval> colours;  ///< values at the ends of the colour scale; if absent, each model's own
+  std::string measured_by = {};     ///< measured_by() of its type
 };
 
 /// Interactive 3D views of the models.

@@ -91,6 +91,7 @@ Json packed_field(const ViewField& field, const std::vector<std::int32_t>& place
   if (field.set_range) packed["set"] = true;
   if (field.logarithmic) packed["log"] = true;
   if (field.threshold) packed["below"] = *field.threshold;
+  if (!field.measured_by.empty()) packed["measured"] = {{"by", field.measured_by}, {"unit", field.unit}};
   return packed;
 }
 
@@ -193,6 +194,12 @@ std::optional<Interval> central_range(const ScalarField& field) {
     below += weight;
   }
   return range;
+}
+
+std::string_view measured_by(std::string_view field_type) {
+  if (field_type == "offset_sdf" || field_type == "cone_sdf") return "ray";
+  if (field_type == "inscribed_ball") return "ball";
+  return field_type == "gap" ? field_type : "";
 }
 
 Json shape_view_json(const ShapeView& view) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/core/render/image.h"
@@ -29,7 +30,13 @@ struct ViewField {
   bool set_range = false;    ///< the scale was requested and applies to each shape; otherwise shapes may share one
   bool logarithmic = false;  ///< logarithmic colours; the scale begins above 0
   std::optional<double> threshold = {};  ///< smaller values are red (below_threshold)
+  std::string_view measured_by = {};     ///< measured_by() of its type
+  double unit = 1;                       ///< length of the value 1
 };
+
+/// Returns what the values of a type of field are lengths of, which a view draws where a reader points: "ray", "ball"
+/// (a diameter), "gap" (that of a ball outside), or nothing.
+std::string_view measured_by(std::string_view field_type);
 
 /// Listed region of a shape. A click turns the view there.
 struct ViewRegion {

@@ -1,6 +1,7 @@
 // The table of a leaderboard.
 
 import { byId, make } from '../common/elements.mjs';
+import { saveFile } from '../common/save.mjs';
 import { counted, ended, percent } from '../common/words.mjs';
 import { swatch } from '../report/method_look.mjs';
 import { stamp } from '../report/section.mjs';
@@ -61,11 +62,8 @@ function methodCell(index, report) {
 }
 
 export function showDownloads({ downloads }, name) {
-  const button = (text, extension, type, content) => make('button', { type: 'button', click: () => {
-    const address = URL.createObjectURL(new Blob([content], { type }));
-    make('a', { href: address, download: `${name}.${extension}` }).click();
-    setTimeout(() => URL.revokeObjectURL(address), 10000);
-  } }, text);
+  const button = (text, extension, type, content) =>
+    make('button', { type: 'button', click: () => saveFile(`${name}.${extension}`, type, content) }, text);
   byId('downloads').append(button('Download CSV', 'csv', 'text/csv', downloads.csv),
     button('Download LaTeX', 'tex', 'application/x-tex', downloads.latex));
 }

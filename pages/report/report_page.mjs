@@ -2,6 +2,7 @@
 
 import { byId, pageData } from '../common/elements.mjs';
 import { drawFrame, followResizing } from '../common/frame.mjs';
+import { linked } from '../common/link.mjs';
 import { counted } from '../common/words.mjs';
 import { showChoices } from './choices.mjs';
 import { showClasses } from './classes.mjs';
@@ -39,6 +40,7 @@ showConfusions(state);
 showQueries(state);
 showGallery(state);
 drawNotes(state.report);
+if (ids.includes(linked('query'))) state.openShape(ids.indexOf(linked('query')));
 followResizing(() => {
   drawCurves();
   drawClasses();

@@ -2,6 +2,7 @@
 
 import { dialogButton, fillDialog } from '../common/dialog.mjs';
 import { byId, choice, make } from '../common/elements.mjs';
+import { link } from '../common/link.mjs';
 import { tooltip } from '../common/tooltip.mjs';
 import { ShapeView } from '../view/shape_view.mjs';
 import { HistogramCharts } from './histograms.mjs';
@@ -18,7 +19,9 @@ export class ShapeDialog {
     this.visited = []; // the shape that is shown, last, and those that were looked at before it
     this.turned = null; // that shape, where it can be turned: { model, place, view }
     this.dialog.onclose = () => {
-      if (!this.dialog.open) this.closeView(); // the event may come when the next shape is open
+      if (this.dialog.open) return; // the event may come when the next shape is open
+      this.closeView();
+      link({ query: null });
     };
     state.show(['method', 'protocol'], () => this.redraw());
   }
@@ -26,6 +29,7 @@ export class ShapeDialog {
   open(model) {
     if (!this.dialog.open) this.visited = [];
     this.visited.push(model);
+    link({ query: this.state.report.ids[model] });
     this.draw();
     if (!this.dialog.open) this.dialog.showModal();
     this.dialog.scrollTop = 0;
@@ -37,6 +41,7 @@ export class ShapeDialog {
 
   back() {
     this.visited.pop();
+    link({ query: this.state.report.ids[this.visited[this.visited.length - 1]] });
     this.draw();
   }
 
@@ -80,7 +85,8 @@ export class ShapeDialog {
     const { fields, shapes } = report.views;
     const packed = {
       ...shapes[model], name: report.ids[model], picture: report.pictures && report.pictures.png[model],
-      fields: shapes[model].fields.map((field, index) => ({ ...field, name: fields[index].name })),
+      fields: shapes[model].fields.map((field, index) =>
+        ({ ...field, name: fields[index].name, measured: fields[index].measured })),
     };
     const scales = {};
     for (const { name, colours } of fields) if (colours) scales[name] = colours;

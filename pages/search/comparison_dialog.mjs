@@ -2,6 +2,7 @@
 
 import { dialogButton, fillDialog } from '../common/dialog.mjs';
 import { byId, make } from '../common/elements.mjs';
+import { link } from '../common/link.mjs';
 import { tooltip } from '../common/tooltip.mjs';
 import { number } from '../common/words.mjs';
 import { ShapeView } from '../view/shape_view.mjs';
@@ -13,13 +14,17 @@ export class ComparisonDialog {
     this.shapes = shapes;
     this.dialog = byId('comparison');
     this.view = null;
-    this.dialog.onclose = () => this.closeView();
+    this.dialog.onclose = () => {
+      this.closeView();
+      link({ query: null, rank: null });
+    };
   }
 
   // rank: that of the shape, from 0 on; -1: the query alone.
   open(answer, rank) {
     this.answer = answer;
     this.rank = rank;
+    link({ query: this.shapes[answer.query].name });
     this.draw('.close');
     if (!this.dialog.open) this.dialog.showModal();
     this.dialog.scrollTop = 0;
@@ -39,6 +44,7 @@ export class ComparisonDialog {
     const { shapes, answer: { query, nearest }, rank } = this;
     tooltip.hide();
     this.closeView();
+    link({ rank });
     const found = rank < 0 ? null : nearest[rank];
     const shown = (found ? [query, found[0]] : [query]).map((index) => shapes[index]);
     const words = found ? `, rank ${rank + 1}, distance ${number(found[1], 3)}` : '';

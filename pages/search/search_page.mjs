@@ -2,6 +2,7 @@
 
 import { byId, make, pageData } from '../common/elements.mjs';
 import { drawFrame } from '../common/frame.mjs';
+import { linked } from '../common/link.mjs';
 import { number } from '../common/words.mjs';
 import { ComparisonDialog } from './comparison_dialog.mjs';
 
@@ -39,3 +40,5 @@ function answerOf(answer) {
 
 drawFrame(page, page.facts);
 byId('answers').replaceChildren(...answers.map(answerOf));
+const asked = answers.find(({ query, failure }) => shapes[query].name === linked('query') && !failure);
+if (asked) dialog.open(asked, Math.min(Number(linked('rank')), asked.nearest.length - 1));

@@ -1,5 +1,8 @@
 // What the colours of a view can show, and on which scale.
 
+import { rampColour, scalePart } from '../common/chart.mjs';
+import { belowColour, unknownColour } from '../common/constants.mjs';
+
 // Fields, parts, normals, the bare shape: { name, kind, of(shape) }, where of() is null for a shape without it.
 export function channelsOf(shapes) {
   const named = (key, kind) => {
@@ -43,4 +46,11 @@ export function binsOf({ low, high, colours }) {
   const [from, to] = colours ? [-0.5, bins - 0.5] : [low, high];
   const edge = (bin) => from + (bin * (to - from)) / bins;
   return { bins, low: from, high: to, edge };
+}
+
+// The colour of a value in what shownBy() returned.
+export function valueColour({ colours, below, ...scale }, value) {
+  if (Number.isNaN(value)) return unknownColour;
+  if (colours) return colours[value];
+  return below !== undefined && value < below ? belowColour : rampColour(scalePart(scale, value));
 }

@@ -45,8 +45,8 @@ export function coordinatesOf({ values, step }) {
 const directionsOf = (text) =>
   Float32Array.from(new Int8Array(bytesOf(text).buffer), (level) => level / directionLevels);
 
-function fieldOf({ name, low, high, from, to, set, log, below, values }) {
-  return { name, from, to, low, high, set, log, below, values: valuesBetween(values, low, high, NaN) };
+function fieldOf({ values, ...field }) {
+  return { ...field, values: valuesBetween(values, field.low, field.high, NaN) };
 }
 
 // The triangles of a cloud: positions of their corners, and the places that the corners belong to.

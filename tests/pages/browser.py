@@ -129,6 +129,17 @@ def check_silence(page):
         expect(address.startswith(("file:", "data:", "blob:")), f"the page asks for {address}")
 
 
+def check_width(page):
+    """No page is wider than a narrow window."""
+    size = page.driver.get_window_size()
+    for width in (1280, 500):
+        page.driver.set_window_size(width, 900)
+        page.drawn()
+        beyond = page.run("return document.documentElement.scrollWidth - window.innerWidth")
+        expect(beyond <= 0, f"the page is {beyond} pixels wider than a window of {width}")
+    page.driver.set_window_size(size["width"], size["height"])
+
+
 def check_theme(page):
     def ground():
         return page.run("return getComputedStyle(document.body).backgroundColor")
