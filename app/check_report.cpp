@@ -150,6 +150,11 @@ void write_page(const fs::path& path, const CheckedPart& part, const std::string
   ShapeView view{.name = name, .note = verdict(part.report), .shape = part.report.surface.mesh};
   view.fields = {
       {.name = fraction_words, .values = part.report.surface.fractions, .colours = {0, 1}, .set_range = true}};
+  const bool walls = part.report.walls.limit > 0;
+  if (walls != (part.report.gaps.limit > 0)) {  // of both, fractions do not say which
+    view.fields.front().measured_by = walls ? "ball" : "gap";
+    view.fields.front().unit = walls ? part.report.walls.limit : part.report.gaps.limit;
+  }
   view.up = Eigen::Vector3d::UnitZ();
   view.regions = view_regions(part.report, unit);
   const Samples samples = sample_shape(view.shape, view.site);

@@ -192,8 +192,20 @@ TextTable curves_table(const std::vector<NamedCurve>& curves) {
   return table;
 }
 
+std::string explanation(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                        const ComparisonOptions& options) {
+  return fmt::format(
+      "{} queries of {}, protocol {}, {} averages, {:g} % intervals and tests over {}.\n"
+      "A letter after a score: significantly better than that method on {} ({} test, Holm's correction, p <= {:g}).\n"
+      "A letter with *: on classes like these (p_classes: t-test of the means of classes, Holm's correction).\n",
+      methods.classes.size(), count_text(comparisons[0].classes, "class", "classes"), methods.protocol,
+      name_of(options.average), 100 * options.confidence, name_of(options.blocks),
+      options.blocks == ResamplingUnit::queries ? "these classes" : "classes like these", name_of(options.test),
+      1 - options.confidence);
+}
+
 void write_compared(const CompareArguments& arguments, ComparedInputs& compared, const AlignedMethods& aligned,
-                    const std::vector<MethodComparison>& comparisons) {
+                    const std::vector<MethodComparison>& comparisons, const ComparisonOptions& options) {
   if (compared.curves.size() == aligned.methods.size()) {
     for (std::size_t i = 0; i < compared.curves.size(); ++i) compared.curves[i].method = aligned.methods[i];
   }
@@ -204,12 +216,20 @@ void write_compared(const CompareArguments& arguments, ComparedInputs& compared,
                   scores_plot(aligned.methods, aligned.measures, comparisons, arguments.resampling.confidence));
   }
   if (arguments.report.empty()) return;
+  const IntervalOptions intervals{
+      .confidence = options.confidence, .blocks = options.blocks, .resampling = options.resampling};
   std::vector<ReportedEvaluation> reported;
   for (std::size_t i = 0; i < compared.evaluated.size(); ++i) {
-    reported.push_back({.named = {.method = aligned.methods[i], .evaluation = &compared.evaluated[i].evaluation},
-                        .data = &compared.evaluated[i].data});
+    const EvaluatedFiles& one = compared.evaluated[i];
+    reported.push_back({.named = {.method = aligned.methods[i],
+                                  .evaluation = &one.evaluation,
+                                  .intervals = intervals_of(one.evaluation, intervals)},
+                        .data = &one.data});
   }
-  write_file_atomically(arguments.report, evaluation_report_page(reported));
+  write_file_atomically(
+      arguments.report,
+      evaluation_report_page(reported, {.pairs = pairs_table(aligned, comparisons, style_of(arguments.printed), false),
+                                        .words = explanation(aligned, comparisons, options)}));
 }
 
 ComparisonOptions options_of(const CompareArguments& arguments, const std::vector<std::string>& methods) {
@@ -227,18 +247,6 @@ ComparisonOptions options_of(const CompareArguments& arguments, const std::vecto
   }
   options.reference = static_cast<std::size_t>(found - methods.begin());
   return options;
-}
-
-std::string explanation(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                        const ComparisonOptions& options) {
-  return fmt::format(
-      "{} queries of {}, protocol {}, {} averages, {:g} % intervals and tests over {}.\n"
-      "A letter after a score: significantly better than that method on {} ({} test, Holm's correction, p <= {:g}).\n"
-      "A letter with *: on classes like these (p_classes: t-test of the means of classes, Holm's correction).\n",
-      methods.classes.size(), count_text(comparisons[0].classes, "class", "classes"), methods.protocol,
-      name_of(options.average), 100 * options.confidence, name_of(options.blocks),
-      options.blocks == ResamplingUnit::queries ? "these classes" : "classes like these", name_of(options.test),
-      1 - options.confidence);
 }
 
 std::string formatted_comparison(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
@@ -285,7 +293,7 @@ int run(const CompareArguments& arguments) {
   if (const auto few = few_units_warning(comparisons.front(), options)) {
     warnings.push_back(*few);
   }
-  write_compared(arguments, compared, aligned, comparisons);
+  write_compared(arguments, compared, aligned, comparisons, options);
   print_warnings(warnings);
   print_output("{}", formatted_comparison(aligned, comparisons, options, arguments));
   return exit_success;

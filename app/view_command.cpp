@@ -136,7 +136,8 @@ void add_field(const WantedField& wanted, const GivenOffset& offset, const Colou
                          .colours = {scale.low, scale.high},
                          .set_range = is_length && colours.range.has_value(),
                          .logarithmic = scale.logarithmic,
-                         .threshold = scale.threshold});
+                         .threshold = scale.threshold,
+                         .measured_by = is_length ? measured_by(wanted.settings.type) : ""});
   if (view.normals.rows() == 0) view.normals = std::move(computed.normals);
 }
 
@@ -159,14 +160,10 @@ std::optional<Eigen::Vector3d> up_of(const std::string& word, const std::string&
 /// Adds parts as `shapegauge segment` computes them; remarks on shapes that cannot be segmented.
 void add_parts(int wanted, ShapeView& view, Remarks& remarks) {
   try {
-    view.parts = part_segmentation(view.shape, {.parts = wanted});
-    const std::vector<Colour> colours = label_colours(surface_graph(view.shape), view.parts);
-    view.part_colours.resize(static_cast<std::size_t>(*std::ranges::max_element(view.parts)) + 1);
-    for (std::size_t i = 0; i < view.parts.size(); ++i) {
-      view.part_colours[static_cast<std::size_t>(view.parts[i])] = colours[i];
-    }
+    const std::vector<std::int32_t> labels = part_segmentation(view.shape, {.parts = wanted});
+    const std::vector<Colour> colours = colour_of_each_label(surface_graph(view.shape), labels);
+    view.parts = {{.name = "Parts", .labels = labels, .colours = colours}};
   } catch (const InputError& error) {
-    view.parts.clear();
     remarks.warnings.push_back(fmt::format("shown without parts: {}", error.what()));
   }
 }

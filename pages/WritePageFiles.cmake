@@ -1,8 +1,5 @@
 # cmake -DFILES=<name=path;...> -DOUTPUT=<source> -P WritePageFiles.cmake: writes the functions of page_files
-# (html_page.h), each of which returns the text of a file, with {{page_head}} replaced by common/page_head.html. A library
-# has its licence in front: <name=licence|path>.
-file(READ "${CMAKE_CURRENT_LIST_DIR}/common/page_head.html" page_head)
-string(STRIP "${page_head}" page_head)
+# (html_page.h), each of which returns the text of a file. A library has its licence in front: <name=licence|path>.
 set(source "#include \"shapegauge/pages/html_page.h\"\n\nnamespace shapegauge::page_files {\n")
 foreach(file IN LISTS FILES)
   string(REGEX MATCH "^([^=]*)=([^|]*)[|]?(.*)$" file "${file}")
@@ -11,7 +8,6 @@ foreach(file IN LISTS FILES)
     file(READ "${CMAKE_MATCH_3}" library)
     set(text "/*\n${text}*/\n${library}")
   endif()
-  string(REPLACE "{{page_head}}" "${page_head}" text "${text}")
   string(APPEND source "\nstd::string_view ${CMAKE_MATCH_1}() {\n  return R\"~~~~(${text})~~~~\";\n}\n")
 endforeach()
 file(WRITE "${OUTPUT}" "${source}\n}  // namespace shapegauge::page_files\n")

@@ -196,7 +196,7 @@ ShapeView coarse_view(ShapeView view, const Samples& samples, Eigen::Index faces
   const CarriedValues carried(samples, sample_shape(coarse, view.site));
   for (ViewField& field : view.fields) field.values = carried.means(field.values);
   if (view.normals.rows() > 0) view.normals = carried.directions(view.normals);
-  if (!view.parts.empty()) view.parts = carried.labels(view.parts);
+  for (ViewParts& parts : view.parts) parts.labels = carried.labels(parts.labels);
   view.shape = std::move(coarse);
   return view;
 }

@@ -68,18 +68,22 @@ std::string filled_page(std::string_view page,
   return result.append(page);
 }
 
-std::string scripted_page(std::string_view page, const ScriptedPage& contents) {
+std::string scripted_page(const ScriptedPage& contents) {
   const std::string title = html_text(contents.title);
   const std::string style =
       fmt::format("{}{}{}", palette_style(), page_files::common_style(), fmt::join(contents.styles, ""));
   const std::string libraries = fmt::format("{}", fmt::join(contents.libraries, "\n"));
   const std::string data = script_data(contents.data);
-  const std::array<std::pair<std::string_view, std::string_view>, 5> marks{{{"{{title}}", title},
+  const std::array<std::pair<std::string_view, std::string_view>, 9> marks{{{"{{title}}", title},
+                                                                            {"{{kind}}", contents.kind},
                                                                             {"{{style}}", style},
+                                                                            {"{{kind}}", contents.kind},
+                                                                            {"{{title}}", title},
+                                                                            {"{{main}}", contents.main},
                                                                             {"{{libraries}}", libraries},
                                                                             {"{{data}}", data},
                                                                             {"{{script}}", contents.script}}};
-  return filled_page(page, marks);
+  return filled_page(page_files::frame(), marks);
 }
 
 }  // namespace shapegauge

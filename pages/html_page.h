@@ -31,19 +31,21 @@ std::string filled_page(std::string_view page,
 /// Contents of a page that scripts draw.
 struct ScriptedPage {
   std::string_view title;                   ///< plain text
+  std::string_view kind;                    ///< what the page is, such as "report"
+  std::string_view main;                    ///< HTML of the main part, which scripts fill
   std::vector<std::string_view> styles;     ///< after those of all pages
   std::vector<std::string_view> libraries;  ///< scripts that `script` needs
   const nlohmann::ordered_json& data;
   std::string_view script;
 };
 
-/// Replaces the marks {{title}}, {{style}}, {{libraries}}, {{data}} and {{script}} of a page.
-std::string scripted_page(std::string_view page, const ScriptedPage& contents);
+/// Renders the frame of all pages (pages/common/page.html) with the contents.
+std::string scripted_page(const ScriptedPage& contents);
 
-/// Files of pages/, its bundled scripts and the JavaScript libraries, compiled in by the build (CMakeLists.txt). Pages
-/// have marks such as {{data}} for their contents.
+/// Files of pages/, its bundled scripts and the JavaScript libraries, compiled in by the build (CMakeLists.txt).
 namespace page_files {
 
+std::string_view frame();         ///< of all pages, with marks such as {{data}} for their contents
 std::string_view common_style();  ///< of all pages, after palette_style()
 
 std::string_view view_page();    ///< the page of `shapegauge view`
@@ -67,7 +69,8 @@ std::string_view multi_dataset_style();   ///< after report_style()
 std::string_view multi_dataset_script();  ///< needs the chart library
 
 std::string_view segmentation_page();
-std::string_view segmentation_style();
+std::string_view segmentation_style();   ///< after view_style() and report_style()
+std::string_view segmentation_script();  ///< needs both libraries
 
 std::string_view chart_library();  ///< D3, with its licence
 std::string_view shape_library();  ///< three.js, with its licence

@@ -72,8 +72,9 @@ OrderedJson page_data_of_leaderboard(const LeaderboardPage& page) {
 }  // namespace
 
 std::string leaderboard_page(const LeaderboardPage& page) {
-  return scripted_page(page_files::leaderboard_page(),
-                       {.title = page.title,
+  return scripted_page({.title = page.title,
+                        .kind = "leaderboard",
+                        .main = page_files::leaderboard_page(),
                         .styles = {page_files::report_style(), page_files::leaderboard_style()},
                         .libraries = {page_files::chart_library()},
                         .data = page_data_of_leaderboard(page),

@@ -61,8 +61,9 @@ PageJson multi_dataset_page_json(const MultiDatasetPage& page) {
 }  // namespace
 
 std::string multi_dataset_page(const MultiDatasetPage& page) {
-  return scripted_page(page_files::multi_dataset_page(),
-                       {.title = page.title,
+  return scripted_page({.title = page.title,
+                        .kind = "report of several data sets",
+                        .main = page_files::multi_dataset_page(),
                         .styles = {page_files::report_style(), page_files::multi_dataset_style()},
                         .libraries = {page_files::chart_library()},
                         .data = multi_dataset_page_json(page),

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/distance_overview.h"
 #include "shapegauge/metrics/evaluation.h"
@@ -54,6 +55,7 @@ struct ReportPictures {
 struct ViewedField {
   std::string name;
   std::optional<Interval> colours;  ///< values at the ends of the colour scale; if absent, each model's own
+  std::string measured_by = {};     ///< measured_by() of its type
 };
 
 /// Interactive 3D views of the models.
@@ -71,6 +73,12 @@ struct ReportLeak {
   double gap = 0;  ///< offset that closes the gaps
 };
 
+/// Comparison of the methods in pairs.
+struct ReportTests {
+  TextTable pairs;    ///< may have no rows
+  std::string words;  ///< explains the table
+};
+
 /// Contents of a report. Everything it points to must outlive it.
 struct Report {
   std::string title;
@@ -80,6 +88,7 @@ struct Report {
   std::vector<std::string> ids;                            ///< of the models: rows and columns of the matrices
   std::vector<int> labels;                                 ///< of the models
   std::vector<ReportMethod> methods;                       ///< at least one
+  ReportTests tests;
   ReportPictures pictures;
   ReportViews views;
   std::vector<std::pair<std::string, ReportSettings>> perturbations;  ///< type and settings, in order

@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/version.h"
 #include "shapegauge/metrics/retrieval_failures.h"
+#include "shapegauge/pages/collection_map.h"
 #include "shapegauge/pages/html_page.h"
 #include "shapegauge/pages/packed_numbers.h"
 #include "shapegauge/pages/score_json.h"
@@ -113,6 +114,17 @@ Json histograms_json(const ReportHistograms& histograms) {
   return json;
 }
 
+/// Encodes the places of the models in the plane, in the order of the heat map; null for blocks of models.
+Json map_json(const DistanceOverview& distances) {
+  constexpr int map_digits = 4;
+  if (distances.block > 1) return nullptr;
+  Json rows = Json::array();
+  for (const auto& place : plane_embedding(distances.cells).rowwise()) {
+    rows.push_back({rounded_to_digits(place[0], map_digits), rounded_to_digits(place[1], map_digits)});  // null: none
+  }
+  return rows;
+}
+
 Json method_json(const Report& report, const ReportMethod& method) {
   Json evaluations = Json::array();
   for (const Evaluation& evaluation : method.evaluations) evaluations.push_back(page_data_of_evaluation(evaluation));
@@ -124,6 +136,7 @@ Json method_json(const Report& report, const ReportMethod& method) {
           {"settings", method.settings},
           {"evaluations", std::move(evaluations)},
           {"heat_map", heat_map(*method.distances)},
+          {"map", map_json(*method.distances)},
           {"confusion", confusion_json(report, method)},
           {"nearest", neighbours_json(report, method)},
           {"histograms", histograms_json(method.histograms)},
@@ -146,6 +159,7 @@ Json views_json(const ReportViews& views) {
   Json fields = Json::array();
   for (const ViewedField& field : views.fields) {
     Json& json = fields.emplace_back(Json{{"name", field.name}});
+    if (!field.measured_by.empty()) json["measured"] = {{"by", field.measured_by}, {"unit", 1}};
     if (field.colours) json["colours"] = {{"from", field.colours->low}, {"to", field.colours->high}, {"root", true}};
   }
   Json shapes = Json::array();
@@ -194,6 +208,7 @@ Json report_json(const Report& report) {
           {"ids", report.ids},
           {"labels", report.labels},
           {"methods", std::move(methods)},
+          {"tests", {{"words", report.tests.words}, {"pairs", table_json(report.tests.pairs)}}},
           {"pictures", pictures_json(report.pictures)},
           {"views", views_json(report.views)},
           {"perturbations", report.perturbations},

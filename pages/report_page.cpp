@@ -10,8 +10,9 @@ namespace shapegauge {
 std::string report_page(const Report& report) {
   // three.js has 0.6 MB: included only if there are shapes to draw.
   const bool turns = !report.views.shapes.empty();
-  return scripted_page(page_files::report_page(),
-                       {.title = report.title,
+  return scripted_page({.title = report.title,
+                        .kind = "report",
+                        .main = page_files::report_page(),
                         .styles = {turns ? page_files::view_style() : "", page_files::report_style()},
                         .libraries = {page_files::chart_library(), turns ? page_files::shape_library() : ""},
                         .data = report_json(report),

@@ -38,4 +38,8 @@ nlohmann::ordered_json charted_json(const Evaluation& evaluation) {
           {"macro_curve", rounded_scores(vector_of(evaluation.macro_curve.precision))}};
 }
 
+nlohmann::ordered_json table_json(const TextTable& table) {
+  return {{"header", table.header}, {"text_columns", table.text_columns}, {"rows", table.rows}};
+}
+
 }  // namespace shapegauge

@@ -21,4 +21,7 @@ nlohmann::ordered_json rounded_rows(const Eigen::MatrixXd& scores);
 /// What the charts of averages, classes and precision-recall curves read of an evaluation.
 nlohmann::ordered_json charted_json(const Evaluation& evaluation);
 
+/// Encodes the cells of a table for textTable() of the pages' scripts.
+nlohmann::ordered_json table_json(const TextTable& table);
+
 }  // namespace shapegauge

@@ -36,8 +36,9 @@ std::string search_page(const SearchPage& page) {
   parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t i) { shapes[i] = packed_shape(page.shapes[i]); });
   Json answers = Json::array();
   for (const SearchPageAnswer& answer : page.answers) answers.push_back(packed_answer(answer));
-  return scripted_page(page_files::search_page(),
-                       {.title = page.title,
+  return scripted_page({.title = page.title,
+                        .kind = "search",
+                        .main = page_files::search_page(),
                         .styles = {page_files::view_style(), page_files::search_style()},
                         .libraries = {page_files::chart_library(), page_files::shape_library()},
                         .data = {{"version", version()},

@@ -16,43 +16,37 @@ struct SegmentationPicture {
   std::string caption;
 };
 
-/// Shape on the page: its parts in a human segmentation, if there is one, and by each method.
+/// Shape on the page: its parts in a reference segmentation, if there is one, and by each method.
 struct SegmentationFigure {
   std::string title;
   std::vector<SegmentationPicture> pictures;
+  std::string_view view = {};  ///< interactive view as JSON (shape_view_json()); may be empty
 };
 
-/// Mean Rand errors of a class.
-struct SegmentationClassErrors {
-  std::string name;
-  std::vector<double> errors;  ///< per method; NaN if undefined
-};
-
-/// Errors relative to human segmentations.
+/// Errors relative to reference segmentations.
 struct SegmentationPageErrors {
   std::string triangle_weights;  ///< weighting of triangles, in words
   std::vector<TextTable> tables;
   std::vector<std::string> methods;
-  std::vector<SegmentationClassErrors> classes;
-  TextTable class_table;
+  std::vector<std::vector<double>> by_class;  ///< mean Rand errors, by class and method; NaN if undefined
 };
 
-/// Contents of the report of a segmentation experiment. The data of its pictures must outlive it.
+/// Contents of the report of a segmentation experiment. The data of its pictures and views must outlive it.
 struct SegmentationPage {
   std::string title;
   std::string description;
-  std::size_t shapes = 0;
-  std::size_t classes = 0;
-  std::optional<SegmentationPageErrors> errors;               ///< absent without human segmentations
+  std::vector<std::string> classes;                           ///< names
+  std::vector<int> labels;                                    ///< class of each shape
+  std::optional<SegmentationPageErrors> errors;               ///< absent without reference segmentations
   TextTable moved;                                            ///< errors under perturbations; no rows without any
   TextTable consistency;                                      ///< consistency of parts among the shapes of a class
   std::vector<std::pair<std::string, std::string>> failures;  ///< omitted shapes and the reasons
-  std::vector<SegmentationFigure> typical;                    ///< one shape per class
   std::vector<SegmentationFigure> shown;  ///< all shapes, largest errors first; empty without pictures
+  std::vector<std::size_t> typical;       ///< a shape of each class, as indices into `shown`
 };
 
-/// Renders the report as one HTML file without scripts: tables, bars by class, and each shape's parts beside a human
-/// segmentation.
+/// Renders the report as one self-contained HTML file: tables, bars by class, each shape's parts beside a reference
+/// segmentation, and interactive views.
 std::string segmentation_page(const SegmentationPage& page);
 
 }  // namespace shapegauge

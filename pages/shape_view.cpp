@@ -91,15 +91,16 @@ Json packed_field(const ViewField& field, const std::vector<std::int32_t>& place
   if (field.set_range) packed["set"] = true;
   if (field.logarithmic) packed["log"] = true;
   if (field.threshold) packed["below"] = *field.threshold;
+  if (!field.measured_by.empty()) packed["measured"] = {{"by", field.measured_by}, {"unit", field.unit}};
   return packed;
 }
 
-Json packed_parts(const ShapeView& view, const std::vector<std::int32_t>& places) {
-  std::vector<std::int32_t> parts;
-  for (const std::int32_t place : places) parts.push_back(view.parts[static_cast<std::size_t>(place)]);
+Json packed_parts(const ViewParts& parts, const std::vector<std::int32_t>& places) {
+  std::vector<std::int32_t> labels;
+  for (const std::int32_t place : places) labels.push_back(parts.labels[static_cast<std::size_t>(place)]);
   Json colours = Json::array();
-  for (const Colour& colour : view.part_colours) colours.push_back(css_colour(colour));
-  return {{"values", packed_shorts(parts)}, {"colours", std::move(colours)}};
+  for (const Colour& colour : parts.colours) colours.push_back(css_colour(colour));
+  return {{"name", parts.name}, {"values", packed_shorts(labels)}, {"colours", std::move(colours)}};
 }
 
 /// Encodes the points of a cloud as the hexagons of splats(): sizes and directions.
@@ -195,6 +196,12 @@ std::optional<Interval> central_range(const ScalarField& field) {
   return range;
 }
 
+std::string_view measured_by(std::string_view field_type) {
+  if (field_type == "offset_sdf" || field_type == "cone_sdf") return "ray";
+  if (field_type == "inscribed_ball") return "ball";
+  return field_type == "gap" ? field_type : "";
+}
+
 Json shape_view_json(const ShapeView& view) {
   const Shape& shape = view.shape;
   const double diagonal = bounding_box_diagonal(shape);
@@ -218,7 +225,7 @@ Json shape_view_json(const ShapeView& view) {
   for (const ViewField& field : view.fields) {
     if (field.values(places).array().isFinite().any()) json["fields"].push_back(packed_field(field, places));
   }
-  if (!view.parts.empty()) json["parts"] = packed_parts(view, places);
+  for (const ViewParts& parts : view.parts) json["parts"].push_back(packed_parts(parts, places));
   if (!view.regions.empty()) json["regions"] = packed_regions(view);
   if (view.normals.rows() > 0) json["directions"] = packed_directions(view.normals, places);
   return json;
@@ -245,32 +252,22 @@ std::string shape_view_picture(const ShapeView& view, int pixels) {
 std::string view_page(const ViewPage& page) {
   constexpr int picture_pixels = 480;
   std::vector<Json> shapes(page.shapes.size());
-  std::vector<std::string> pictures(page.shapes.size());
   parallel_for(std::size_t{0}, page.shapes.size(), [&](std::size_t i) {
     shapes[i] = shape_view_json(page.shapes[i]);
-    pictures[i] = shape_view_picture(page.shapes[i], picture_pixels);
+    shapes[i]["picture"] = base64(shape_view_picture(page.shapes[i], picture_pixels));
   });
-  std::string images;
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    images += fmt::format("\n    <img alt=\"{}\" width=\"{}\" src=\"data:image/png;base64,{}\">",
-                          html_text(page.shapes[i].name), picture_pixels, base64(pictures[i]));
-  }
-  const std::string title = html_text(page.title);
-  const std::string data = script_data({{"version", version()},
-                                        {"title", page.title},
-                                        {"missing", page.missing},
-                                        {"warnings", page.warnings},
-                                        {"unit", page.unit},
-                                        {"shapes", shapes}});
-  const std::string style = palette_style().append(page_files::common_style()).append(page_files::view_style());
-  const std::string libraries = fmt::format("{}\n{}", page_files::chart_library(), page_files::shape_library());
-  const std::array<std::pair<std::string_view, std::string_view>, 6> marks{{{"{{title}}", title},
-                                                                            {"{{style}}", style},
-                                                                            {"{{pictures}}", images},
-                                                                            {"{{libraries}}", libraries},
-                                                                            {"{{data}}", data},
-                                                                            {"{{script}}", page_files::view_script()}}};
-  return filled_page(page_files::view_page(), marks);
+  return scripted_page({.title = page.title,
+                        .kind = "view",
+                        .main = page_files::view_page(),
+                        .styles = {page_files::view_style()},
+                        .libraries = {page_files::chart_library(), page_files::shape_library()},
+                        .data = {{"version", version()},
+                                 {"title", page.title},
+                                 {"missing", page.missing},
+                                 {"warnings", page.warnings},
+                                 {"unit", page.unit},
+                                 {"shapes", std::move(shapes)}},
+                        .script = page_files::view_script()});
 }
 
 }  // namespace shapegauge

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/core/render/image.h"
@@ -29,7 +30,13 @@ struct ViewField {
   bool set_range = false;    ///< the scale was requested and applies to each shape; otherwise shapes may share one
   bool logarithmic = false;  ///< logarithmic colours; the scale begins above 0
   std::optional<double> threshold = {};  ///< smaller values are red (below_threshold)
+  std::string_view measured_by = {};     ///< measured_by() of its type
+  double unit = 1;                       ///< length of the value 1
 };
+
+/// Returns what the values of a type of field are lengths of, which a view draws where a reader points: "ray", "ball"
+/// (a diameter), "gap" (that of a ball outside), or nothing.
+std::string_view measured_by(std::string_view field_type);
 
 /// Listed region of a shape. A click turns the view there.
 struct ViewRegion {
@@ -39,6 +46,13 @@ struct ViewRegion {
   double size = 0;                 ///< of what is shown around the position
 };
 
+/// Parts in a view.
+struct ViewParts {
+  std::string name;
+  std::vector<std::int32_t> labels;  ///< one per element
+  std::vector<Colour> colours;       ///< by part
+};
+
 /// Interactive 3D view of a shape with its colourings. Its elements are faces or vertices, or the points of a cloud.
 struct ShapeView {
   std::string name;
@@ -46,9 +60,8 @@ struct ShapeView {
   Shape shape;
   SampleSite site = SampleSite::faces;  ///< faces or vertices; vertices for a cloud
   std::vector<ViewField> fields = {};
-  std::vector<std::int32_t> parts = {};   ///< one an element, or empty
-  std::vector<Colour> part_colours = {};  ///< per part
-  Points normals = {};                    ///< unit or zero, one an element, or empty
+  std::vector<ViewParts> parts = {};  ///< per segmentation
+  Points normals = {};                ///< unit or zero, one an element, or empty
   std::optional<Eigen::Vector3d> up =
       {};  ///< vertical direction of the initial position; if absent, that of principal_view()
   std::vector<ViewRegion> regions = {};

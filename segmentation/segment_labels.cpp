@@ -140,4 +140,11 @@ std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std
   return colours;
 }
 
+std::vector<Colour> colour_of_each_label(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
+  const std::vector<Colour> of_nodes = label_colours(graph, labels);
+  std::vector<Colour> colours(static_cast<std::size_t>(*std::ranges::max_element(labels)) + 1);
+  for (std::size_t i = 0; i < labels.size(); ++i) colours[static_cast<std::size_t>(labels[i])] = of_nodes[i];
+  return colours;
+}
+
 }  // namespace shapegauge

@@ -27,4 +27,7 @@ std::vector<std::int32_t> without_slivers(const SurfaceGraph& graph, std::span<c
 /// Throws as connected_parts() does.
 std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
 
+/// Returns the colour of each label, from 0 on, as label_colours() assigns them.
+std::vector<Colour> colour_of_each_label(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
+
 }  // namespace shapegauge

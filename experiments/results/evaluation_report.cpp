@@ -3,19 +3,20 @@
 #include <deque>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/distance_overview.h"
-#include "shapegauge/pages/report.h"
 
 namespace shapegauge {
 
-std::string evaluation_report_page(const std::vector<ReportedEvaluation>& methods) {
+std::string evaluation_report_page(const std::vector<ReportedEvaluation>& methods, ReportTests tests) {
   const EvaluationTask& task = methods.front().data->task;
   std::deque<DistanceOverview> overviews;
   Report report;
   report.classes = task.class_names;
   report.ids = task.query_ids;
+  report.tests = std::move(tests);
   report.labels = task.retrieval.query_classes;
   std::vector<std::string> names;
   for (const auto& [named, data] : methods) {

@@ -5,6 +5,7 @@
 
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/pages/report.h"
 
 namespace shapegauge {
 
@@ -14,9 +15,9 @@ struct ReportedEvaluation {
   const EvaluationData* data = nullptr;
 };
 
-/// Renders the report of several methods. Throws InputError unless their matrices have the same models in the same
-/// order.
-std::string evaluation_report_page(const std::vector<ReportedEvaluation>& methods);
+/// Renders the report of several methods with their comparison in pairs. Throws InputError unless their matrices have
+/// the same models in the same order.
+std::string evaluation_report_page(const std::vector<ReportedEvaluation>& methods, ReportTests tests = {});
 
 /// Renders the report (pages/report.h) of an evaluated matrix; its task must be is_fit_for_report().
 std::string evaluation_report_page(const NamedEvaluation& named, const EvaluationData& data);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,26 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
 
 bool has_descriptor(const SignatureConfiguration& signature) { return signature.descriptor.has_value(); }
 
+/// Removes a column of words if all rows have the same.
+void remove_if_constant(TextTable& table, std::string_view title) {
+  const auto column = std::ranges::find(table.header, title) - table.header.begin();
+  const auto at = [&](const std::vector<std::string>& row) { return row[static_cast<std::size_t>(column)]; };
+  if (std::ranges::any_of(table.rows, [&](const auto& row) { return at(row) != at(table.rows.front()); })) return;
+  table.header.erase(table.header.begin() + column);
+  for (std::vector<std::string>& row : table.rows) row.erase(row.begin() + column);
+  --table.text_columns;
+}
+
+/// Formats the summary for a paper, without repetition.
+std::string latex_summary(std::span<const NamedEvaluation> evaluations) {
+  TextTable table = merge_equal_averages(summary_table(evaluations));
+  table.emphases.clear();
+  const auto words = static_cast<std::size_t>(std::ranges::find(table.header, "protocol") - table.header.begin());
+  for (const char* title : {"protocol", "average"}) remove_if_constant(table, title);
+  embolden_best(table, words);
+  return to_latex(table);
+}
+
 /// Returns the text files of the results by name.
 std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results,
                                                             std::span<const NamedEvaluation> evaluations) {
@@ -94,7 +115,7 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
       {"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
       {"summary.json", summary_json(results, evaluations)},
       {"summary.md", to_markdown(rounded)},
-      {"summary.tex", to_latex(rounded)},
+      {"summary.tex", latex_summary(evaluations)},
       {"intervals.csv", to_csv(intervals_table(evaluations))},
       {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
       {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},

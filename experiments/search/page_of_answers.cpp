@@ -98,13 +98,17 @@ std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery>
     SearchPageAnswer& shown = page.answers.emplace_back();
     shown.query = answer.member ? shapes.add_model(*answer.member) : shapes.add_query(queries[i]);
     shown.failure = answer.failure;
+    const double unit = answer.median > 0 ? answer.median : 1;
     for (const RankedModel& one : answer.nearest) {
-      shown.nearest.emplace_back(shapes.add_model(static_cast<std::size_t>(one.model)), one.distance);
+      shown.nearest.emplace_back(shapes.add_model(static_cast<std::size_t>(one.model)), one.distance / unit);
     }
   }
   page.facts = {count_text(std::ssize(answers), "query", "queries"),
                 count_text(std::ssize(index.contents.models), "shape", "shapes") + " in the collection",
                 fmt::format("compared by \u201c{}\u201d", index.method.name)};
+  if (std::ranges::any_of(answers, [](const SearchAnswer& answer) { return answer.median > 0; })) {
+    page.facts.emplace_back("distances divided by their median over the collection");
+  }
   std::string html;
   with_threads(control, [&] {
     page.shapes = shapes.drawn(control);

@@ -151,6 +151,13 @@ std::vector<RankedModel> reranked(const OpenIndex& index, const Eigen::VectorXd&
                           index.method.diffusion, count);
 }
 
+double median_of(const Eigen::VectorXd& distances) {
+  std::vector<double> sorted(distances.begin(), distances.end());
+  const auto middle = sorted.begin() + std::ssize(sorted) / 2;
+  std::ranges::nth_element(sorted, middle);
+  return *middle;
+}
+
 std::vector<SearchAnswer> answers(OpenIndex& index, std::span<const SearchQuery> queries, const SearchOptions& options,
                                   const RunControl& control, Cache& cache, std::vector<std::string>& notes) {
   if (options.rerank) require_neighbours(index, control, notes);
@@ -166,6 +173,7 @@ std::vector<SearchAnswer> answers(OpenIndex& index, std::span<const SearchQuery>
     const auto member = query.member ? static_cast<Eigen::Index>(*query.member) : Eigen::Index{-1};
     const Eigen::VectorXd row =
         sum_row(index.contents.sum, term_distances(distances, index.contents, query.signatures, member), member);
+    if (!options.rerank) found[i].median = median_of(row);
     found[i].nearest = options.rerank ? reranked(index, row, query.member, options.count)
                                       : nearest_by(row, query.member, options.count);
   });

@@ -76,7 +76,8 @@ struct SearchAnswer {
   std::string query;
   std::optional<std::size_t> member;  ///< the query's own model, which is excluded from the answer
   std::vector<RankedModel> nearest;   ///< models of the index, nearest first (ties: smaller index first)
-  std::string failure = {};           ///< reason for a missing answer; otherwise empty
+  double median = 0;  ///< distance to the models of the collection; 0 after re-ranking, whose distances have no unit
+  std::string failure = {};  ///< reason for a missing answer; otherwise empty
 };
 
 /// Answers queries independently. Does not describe a query again if it is a file of the collection, or has the same

@@ -23,11 +23,14 @@
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/core/shape/samples.h"
+#include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/engine/generated_dataset.h"
 #include "shapegauge/experiments/signatures/cache_keys.h"
 #include "shapegauge/experiments/signatures/compute_signatures.h"
+#include "shapegauge/experiments/signatures/model_view.h"
+#include "shapegauge/pages/coarse_view.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
@@ -100,15 +103,15 @@ class SegmentationJob {
     }
   }
 
-  /// Evaluates the parts and draws them.
-  void evaluate() {
+  /// Evaluates the parts and draws them. `view_faces` is the number of faces of an interactive view; 0: without one.
+  void evaluate(Eigen::Index view_faces) {
     const SegmentationScorer scorer(mesh_, {.by = experiment_.by, .cuts = experiment_.cuts});
     for (const Labels& labels : result.labels) errors.push_back(scorer.errors_against(labels, people_));
     errors.push_back(scorer.errors_among(people_));
     const Eigen::VectorXd areas = sample_shape(mesh_, SampleSite::faces).weights;
     for (const Labels& labels : result.labels) result.part_sizes.push_back(part_sizes(labels, areas));
     for (std::size_t m = 0; m < result.labels.size(); ++m) result.moved.push_back(moved(m, scorer));
-    if (experiment_.pictures) take_pictures();
+    if (experiment_.pictures) draw(view_faces);
     for (Labels& labels : result.labels) labels = labels_of_polygons(mesh_, labels);
   }
 
@@ -152,15 +155,27 @@ class SegmentationJob {
     return scorer.errors(result.labels[method], cached_parts(without_perturbations(perturbed)).labels).rand_index;
   }
 
-  void take_pictures() {
-    if (!people_.empty()) result.pictures.push_back(picture(people_.front()));
-    for (const Labels& labels : result.labels) result.pictures.push_back(picture(labels));
+  void draw(Eigen::Index view_faces) {
+    ShapeView view{.name = "", .shape = mesh_};
+    const SurfaceGraph graph = surface_graph(mesh_);
+    const auto add = [&](const std::string& name, const Labels& labels) {
+      const Labels numbers = renumbered(labels);
+      const std::vector<Colour> colours = colour_of_each_label(graph, numbers);
+      result.pictures.push_back(picture(numbers, colours));
+      view.parts.push_back({.name = name, .labels = numbers, .colours = colours});
+    };
+    if (!people_.empty()) add(reference_name(experiment_), people_.front());
+    for (std::size_t m = 0; m < result.labels.size(); ++m) add(experiment_.methods[m].name, result.labels[m]);
+    if (view_faces == 0) return;
+    const Samples samples = sample_shape(mesh_, view.site);
+    result.view = json_text(shape_view_json(coarse_view(std::move(view), samples, view_faces)));
   }
 
-  [[nodiscard]] std::string picture(const Labels& labels) const {
+  [[nodiscard]] std::string picture(const Labels& labels, const std::vector<Colour>& colours) const {
     const RenderOptions options{.width = picture_width, .height = picture_height, .transparent = true};
-    const std::vector<Colour> colours = label_colours(surface_graph(mesh_), labels);
-    return encode_png(render_shape(mesh_, colours, SampleSite::faces, principal_view(mesh_, options)));
+    std::vector<Colour> of_faces;
+    for (const std::int32_t label : labels) of_faces.push_back(colours[static_cast<std::size_t>(label)]);
+    return encode_png(render_shape(mesh_, of_faces, SampleSite::faces, principal_view(mesh_, options)));
   }
 
   const SegmentationExperiment& experiment_;
@@ -243,9 +258,10 @@ void run_stages(const RunContext& context, SegmentationResults& results) {
   std::map<std::size_t, CutShape> cut;
   std::mutex mutex;
   const bool stop = results.experiment.on_error == OnError::stop;
+  const Eigen::Index view_faces = all.size() <= most_models_with_views ? faces_of_views(all.size()) : 0;
   const std::vector<ModelFailure> failed = for_each_model(all, "shapes", stop, context.control, [&](std::size_t i) {
     SegmentationJob job(results.experiment, results.benchmark.models[i], i, context.cache);
-    job.evaluate();
+    job.evaluate(view_faces);
     const std::scoped_lock lock(mutex);
     cut.emplace(i, CutShape{.shape = std::move(job.result), .errors = std::move(job.errors)});
   });
@@ -261,6 +277,10 @@ void run_stages(const RunContext& context, SegmentationResults& results) {
 }
 
 }  // namespace
+
+std::string reference_name(const SegmentationExperiment& experiment) {
+  return experiment.generator ? "reference" : "a person";
+}
 
 SegmentationBenchmark find_segmented_shapes(const DatasetLocation& location) {
   return location.layout == segmentation_layout ? find_segmentation_benchmark(location.root)

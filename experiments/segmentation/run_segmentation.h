@@ -27,6 +27,7 @@ struct SegmentedShape {
   /// for other methods.
   std::vector<double> moved;
   std::vector<std::string> pictures;  ///< PNG files: first the parts of one human segmentation, if any, then by method
+  std::string view = {};              ///< interactive view with the same parts, as JSON; may be empty
 };
 
 /// Results of a segmentation experiment.
@@ -43,6 +44,9 @@ struct SegmentationResults {
   int threads = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage
 };
+
+/// Returns the name of reference segmentations in reports: those of people, or of the generator.
+std::string reference_name(const SegmentationExperiment& experiment);
 
 /// Finds the shapes of a data set on disk, with their human segmentations if the layout has any. Throws InputError as
 /// find_segmentation_benchmark() and find_dataset() do.

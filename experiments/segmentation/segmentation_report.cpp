@@ -14,19 +14,18 @@ namespace {
 SegmentationPageErrors page_errors(const SegmentationResults& results) {
   const SegmentationScores& scores = results.scores;
   SegmentationPageErrors errors{
-      .triangle_weights = results.experiment.by == TriangleWeights::area ? "by area" : "alike",
+      .triangle_weights = results.experiment.by == TriangleWeights::area ? "by area" : "equally",
       .tables = {mean_table(scores)},
       .methods = scores.methods,
-      .classes = {},
-      .class_table = class_table(scores)};
+      .by_class = {}};
   if (const std::optional<MethodComparison> comparison = rand_comparison(scores)) {
     errors.tables.push_back(interval_table(scores, *comparison));
     errors.tables.push_back(pair_table(scores, *comparison));
   }
   for (std::size_t c = 0; c < scores.classes.size(); ++c) {
-    SegmentationClassErrors& one = errors.classes.emplace_back(SegmentationClassErrors{scores.classes[c], {}});
+    std::vector<double>& of_class = errors.by_class.emplace_back();
     for (std::size_t m = 0; m < scores.methods.size(); ++m) {
-      one.errors.push_back(scores.mean(m, &SegmentationErrors::rand_index, static_cast<int>(c)));
+      of_class.push_back(scores.mean(m, &SegmentationErrors::rand_index, static_cast<int>(c)));
     }
   }
   return errors;
@@ -36,9 +35,10 @@ SegmentationFigure figure_of(const SegmentationResults& results, std::size_t sha
   const SegmentationScores& scores = results.scores;
   const std::vector<std::string>& pictures = results.shapes[shape].pictures;
   const auto label = static_cast<std::size_t>(scores.labels[shape]);
-  SegmentationFigure figure{fmt::format("{} ({})", scores.ids[shape], scores.classes[label]), {}};
+  SegmentationFigure figure{
+      fmt::format("{} ({})", scores.ids[shape], scores.classes[label]), {}, results.shapes[shape].view};
   if (results.has_people) {
-    figure.pictures.push_back({pictures.front(), results.experiment.generator ? "as made" : "a person"});
+    figure.pictures.push_back({pictures.front(), reference_name(results.experiment)});
   }
   const std::size_t people = figure.pictures.size();
   for (std::size_t m = 0; m < results.experiment.methods.size(); ++m) {
@@ -58,10 +58,11 @@ std::vector<std::size_t> worst_first(const SegmentationScores& scores) {
   return order;
 }
 
-/// Returns the shape of median error of each class.
-std::vector<std::size_t> typical_shapes(const SegmentationScores& scores) {
+/// Returns the shape of median error of each class, as indices into the order.
+std::vector<std::size_t> typical_shapes(const SegmentationScores& scores, const std::vector<std::size_t>& order) {
   std::vector<std::vector<std::size_t>> by_class(scores.classes.size());
-  for (const std::size_t i : worst_first(scores)) by_class[static_cast<std::size_t>(scores.labels[i])].push_back(i);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    by_class[static_cast<std::size_t>(scores.labels[order[i]])].push_back(i);
   std::vector<std::size_t> typical;
   for (const auto& shapes : by_class) {
     if (!shapes.empty()) typical.push_back(shapes[shapes.size() / 2]);
@@ -74,21 +75,22 @@ std::vector<std::size_t> typical_shapes(const SegmentationScores& scores) {
 SegmentationPage segmentation_report(const SegmentationResults& results) {
   SegmentationPage page{.title = results.experiment.name,
                         .description = results.experiment.description,
-                        .shapes = results.scores.ids.size(),
-                        .classes = results.scores.classes.size(),
+                        .classes = results.scores.classes,
+                        .labels = results.scores.labels,
                         .errors = {},
                         .moved = moved_table(results),
                         .consistency = consistency_table(results),
                         .failures = {},
-                        .typical = {},
-                        .shown = {}};
+                        .shown = {},
+                        .typical = {}};
   if (results.has_people) page.errors = page_errors(results);
   for (const LeftOutShape& failure : results.failures) {
     page.failures.emplace_back(failure.id, failure.message);
   }
   if (!results.experiment.pictures) return page;
-  for (const std::size_t i : typical_shapes(results.scores)) page.typical.push_back(figure_of(results, i));
-  for (const std::size_t i : worst_first(results.scores)) page.shown.push_back(figure_of(results, i));
+  const std::vector<std::size_t> order = worst_first(results.scores);
+  for (const std::size_t i : order) page.shown.push_back(figure_of(results, i));
+  page.typical = typical_shapes(results.scores, order);
   return page;
 }
 

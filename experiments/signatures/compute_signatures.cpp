@@ -12,6 +12,7 @@
 #include "shapegauge/experiments/signatures/describe_learnt.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
+#include "shapegauge/pages/shape_view.h"
 
 namespace shapegauge {
 
@@ -141,6 +142,7 @@ std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, st
                                            : first_histogram_of(fields[i], configuration.signatures).value();
     ViewedField& field =
         viewed.emplace_back(ViewedField{.name = configuration.signatures[signature].name, .colours = {}});
+    if (plan[i].field.dimension == FieldDimension::length) field.measured_by = measured_by(plan[i].field.settings.type);
     if (pictured)
       field.colours = configuration.report.picture_options.range;
     else if (configuration.signatures[signature].histogram.range != HistogramRange::per_shape) {

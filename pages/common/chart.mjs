@@ -28,11 +28,16 @@ export function scalePart({ from, to, root, log }, value) {
   return root ? Math.sqrt(Math.max(0, part)) : part;
 }
 
-// A ramp of the colour map with ticks; place(value) is where a value is, from 0 to 1.
-export function colourScale(title, ticks, place, format = number) {
+// About how many ticks an axis of that many pixels has room for.
+export const tickCount = (pixels) => Math.max(2, Math.min(10, Math.floor(pixels / 55)));
+
+// The colour map with ticks, as scalePart() places values on it. It says so where it is not linear.
+export function colourScale(title, scale) {
+  const kind = (scale.root && ', square-root scale') || (scale.log && ', logarithmic scale') || '';
+  const ticks = scale.to > scale.from ? scaleTicks(scale) : [scale.from];
+  const marks = ticks.map((tick) => make('span', { style: `left:${100 * scalePart(scale, tick)}%` }, number(tick, 3)));
   const stops = ramp.filter((_, level) => level % 15 === 0).join(',');
-  const marks = ticks.map((tick) => make('span', { style: `left:${100 * place(tick)}%` }, format(tick)));
   const coloured = make('div', { class: 'ramp', style: `background:linear-gradient(to right,${stops})` });
-  return make('div', { class: 'scale' }, make('span', {}, title),
+  return make('div', { class: 'scale' }, make('span', {}, `${title}${kind}`),
     make('div', {}, coloured, make('div', { class: 'ticks' }, ...marks)));
 }

@@ -22,4 +22,4 @@ export function choice(label, options, selected, chosen) {
 }
 
 // Reads the data that the program wrote into the page.
-export const pageData = (id) => JSON.parse(byId(id).textContent);
+export const pageData = () => JSON.parse(byId('page-data').textContent);

@@ -1,6 +1,6 @@
 // Averages with their intervals, and groups of methods that do not differ.
 
-import { drawing } from '../common/chart.mjs';
+import { drawing, tickCount } from '../common/chart.mjs';
 import { byId } from '../common/elements.mjs';
 import { tipHead, tipLine, tooltip } from '../common/tooltip.mjs';
 import { percent, shortened } from '../common/words.mjs';
@@ -11,7 +11,6 @@ import { groupsOf, letterOf } from './leaderboard_state.mjs';
 
 const step = 24; // height of a row
 const column = 18; // width of a group
-const left = 240; // for names
 
 // Returns what draws the section again.
 export function showIntervals(state) {
@@ -26,26 +25,28 @@ function drawIntervals(state) {
   stamp('intervals', [`averages of ${measure}`, protocolWords, averageWords, 'in percent'],
     'Methods beside one bar do not differ significantly');
   const place = byId('intervals-chart');
+  const whole = widthIn(place, 1000);
+  const left = Math.min(240, 0.4 * whole); // for names
   const { svg, area, width, height } = drawing(place, {
-    width: widthIn(place, 1000), height: ranking.length * step + 74, left, right: 24 + column * groups.length, top: 30,
+    width: whole, height: ranking.length * step + 74, left, right: 24 + column * groups.length, top: 30,
     bottom: 44, label: `${measure} with intervals and groups, ${protocolWords}, ${averageWords}`,
   });
   const ends = ranking.flatMap((index) => [standings[index].average, ...(standings[index].interval || [])]);
   const x = d3.scaleLinear(d3.extent(ends.map((end) => 100 * end)), [8, width - 8]).nice();
   const below = `translate(0,${height})`;
   area.append('g').attr('class', 'grid').attr('transform', below)
-    .call(d3.axisBottom(x).ticks(8).tickSize(-height).tickFormat(''));
-  area.append('g').attr('class', 'axis').attr('transform', below).call(d3.axisBottom(x).ticks(8));
+    .call(d3.axisBottom(x).ticks(tickCount(width)).tickSize(-height).tickFormat(''));
+  area.append('g').attr('class', 'axis').attr('transform', below).call(d3.axisBottom(x).ticks(tickCount(width)));
   area.append('text').attr('x', width / 2).attr('y', height + 36).attr('text-anchor', 'middle')
     .text(`${measure} (percent)`);
-  ranking.forEach((index, position) => drawRow(area, state, { index, position, x, width }));
+  ranking.forEach((index, position) => drawRow(area, state, { index, position, x, left, width }));
   const named = (number) => (state.chosen.average === 'macro' ? letterOf(number).toUpperCase() : letterOf(number));
   groups.forEach((group, number) =>
     drawGroup(area, group, { place: width + 18 + number * column, name: named(number) }));
   place.append(saveButton(svg.node(), `intervals_${measure}_${state.chosen.average}`));
 }
 
-function drawRow(area, state, { index, position, x, width }) {
+function drawRow(area, state, { index, position, x, left, width }) {
   const { average, rank, interval } = state.standings[index];
   const { name } = state.report.methods[index];
   const row = area.append('g').attr('class', 'interval-row').attr('data-method', index)
@@ -53,7 +54,7 @@ function drawRow(area, state, { index, position, x, width }) {
   row.append('rect').attr('class', 'row-ground').attr('x', -left).attr('y', -step / 2).attr('width', width + left)
     .attr('height', step);
   row.append('text').attr('x', -8).attr('dy', '0.32em').attr('text-anchor', 'end')
-    .text(`${rank}. ${shortened(name, 32)}`);
+    .text(`${rank}. ${shortened(name, Math.floor(left / 7) - 3)}`);
   if (interval) {
     row.append('line').attr('class', 'whisker').attr('x1', x(100 * interval[0])).attr('x2', x(100 * interval[1]))
       .style('stroke', colourOf(index));

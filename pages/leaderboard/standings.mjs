@@ -1,7 +1,8 @@
 // The table of a leaderboard.
 
 import { byId, make } from '../common/elements.mjs';
-import { counted, percent } from '../common/words.mjs';
+import { saveFile } from '../common/save.mjs';
+import { counted, ended, percent } from '../common/words.mjs';
 import { swatch } from '../report/method_look.mjs';
 import { stamp } from '../report/section.mjs';
 import { sortableTable } from '../report/sortable_table.mjs';
@@ -17,7 +18,7 @@ export function showStandings(state) {
   state.show(['measure', 'average'], () => {
     const { measure, protocolWords, averageWords, standings, report, evaluation } = state;
     stamp('standings', [`by ${measure}`, counted(evaluation.queries, 'query'), protocolWords, averageWords,
-      'in percent'], 'The best of each column is bold', report.significance.replace(/\.$/, ''));
+      'in percent'], 'The best of each column is bold', report.significance);
     const rank = (index) => standings[index].rank;
     const columns = [
       { title: 'Rank', numeric: true, value: rank, text: (index) => String(rank(index)) },
@@ -56,16 +57,13 @@ function methodCell(index, report) {
   const title = page ? make('a', { href: page }, name) : name;
   const source = url ? make('a', { href: url, rel: 'noopener' }, paper || url) : paper;
   const parts = [authors, source].filter((part) => part);
-  const about = parts.length ? make('span', { class: 'about' }, parts[0], ...(parts[1] ? ['. ', parts[1]] : [])) : null;
+  const about = parts.length ? make('span', { class: 'about' }, ...(parts[1] ? [`${ended(authors)} `, source] : parts)) : null;
   return make('div', { class: 'method-name' }, swatch(index), title, about);
 }
 
 export function showDownloads({ downloads }, name) {
-  const button = (text, extension, type, content) => make('button', { type: 'button', click: () => {
-    const address = URL.createObjectURL(new Blob([content], { type }));
-    make('a', { href: address, download: `${name}.${extension}` }).click();
-    setTimeout(() => URL.revokeObjectURL(address), 10000);
-  } }, text);
+  const button = (text, extension, type, content) =>
+    make('button', { type: 'button', click: () => saveFile(`${name}.${extension}`, type, content) }, text);
   byId('downloads').append(button('Download CSV', 'csv', 'text/csv', downloads.csv),
     button('Download LaTeX', 'tex', 'application/x-tex', downloads.latex));
 }

@@ -34,7 +34,7 @@ export function showCriticalDifference(state) {
 
 function drawCriticalDifference(state) {
   const { table, words, report: { methods } } = state;
-  stamp('difference', words, table.words.replace(/\.$/, ''), 'A bar joins methods that do not differ significantly');
+  stamp('difference', words, table.words, 'A bar joins methods that do not differ significantly');
   const bars = table.groups.filter(([first, last]) => last > first);
   const names = Math.ceil(methods.length / 2);
   const place = byId('difference-chart');

@@ -1,6 +1,6 @@
 // A measure class by class: bars, or cells for many methods, and the same as a table.
 
-import { drawing } from '../common/chart.mjs';
+import { drawing, tickCount } from '../common/chart.mjs';
 import { methodColours } from '../common/constants.mjs';
 import { byId, choice } from '../common/elements.mjs';
 import { tipHead, tipLine, tooltip } from '../common/tooltip.mjs';
@@ -14,19 +14,14 @@ import { saveButton } from './svg_file.mjs';
 const orders = ['as in the data set', 'lowest first', 'highest first'];
 const left = 170; // for the names of the classes
 
-// choosesMeasure: the section has the choice of the measure, which is nowhere else on the page. Returns what draws the
-// section again.
-export function showClasses(state, { choosesMeasure = true } = {}) {
+// Returns what draws the section again.
+export function showClasses(state) {
   let order = 0;
   const draw = () => drawClasses(state, order);
-  const { measures } = state.evaluation;
-  const chooseOrder = (index) => {
+  byId('classes-tools').append(choice('Order', orders, order, (index) => {
     order = index;
     draw();
-  };
-  const chooseMeasure = (index) => state.change({ measure: index });
-  if (choosesMeasure) byId('classes-tools').append(choice('Measure', measures, state.chosen.measure, chooseMeasure));
-  byId('classes-tools').append(choice('Order', orders, order, chooseOrder));
+  }));
   state.show(['protocol', 'hidden', 'measure', 'method'], draw);
   return draw;
 }
@@ -41,18 +36,18 @@ export function orderedClasses(values, order) {
 }
 
 function drawClasses(state, order) {
-  const { report, evaluation, visibleMethods, protocolWords, chosen } = state;
+  const { report, evaluation, visibleMethods, classWords, chosen } = state;
   const measure = evaluation.measures[chosen.measure];
   const crowded = visibleMethods.length > methodColours;
   drawLegend(byId('classes-legend'), state);
-  stamp('classes', [`${measure} of each class`, protocolWords, 'mean over the queries of a class', 'in percent'],
+  stamp('classes', [`${measure} of each class`, ...classWords, 'in percent'],
     `Classes ${orders[order]}${order > 0 ? ` by ${state.method.name}` : ''}`,
     ...(crowded ? ['The fuller the colour, the higher the value'] : []));
   const chart = {
     state, measure,
     rows: orderedClasses(evaluation.per_class.map((values) => values[chosen.measure]), order),
     names: evaluation.classes.map((label) => report.classes[label]),
-    label: `${measure} by class, ${protocolWords}`,
+    label: `${measure} by class, ${classWords[0]}`,
   };
   const place = byId('classes-chart');
   const svg = crowded ? drawCells(place, chart) : drawBars(place, chart);
@@ -83,11 +78,11 @@ function drawBars(place, chart) {
   const { svg, area, width, height } = drawing(place, {
     width: widthIn(place, 1000), height: rows.length * step + 46, left, right: 20, top: 6, bottom: 40, label,
   });
-  const x = d3.scaleLinear([0, 100], [0, width]);
+  const x = d3.scaleLinear([0, 100 * state.highest], [0, width]);
   const below = `translate(0,${height})`;
   area.append('g').attr('class', 'grid').attr('transform', below)
-    .call(d3.axisBottom(x).ticks(10).tickSize(-height).tickFormat(''));
-  area.append('g').attr('class', 'axis').attr('transform', below).call(d3.axisBottom(x).ticks(10));
+    .call(d3.axisBottom(x).ticks(tickCount(width)).tickSize(-height).tickFormat(''));
+  area.append('g').attr('class', 'axis').attr('transform', below).call(d3.axisBottom(x).ticks(tickCount(width)));
   area.append('text').attr('x', width / 2).attr('y', height + 34).attr('text-anchor', 'middle')
     .text(`${measure} (percent)`);
   rows.forEach((position, row) => {
@@ -95,7 +90,7 @@ function drawBars(place, chart) {
     const first = (step - bar * shown.length) / 2;
     shown.forEach((index, rank) => {
       group.append('rect').attr('data-method', index).attr('y', first + rank * bar).attr('height', bar - 1)
-        .attr('width', x(100 * classValue(state, index, position))).style('fill', colourOf(index));
+        .attr('width', x(100 * classValue(state, index, position)) || 0).style('fill', colourOf(index));
     });
   });
   return svg;
@@ -115,7 +110,7 @@ function drawCells(place, chart) {
   const cell = Math.min(64, width / shown.length);
   const digits = [42, 35, 22].findIndex((needed) => cell >= needed);
   const values = shown.map((index) => rows.map((position) => classValue(state, index, position)));
-  const [lowest, highest] = d3.extent(values.flat());
+  const [lowest, highest] = d3.extent(values.flat()); // without NaN
   shown.forEach((index, column) => {
     area.append('text').attr('data-method', index)
       .attr('transform', `translate(${(column + 0.5) * cell},-8) rotate(-60)`).text(names[column]);
@@ -146,6 +141,6 @@ function drawClassTable({ state, measure, rows, names }) {
     const value = (position) => classValue(state, index, position);
     columns.push({ title: name, numeric: true, value, text: (position) => percent(value(position)) });
   });
-  const caption = `${measure} by class, ${state.protocolWords}, percent`;
+  const caption = `${measure} by class, ${state.classWords[0]}, percent`;
   sortableTable(byId('classes-table'), { caption, columns, rows });
 }

@@ -1,6 +1,6 @@
 // Precision against recall, a curve a method.
 
-import { drawing } from '../common/chart.mjs';
+import { drawing, tickCount } from '../common/chart.mjs';
 import { byId, choice } from '../common/elements.mjs';
 import { tipHead, tipLine, tooltip } from '../common/tooltip.mjs';
 import { number } from '../common/words.mjs';
@@ -54,7 +54,7 @@ function drawAxes(area, x, y, width, height) {
   const below = `translate(0,${height})`;
   const besides = `translate(-42,${height / 2}) rotate(-90)`;
   area.append('g').attr('class', 'grid').call(d3.axisLeft(y).ticks(10).tickSize(-width).tickFormat(''));
-  area.append('g').attr('class', 'axis').attr('transform', below).call(d3.axisBottom(x).ticks(10));
+  area.append('g').attr('class', 'axis').attr('transform', below).call(d3.axisBottom(x).ticks(tickCount(width)));
   area.append('g').attr('class', 'axis precision').call(d3.axisLeft(y).ticks(10));
   area.append('text').attr('x', width / 2).attr('y', height + 38).attr('text-anchor', 'middle').text('Recall');
   area.append('text').attr('transform', besides).attr('text-anchor', 'middle').text('Precision');

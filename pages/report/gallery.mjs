@@ -1,8 +1,8 @@
 // Small pictures of all shapes, by class.
 
-import { colourScale, scalePart, scaleTicks } from '../common/chart.mjs';
+import { colourScale } from '../common/chart.mjs';
 import { byId, choice, make } from '../common/elements.mjs';
-import { counted, number } from '../common/words.mjs';
+import { counted } from '../common/words.mjs';
 import { stamp } from './section.mjs';
 import { shapeButton } from './shape_buttons.mjs';
 
@@ -44,7 +44,5 @@ function drawGallery(state, filter) {
 }
 
 function pictureScale({ low, high }) {
-  const scale = { from: low, to: high, root: true };
-  return colourScale('Field value, in lengths of shapes of unit area:', scaleTicks(scale),
-    (value) => scalePart(scale, value), (value) => number(value, 2));
+  return colourScale('Field value, in lengths of shapes of unit area', { from: low, to: high, root: true });
 }

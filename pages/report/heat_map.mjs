@@ -68,8 +68,7 @@ function drawHeatMap(state, order) {
     make('span', { style: `top:${100 * middle}%` }, report.classes[at]));
   byId('distances-chart').replaceChildren(
     make('div', { class: 'heat' }, make('div', { class: 'names', 'aria-hidden': 'true' }, ...names), canvas),
-    colourScale('Distance; the largest hundredth in the last colour:', d3.ticks(0, largest, 4),
-      (value) => value / largest));
+    colourScale('Distance; the largest hundredth in the last colour', { from: 0, to: largest }));
 }
 
 function paint(canvas, cells, side, largest) {

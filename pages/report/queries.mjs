@@ -19,7 +19,7 @@ export function showQueries(state) {
 
 // Names and values as the items of a list of definitions.
 export const valueItems = (values) =>
-  values.flatMap(([name, value]) => [make('dt', {}, name), make('dd', {}, percent(value))]);
+  values.map(([name, value]) => make('div', {}, make('dt', {}, name), make('dd', {}, percent(value))));
 
 function drawQueries(state, most) {
   const { worst, queries, measures } = state.evaluation;

@@ -1,27 +1,38 @@
 // The report: puts the page together.
 
-import { pageData } from '../common/elements.mjs';
-import { followTheme } from '../common/theme.mjs';
+import { byId, pageData } from '../common/elements.mjs';
+import { drawFrame, followResizing } from '../common/frame.mjs';
+import { linked } from '../common/link.mjs';
+import { counted } from '../common/words.mjs';
+import { showChoices } from './choices.mjs';
 import { showClasses } from './classes.mjs';
 import { showConfusions } from './confusions.mjs';
 import { showCurves } from './curves.mjs';
 import { showGallery } from './gallery.mjs';
 import { showHeatMap } from './heat_map.mjs';
-import { drawHead, followResizing, followScrolling, showChoices } from './navigation.mjs';
 import { drawNotes } from './notes.mjs';
 import { showQueries } from './queries.mjs';
 import { ReportState } from './report_state.mjs';
 import { ShapeDialog } from './shape_dialog.mjs';
 import { showSummary } from './summary.mjs';
+import { textTable } from './sortable_table.mjs';
 
-const state = new ReportState(pageData('report-data'));
+function drawTests({ pairs, words }) {
+  byId('tests').querySelector('.stamp').textContent = words;
+  textTable(byId('tests-table'), pairs);
+}
+
+const state = new ReportState(pageData());
 const dialog = new ShapeDialog(state);
 state.openShape = (model) => dialog.open(model);
 
-followTheme();
-drawHead(state.report);
-showChoices(state);
+const { ids, classes, methods, facts, tests } = state.report;
+if (tests.pairs.rows.length === 0) byId('tests').remove();
+drawFrame(state.report, [counted(ids.length, 'model'), counted(classes.length, 'class'),
+  counted(methods.length, 'method'), ...facts.map(([name, value]) => `${name}: ${value}`)]);
+showChoices(state, ['method', 'measure', 'protocol', 'average']);
 showSummary(state);
+if (tests.pairs.rows.length > 0) drawTests(tests);
 const drawCurves = showCurves(state);
 const drawClasses = showClasses(state);
 showHeatMap(state);
@@ -29,7 +40,7 @@ showConfusions(state);
 showQueries(state);
 showGallery(state);
 drawNotes(state.report);
-followScrolling();
+if (ids.includes(linked('query'))) state.openShape(ids.indexOf(linked('query')));
 followResizing(() => {
   drawCurves();
   drawClasses();

@@ -32,6 +32,8 @@ export class ReportState {
   get averageWords() {
     return this.chosen.average === 'micro' ? 'mean over queries (micro)' : 'mean over classes (macro)';
   }
+  get classWords() { return [this.protocolWords, 'mean over the queries of a class']; }
+  get highest() { return 1; } // of the values of classes
   get protocolWords() { return `protocol ${this.evaluation.protocol}`; }
 
   evaluationOf(index) { return this.report.methods[index].evaluations[this.chosen.protocol]; }

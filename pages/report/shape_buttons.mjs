@@ -3,14 +3,9 @@
 import { make } from '../common/elements.mjs';
 import { number } from '../common/words.mjs';
 
-// The picture's address for an img element, or null where the report has none.
-export function pictureAddress({ pictures }, model) {
-  return pictures && pictures.png[model] ? `data:image/png;base64,${pictures.png[model]}` : null;
-}
-
-export function picture(report, model, width = null) {
-  const src = pictureAddress(report, model);
-  if (!src) return make('span', { class: 'blank' });
+export function picture({ pictures }, model, width = null) {
+  if (!pictures || !pictures.png[model]) return make('span', { class: 'blank' });
+  const src = `data:image/png;base64,${pictures.png[model]}`;
   const style = width && `width:${width}px;height:auto`;
   return make('img', { src, alt: '', loading: 'lazy', decoding: 'async', width: 120, height: 96, style });
 }

@@ -1,11 +1,13 @@
 // One shape in a dialog, with its values as a query, its histograms and what is nearest to it.
 
+import { dialogButton, fillDialog } from '../common/dialog.mjs';
 import { byId, choice, make } from '../common/elements.mjs';
+import { link } from '../common/link.mjs';
 import { tooltip } from '../common/tooltip.mjs';
 import { ShapeView } from '../view/shape_view.mjs';
 import { HistogramCharts } from './histograms.mjs';
 import { valueItems } from './queries.mjs';
-import { nearestStrip, picture, pictureAddress } from './shape_buttons.mjs';
+import { nearestStrip, picture } from './shape_buttons.mjs';
 
 const viewNote = 'The shape is simplified; lengths are those of shapes of unit area.';
 
@@ -17,7 +19,9 @@ export class ShapeDialog {
     this.visited = []; // the shape that is shown, last, and those that were looked at before it
     this.turned = null; // that shape, where it can be turned: { model, place, view }
     this.dialog.onclose = () => {
-      if (!this.dialog.open) this.closeView(); // the event may come when the next shape is open
+      if (this.dialog.open) return; // the event may come when the next shape is open
+      this.closeView();
+      link({ query: null });
     };
     state.show(['method', 'protocol'], () => this.redraw());
   }
@@ -25,6 +29,7 @@ export class ShapeDialog {
   open(model) {
     if (!this.dialog.open) this.visited = [];
     this.visited.push(model);
+    link({ query: this.state.report.ids[model] });
     this.draw();
     if (!this.dialog.open) this.dialog.showModal();
     this.dialog.scrollTop = 0;
@@ -36,6 +41,7 @@ export class ShapeDialog {
 
   back() {
     this.visited.pop();
+    link({ query: this.state.report.ids[this.visited[this.visited.length - 1]] });
     this.draw();
   }
 
@@ -49,16 +55,11 @@ export class ShapeDialog {
     const { state } = this;
     const model = this.visited[this.visited.length - 1];
     tooltip.hide();
-    const button = (text, click, kind = null) => make('button', { type: 'button', class: kind, click }, text);
-    const head = make('div', { class: 'dialog-head' },
-      make('h2', { id: 'shape-title' }, `${state.report.ids[model]}, ${state.className(model)}`),
-      this.visited.length > 1 ? button('Back', () => this.back()) : null,
-      button('Close', () => this.dialog.close(), 'close'));
-    const body = make('div', { class: 'dialog-body' },
+    const back = this.visited.length > 1 ? [dialogButton('Back', () => this.back())] : [];
+    fillDialog(this.dialog, [`${state.report.ids[model]}, ${state.className(model)}`], back,
       make('div', { class: 'portrait' }, this.portraitOf(model), this.valuesOf(model)),
       make('h3', {}, 'Nearest ten'), nearestStrip(state, model),
       ...this.histograms.elements(model, state.chosen.method));
-    this.dialog.replaceChildren(head, body);
     if (this.dialog.open) this.dialog.querySelector(focus).focus({ preventScroll: true });
   }
 
@@ -83,8 +84,9 @@ export class ShapeDialog {
     this.closeView();
     const { fields, shapes } = report.views;
     const packed = {
-      ...shapes[model], name: report.ids[model], picture: pictureAddress(report, model),
-      fields: shapes[model].fields.map((field, index) => ({ ...field, name: fields[index].name })),
+      ...shapes[model], name: report.ids[model], picture: report.pictures && report.pictures.png[model],
+      fields: shapes[model].fields.map((field, index) =>
+        ({ ...field, name: fields[index].name, measured: fields[index].measured })),
     };
     const scales = {};
     for (const { name, colours } of fields) if (colours) scales[name] = colours;

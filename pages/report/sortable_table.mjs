@@ -21,6 +21,15 @@ export function sortableTable(place, { caption, columns, rows, sort = null, sort
     make('thead', {}, make('tr', {}, ...head)), make('tbody', {}, ...body)));
 }
 
+// A table of the program's texts; the columns after the first text_columns have numbers.
+export function textTable(place, { header, text_columns: words, rows }, caption = '') {
+  const columns = header.map((title, position) => ({
+    title, numeric: position >= words, text: (row) => row[position],
+    value: (row) => (position < words ? row[position] : parseFloat(row[position].replace('<', ''))),
+  }));
+  sortableTable(place, { caption, columns, rows });
+}
+
 // The rows in the order of a column; alike ones in the order that they had.
 export function sortedRows(rows, columns, sort) {
   if (!sort) return rows;

@@ -21,7 +21,8 @@ export function showSummary(state) {
       return make('span', { class: 'method-name', title: title || null }, swatch(index), name, ...failedNote(index));
     };
     const columns = [{ title: 'Method', text: (index) => report.methods[index].name, cell: methodCell }];
-    if (report.methods.some(({ distance }) => distance)) {
+    const distances = [...new Set(report.methods.map(({ distance }) => distance))];
+    if (distances.length > 1) {
       columns.push({ title: 'Distance', text: (index) => report.methods[index].distance });
     }
     evaluation.measures.forEach((measure, position) => {
@@ -34,8 +35,9 @@ export function showSummary(state) {
     const { intervals } = evaluation;
     const level = intervals && Math.round(1000 * intervals.confidence) / 10;
     const meaning = intervals ? [`Below each value stands its confidence interval (${level} %)`] : [];
-    stamp('summary', [counted(evaluation.queries.length, 'query'), protocolWords, averageWords, 'in percent'],
-      'The best of each column is bold', ...meaning);
+    const sameDistance = distances.length === 1 && distances[0] ? [`distance ${distances[0]}`] : [];
+    stamp('summary', [counted(evaluation.queries.length, 'query'), ...sameDistance, protocolWords, averageWords,
+      'in percent'], 'The best of each column is bold', ...meaning);
     sortableTable(byId('summary-table'), {
       caption: `Retrieval measures, ${protocolWords}, ${averageWords}, percent`, columns, rows: methodIndices,
       sort, sorted: (chosen) => { sort = chosen; },

@@ -1,6 +1,7 @@
 // Drawings as files to keep.
 
 import { make } from '../common/elements.mjs';
+import { saveFile } from '../common/save.mjs';
 
 const keptProperties = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity',
   'opacity', 'font-family', 'font-size', 'font-weight', 'text-anchor', 'display'];
@@ -20,10 +21,6 @@ function svgFile(svg) {
 }
 
 export function saveButton(svg, name) {
-  const save = () => {
-    const address = URL.createObjectURL(new Blob([svgFile(svg)], { type: 'image/svg+xml' }));
-    make('a', { href: address, download: `${name}.svg` }).click();
-    setTimeout(() => URL.revokeObjectURL(address), 10000);
-  };
+  const save = () => saveFile(`${name}.svg`, 'image/svg+xml', svgFile(svg));
   return make('button', { type: 'button', class: 'save', click: save }, 'Download SVG');
 }

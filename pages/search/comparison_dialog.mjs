@@ -1,6 +1,8 @@
 // A query beside one of the shapes that were found, both to be turned together.
 
+import { dialogButton, fillDialog } from '../common/dialog.mjs';
 import { byId, make } from '../common/elements.mjs';
+import { link } from '../common/link.mjs';
 import { tooltip } from '../common/tooltip.mjs';
 import { number } from '../common/words.mjs';
 import { ShapeView } from '../view/shape_view.mjs';
@@ -12,13 +14,17 @@ export class ComparisonDialog {
     this.shapes = shapes;
     this.dialog = byId('comparison');
     this.view = null;
-    this.dialog.onclose = () => this.closeView();
+    this.dialog.onclose = () => {
+      this.closeView();
+      link({ query: null, rank: null });
+    };
   }
 
   // rank: that of the shape, from 0 on; -1: the query alone.
   open(answer, rank) {
     this.answer = answer;
     this.rank = rank;
+    link({ query: this.shapes[answer.query].name });
     this.draw('.close');
     if (!this.dialog.open) this.dialog.showModal();
     this.dialog.scrollTop = 0;
@@ -38,23 +44,18 @@ export class ComparisonDialog {
     const { shapes, answer: { query, nearest }, rank } = this;
     tooltip.hide();
     this.closeView();
+    link({ rank });
     const found = rank < 0 ? null : nearest[rank];
     const shown = (found ? [query, found[0]] : [query]).map((index) => shapes[index]);
-    const words = found ? `, rank ${rank + 1}, distance ${number(found[1])}` : '';
-    const button = (kind, text, click, disabled) =>
-      make('button', { type: 'button', class: kind, click, disabled }, text);
+    const words = found ? `, rank ${rank + 1}, distance ${number(found[1], 3)}` : '';
     const place = make('div');
-    this.dialog.replaceChildren(
-      make('div', { class: 'dialog-head' },
-        make('h2', { id: 'comparison-title' }, shown[shown.length - 1].name, make('span', { class: 'count' }, words)),
-        button('previous', 'Nearer', () => this.step(-1), rank < 1),
-        button('next', 'Farther', () => this.step(1), rank + 1 >= nearest.length),
-        button('close', 'Close', () => this.dialog.close())),
-      make('div', { class: 'dialog-body' }, place));
+    fillDialog(this.dialog, [shown[shown.length - 1].name, make('span', { class: 'count' }, words)], [
+      dialogButton('Nearer', () => this.step(-1), { class: 'previous', disabled: rank < 1 }),
+      dialogButton('Farther', () => this.step(1), { class: 'next', disabled: rank + 1 >= nearest.length }),
+    ], place);
     const drawn = shown.filter((shape) => shape.vertices);
     if (drawn.length === 0) place.append(make('p', {}, 'The file cannot be read any more.'));
-    const packed = drawn.map((shape) => ({ ...shape, picture: `data:image/png;base64,${shape.picture}` }));
-    if (packed.length > 0) this.view = new ShapeView(place, packed, { note });
+    if (drawn.length > 0) this.view = new ShapeView(place, drawn, { note });
     const wanted = this.dialog.querySelector(focus);
     (wanted.disabled ? this.dialog.querySelector('.close') : wanted).focus({ preventScroll: true });
   }

@@ -1,11 +1,13 @@
 // The page of `shapegauge search`: each query with the shapes that are nearest to it.
 
 import { byId, make, pageData } from '../common/elements.mjs';
-import { followTheme } from '../common/theme.mjs';
+import { drawFrame } from '../common/frame.mjs';
+import { linked } from '../common/link.mjs';
 import { number } from '../common/words.mjs';
 import { ComparisonDialog } from './comparison_dialog.mjs';
 
-const { title, version, facts, shapes, answers } = pageData('search-data');
+const page = pageData();
+const { shapes, answers } = page;
 const dialog = new ComparisonDialog(shapes);
 
 const pictureOf = ({ picture }) => (picture ? make('img', { src: `data:image/png;base64,${picture}`, alt: '' })
@@ -23,7 +25,7 @@ function foundItem(answer, rank) {
   const longest = answer.nearest[answer.nearest.length - 1][1];
   const share = longest > 0 ? (100 * distance) / longest : 0;
   return make('li', {}, card(index, { click: () => dialog.open(answer, rank) },
-    make('span', { class: 'note' }, `${rank + 1}. distance ${number(distance)}`),
+    make('span', { class: 'note' }, `${rank + 1}. distance ${number(distance, 3)}`),
     make('span', { class: 'length', style: `width:${share.toFixed(1)}%` })));
 }
 
@@ -36,9 +38,7 @@ function answerOf(answer) {
     make('ol', { class: 'found' }, ...nearest.map((_, rank) => foundItem(answer, rank))));
 }
 
-followTheme();
-byId('title').textContent = title;
-byId('facts').textContent = facts.join(' \u00b7 ');
+drawFrame(page, page.facts);
 byId('answers').replaceChildren(...answers.map(answerOf));
-byId('footer').textContent = `Made by shapegauge ${version}. Everything is in this file. Charts: D3 (BSD licence), ` +
-  'shapes: three.js (MIT licence), both in the source of this page.';
+const asked = answers.find(({ query, failure }) => shapes[query].name === linked('query') && !failure);
+if (asked) dialog.open(asked, Math.min(Number(linked('rank')), asked.nearest.length - 1));

@@ -1,11 +1,15 @@
 // What the colours of a view can show, and on which scale.
 
+import { rampColour, scalePart } from '../common/chart.mjs';
+import { belowColour, unknownColour } from '../common/constants.mjs';
+
 // Fields, parts, normals, the bare shape: { name, kind, of(shape) }, where of() is null for a shape without it.
 export function channelsOf(shapes) {
-  const names = [...new Set(shapes.flatMap(({ fields }) => fields.map(({ name }) => name)))];
-  const fieldNamed = (name) => (shape) => shape.fields.find((field) => field.name === name) || null;
-  const channels = names.map((name) => ({ name, kind: 'values', of: fieldNamed(name) }));
-  if (shapes.some(({ parts }) => parts)) channels.push({ name: 'Parts', kind: 'parts', of: ({ parts }) => parts });
+  const named = (key, kind) => {
+    const names = [...new Set(shapes.flatMap((shape) => shape[key].map(({ name }) => name)))];
+    return names.map((name) => ({ name, kind, of: (shape) => shape[key].find((one) => one.name === name) || null }));
+  };
+  const channels = [...named('fields', 'values'), ...named('parts', 'parts')];
   if (shapes.some(({ directions }) => directions)) {
     channels.push({ name: 'Normals', kind: 'normals', of: ({ directions }) => directions });
   }
@@ -42,4 +46,11 @@ export function binsOf({ low, high, colours }) {
   const [from, to] = colours ? [-0.5, bins - 0.5] : [low, high];
   const edge = (bin) => from + (bin * (to - from)) / bins;
   return { bins, low: from, high: to, edge };
+}
+
+// The colour of a value in what shownBy() returned.
+export function valueColour({ colours, below, ...scale }, value) {
+  if (Number.isNaN(value)) return unknownColour;
+  if (colours) return colours[value];
+  return below !== undefined && value < below ? belowColour : rampColour(scalePart(scale, value));
 }

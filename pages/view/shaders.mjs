@@ -16,7 +16,9 @@ export const vertexShader = `
   varying float vKnown;
   varying vec3 vDirection;
   varying vec3 vNormal;
+  varying vec3 vPosition;
   void main() {
+    vPosition = position;
     vValue = value;
     vKnown = known;
     vDirection = direction;
@@ -24,7 +26,23 @@ export const vertexShader = `
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }`;
 
+// What lies beyond the plane is cut off: dot(cut.xyz, position) > cut.w.
+const cutting = `
+  uniform vec4 cut;
+  varying vec3 vPosition;
+  void cutOff() {
+    if (dot(cut.xyz, vPosition) > cut.w) discard;
+  }`;
+
+export const parityShader = `
+  ${cutting}
+  void main() {
+    cutOff();
+    gl_FragColor = vec4(1.0);
+  }`;
+
 export const fragmentShader = `
+  ${cutting}
   uniform sampler2D colours;
   uniform float levels;
   uniform vec2 range;
@@ -40,6 +58,7 @@ export const fragmentShader = `
   varying vec3 vDirection;
   varying vec3 vNormal;
   void main() {
+    cutOff();
     vec3 colour = ${channels(unknownColour)};
     if (what == ${channelNumbers.values} && vKnown > 0.99) {
       float place = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0);

@@ -45,8 +45,8 @@ export function coordinatesOf({ values, step }) {
 const directionsOf = (text) =>
   Float32Array.from(new Int8Array(bytesOf(text).buffer), (level) => level / directionLevels);
 
-function fieldOf({ name, low, high, from, to, set, log, below, values }) {
-  return { name, from, to, low, high, set, log, below, values: valuesBetween(values, low, high, NaN) };
+function fieldOf({ values, ...field }) {
+  return { ...field, values: valuesBetween(values, field.low, field.high, NaN) };
 }
 
 // The triangles of a cloud: positions of their corners, and the places that the corners belong to.
@@ -76,7 +76,7 @@ function unpackMesh({ triangles, site }, points) {
 }
 
 export function unpackShape(packed) {
-  const { name, note, picture, axes, parts } = packed;
+  const { name, note, picture, axes, parts = [] } = packed;
   const { points, radius } = coordinatesOf(packed.vertices);
   const surface = packed.radii ? unpackCloud(packed, points, radius) : unpackMesh(packed, points);
   return {
@@ -86,6 +86,6 @@ export function unpackShape(packed) {
     ...measureTriangles(surface),
     directions: packed.directions ? directionsOf(packed.directions) : null,
     fields: packed.fields.map(fieldOf),
-    parts: parts ? { values: Float64Array.from(shortsOf(parts.values)), colours: parts.colours } : null,
+    parts: parts.map(({ values, ...rest }) => ({ values: Float64Array.from(shortsOf(values)), ...rest })),
   };
 }

@@ -2,9 +2,13 @@
 // browsers allow few contexts.
 
 import { scalePart } from '../common/chart.mjs';
-import { ramp } from '../common/constants.mjs';
-import { channelNumbers, fragmentShader, vertexShader } from './shaders.mjs';
+import { plainColour, ramp } from '../common/constants.mjs';
+import { valueColour } from './channels.mjs';
+import { measuredLine, Probe } from './probe.mjs';
+import { channelNumbers, fragmentShader, parityShader, vertexShader } from './shaders.mjs';
+import { Section } from './slice.mjs';
 import { cornerNormals } from './surface.mjs';
+import { unit, vectorAt } from './vectors.mjs';
 
 const mostNormalLines = 4000;
 
@@ -15,7 +19,7 @@ export const glRenderer = (() => {
   return () => {
     if (renderer !== undefined) return renderer;
     const canvas = document.createElement('canvas');
-    const settings = { alpha: true, antialias: true };
+    const settings = { alpha: true, antialias: true, stencil: true };
     const context = canvas.getContext('webgl2', settings) || canvas.getContext('webgl', settings);
     renderer = context ? new THREE.WebGLRenderer({ canvas, context, ...settings }) : null;
     if (renderer) renderer.setClearColor(0, 0);
@@ -61,7 +65,7 @@ function geometryOf(shape) {
 function shapeMaterial() {
   const uniforms = {
     colours: null, levels: ramp.length, range: new THREE.Vector2(0, 1), root: false, what: channelNumbers.plain,
-    marking: false, below: 0, lighting: false, lit: new THREE.Vector2(0, 1), unlit: new THREE.Color(0.6, 0.6, 0.6),
+    marking: false, below: 0, cut: new THREE.Vector4(0, 0, 0, 1), lighting: false, lit: new THREE.Vector2(0, 1), unlit: new THREE.Color(0.6, 0.6, 0.6),
   };
   for (const name of Object.keys(uniforms)) uniforms[name] = { value: uniforms[name] };
   return new THREE.ShaderMaterial({ vertexShader, fragmentShader, side: THREE.DoubleSide, uniforms });
@@ -95,7 +99,11 @@ export class DrawnShape {
     this.material = shapeMaterial();
     this.mesh = new THREE.Mesh(geometryOf(shape), this.material);
     this.lines = shape.directions ? normalLines(shape) : null;
-    this.drawn = this.lines ? [this.mesh, this.lines] : [this.mesh];
+    this.section = shape.vertexOf ? new Section(this.mesh.geometry, { cut: this.material.uniforms.cut },
+      { vertexShader, fragmentShader: parityShader }) : null; // a cloud has none
+    this.probe = new Probe();
+    this.drawn = [this.mesh, this.lines, ...(this.section ? this.section.drawn : []), ...this.probe.drawn].filter(Boolean);
+    this.plane = null;
     this.turned = new THREE.Group();
     this.turned.add(...this.drawn);
     this.scene = new THREE.Scene();
@@ -132,8 +140,10 @@ export class DrawnShape {
     uniforms.levels.value = (shown.colours || ramp).length;
   }
 
-  // Sets the colours, as d3.rgb() has them, of what is not lit up and of the lines.
-  setColours(unlit, lines) {
+  // Sets the colours, as d3.rgb() has them, of what is not lit up, of lines, sections, and what was measured.
+  setColours(unlit, lines, section, accent) {
+    this.probe.setColour(accent);
+    if (this.section) this.section.material.color.setRGB(section.r / 255, section.g / 255, section.b / 255);
     this.material.uniforms.unlit.value.setRGB(unlit.r / 255, unlit.g / 255, unlit.b / 255);
     if (this.lines) this.lines.material.color.setRGB(lines.r / 255, lines.g / 255, lines.b / 255);
   }
@@ -143,6 +153,18 @@ export class DrawnShape {
     const { lighting, lit } = this.material.uniforms;
     lighting.value = Boolean(interval);
     if (interval) lit.value.set(this.part(interval[0]) - 1e-6, this.part(interval[1]) + 1e-6);
+  }
+
+  // Cuts the shape by a plane (slice.mjs); null: not.
+  cut(plane) {
+    this.plane = plane;
+    this.material.uniforms.cut.value.set(...(plane ? [...plane.normal, plane.at] : [0, 0, 0, 1]));
+    if (this.section) this.section.show(plane);
+  }
+
+  // Shows what was measured at a place that at() returned: by: 'ball', 'gap' or 'ray'; length: in units of the radius.
+  measure({ point, normal }, by, length) {
+    this.probe.show(measuredLine(point, normal, by, length), by);
   }
 
   // camera: { turn, zoom, shift }, the same for all shapes.
@@ -174,15 +196,59 @@ export class DrawnShape {
   // it with their shares. Null where there is nothing.
   at(x, y) {
     this.caster.setFromCamera(new THREE.Vector2(x, y), this.camera);
-    const [hit] = this.caster.intersectObject(this.mesh);
-    if (!hit) return null;
+    const hits = this.caster.intersectObject(this.mesh).filter(({ point }) => !this.isCutOff(point));
+    const [hit] = hits;
+    if (!hit || this.looksAtSection(hits)) return null;
     const corners = [0, 1, 2].map((k) => 3 * hit.faceIndex + k);
     const places = corners.map((corner) => this.shape.placeOf[corner]);
-    if (this.shape.site !== 'vertex') return { place: places[0], places: [places[0]], shares: [1] };
-    const ends = corners.map((corner) => new THREE.Vector3().fromArray(this.shape.positions, 3 * corner));
     const point = this.mesh.worldToLocal(hit.point.clone());
+    const found = (place, others, shares) =>
+      ({ place, places: others, shares, point: point.toArray(), normal: this.normalAt(place, hit.faceIndex) });
+    if (this.shape.site !== 'vertex') return found(places[0], [places[0]], [1]);
+    const ends = corners.map((corner) => new THREE.Vector3().fromArray(this.shape.positions, 3 * corner));
     const shares = THREE.Triangle.getBarycoord(point, ...ends, new THREE.Vector3()).toArray();
-    return { place: places[shares.indexOf(Math.max(...shares))], places, shares };
+    return found(places[shares.indexOf(Math.max(...shares))], places, shares);
+  }
+
+  isCutOff(point) {
+    if (!this.plane) return false;
+    const { normal, at } = this.plane;
+    return this.mesh.worldToLocal(point.clone()).dot(new THREE.Vector3(...normal)) > at;
+  }
+
+  // Whether the first thing that a ray meets is the section: it enters what is kept by the plane, inside the shape.
+  looksAtSection(hits) {
+    if (!this.plane || !this.section || hits.length % 2 === 0) return false;
+    const normal = new THREE.Vector3(...this.plane.normal).applyQuaternion(this.turned.quaternion);
+    return normal.dot(this.caster.ray.direction) < 0;
+  }
+
+  // The unit normal where values were measured, or that of the face.
+  normalAt(place, face) {
+    const { directions, faceNormals } = this.shape;
+    const own = directions ? vectorAt(directions, 3 * place) : [0, 0, 0];
+    return unit(own.some((x) => x !== 0) ? own : vectorAt(faceNormals, 3 * face));
+  }
+
+  // Positions in lengths of the shape, colours [r, g, b] and values of all corners as they are shown (glb.mjs).
+  coloured(shown) {
+    const { placeOf, positions, radius, name, directions } = this.shape;
+    const channels = (text) => {
+      const { r, g, b } = d3.rgb(text);
+      return [r, g, b];
+    };
+    const colourAt = (place) => {
+      if (shown.kind === 'normals') return vectorAt(directions, 3 * place).map((x) => Math.round(127.5 * (1 + x)));
+      if (shown.kind === 'plain') return channels(plainColour);
+      return channels(valueColour(shown, shown.values[place]));
+    };
+    const colours = Array.from({ length: this.shape.places }, (_, place) => colourAt(place));
+    return {
+      name,
+      positions: positions.map((x) => x * radius),
+      colours: Array.from(placeOf, (place) => colours[place]),
+      values: shown.kind === 'values' ? Float32Array.from(placeOf, (place) => shown.values[place]) : null,
+    };
   }
 
   dispose() {

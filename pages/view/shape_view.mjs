@@ -1,14 +1,18 @@
 // Shapes that can be turned, side by side, with what their colours show: the same in a page of its own and in reports.
 
-import { colourScale, rampColour, scalePart, scaleTicks } from '../common/chart.mjs';
+import { colourScale } from '../common/chart.mjs';
 import { choice, make } from '../common/elements.mjs';
-import { belowColour } from '../common/constants.mjs';
+import { link, linked } from '../common/link.mjs';
+import { saveFile } from '../common/save.mjs';
 import { tipHead, tipLine, tooltip } from '../common/tooltip.mjs';
 import { number } from '../common/words.mjs';
-import { binsOf, channelsOf, scaleOf, shownBy } from './channels.mjs';
+import { binsOf, channelsOf, scaleOf, shownBy, valueColour } from './channels.mjs';
+import { cameraText, readCamera } from './camera.mjs';
+import { glbOf } from './glb.mjs';
 import { cameraAt, regionList } from './regions.mjs';
 import { unpackShape } from './shape_data.mjs';
 import { DrawnShape, glRenderer } from './shape_drawing.mjs';
+import { planeOf, sliceTools } from './slice.mjs';
 import { listenToTurning } from './turning.mjs';
 import { binShares, valueHistogram } from './value_histogram.mjs';
 
@@ -33,10 +37,11 @@ export class ShapeView {
     this.scales = scales;
     this.unit = unit;
     this.channels = channelsOf(this.shapes);
-    this.channel = this.channels[0];
+    this.channel = this.channels.find(({ name }) => name === linked('colours')) || this.channels[0];
+    this.slice = null;
     this.together = true;
     this.lit = null;
-    this.camera = { turn: new THREE.Quaternion(), zoom: 1, shift: new THREE.Vector2() };
+    this.camera = readCamera(linked('camera'));
     this.live = glRenderer() !== null;
     this.words = make('output', { class: 'view-words' });
     this.legend = make('div', { class: 'view-legend' });
@@ -55,6 +60,7 @@ export class ShapeView {
   destroy() {
     document.removeEventListener('themechange', this.onTheme);
     this.resizing.disconnect();
+    link({ camera: null, colours: null });
     for (const { drawn } of this.cells) if (drawn) drawn.dispose();
     this.cells = [];
     tooltip.hide();
@@ -63,17 +69,22 @@ export class ShapeView {
   tools() {
     const change = (values) => {
       Object.assign(this, values, { lit: null });
+      link({ colours: this.channel === this.channels[0] ? null : this.channel.name });
       this.show();
     };
     const names = this.channels.map(({ name }) => name);
-    const parts = [choice('Colours', names, 0, (index) => change({ channel: this.channels[index] }))];
+    const parts = [choice('Colours', names, this.channels.indexOf(this.channel), (index) => change({ channel: this.channels[index] }))];
     if (this.shapes.length > 1) {
       const toggle = (event) => change({ together: event.target.checked });
       const same = make('input', { type: 'checkbox', checked: true, change: toggle });
       parts.push(make('label', { class: 'view-same' }, same, 'Same scale for all'));
     }
-    const reset = () => this.reset();
-    if (this.live) parts.push(make('button', { type: 'button', class: 'view-reset', click: reset }, 'Reset view'));
+    const button = (kind, text, click) => make('button', { type: 'button', class: kind, click }, text);
+    if (this.live) {
+      parts.push(sliceTools(this.slice, (slice) => this.cut(slice)),
+        button('view-reset', 'Reset view', () => this.reset()),
+        button('view-save', 'Download GLB', () => this.save()));
+    }
     return make('div', { class: 'tools' }, ...parts, this.words);
   }
 
@@ -86,12 +97,14 @@ export class ShapeView {
       canvas: make('canvas', { tabindex: 0, role: 'img', 'aria-label': label, hidden: !this.live }),
       bars: make('div', { class: 'chart view-bars' }),
     };
-    const picture = make('img', { alt: `Picture of ${shape.name}`, src: shape.picture, hidden: this.live });
+    const src = `data:image/png;base64,${shape.picture}`;
+    const picture = make('img', { alt: `Picture of ${shape.name}`, src: shape.picture && src, hidden: this.live });
     const note = make('span', { class: 'count' }, shape.note ? ` ${shape.note}` : '');
     cell.figure = make('figure', { class: 'view-cell' },
       make('figcaption', {}, make('b', {}, shape.name), note),
-      make('div', { class: 'view-stage' }, picture, cell.canvas), cell.bars,
-      shape.regions.length ? regionList(shape.regions, (region) => this.goTo(cell, region)) : null);
+      make('div', { class: 'view-stage' }, picture, cell.canvas),
+      make('div', { class: 'view-side' }, cell.bars,
+        shape.regions.length ? regionList(shape.regions, (region) => this.goTo(cell, region)) : null));
     if (this.live) {
       listenToTurning(cell.canvas, {
         turn: (x, y) => this.turn(x, y),
@@ -135,6 +148,22 @@ export class ShapeView {
     this.schedule();
   }
 
+  // Cuts off the half that is towards the viewer at this moment.
+  cut(slice) {
+    this.slice = slice;
+    for (const { drawn } of this.cells) {
+      if (!drawn) continue;
+      const turn = drawn.upright.clone().premultiply(this.camera.turn).inverse();
+      drawn.cut(slice && planeOf(slice, new THREE.Vector3(0, 0, 1).applyQuaternion(turn).toArray()));
+    }
+    this.schedule();
+  }
+
+  save() {
+    const shown = this.cells.map(({ drawn, shown: channel }) => drawn.coloured(channel));
+    saveFile(`${this.shapes[0].name || 'shape'}.glb`, 'model/gltf-binary', glbOf(shown));
+  }
+
   scale(shape) {
     return scaleOf(this.channel, shape, this.together ? this.shapes : [shape], this.scales[this.channel.name]);
   }
@@ -147,7 +176,7 @@ export class ShapeView {
       cell.shown = shownBy(this.channel, cell.shape, this.scale(cell.shape));
       if (cell.drawn) {
         cell.drawn.show(cell.shown);
-        cell.drawn.setColours(dim, d3.rgb(colour('--ink')));
+        cell.drawn.setColours(dim, ...['--ink', '--muted', '--wrong'].map((name) => d3.rgb(colour(name))));
       }
       this.showBars(cell);
     }
@@ -162,12 +191,11 @@ export class ShapeView {
       this.legend.replaceChildren(make('p', { class: 'stamp' }, words));
       return;
     }
-    const ticks = scale.to > scale.from ? scaleTicks(scale) : [scale.from];
-    const unit = this.unit ? ` (${this.unit})` : '';
-    this.legend.replaceChildren(colourScale(`${this.channel.name}${unit}:`, ticks, (value) => scalePart(scale, value),
-      (value) => number(value, 3)));
+    this.legend.replaceChildren(colourScale(this.channelWords, scale));
     if (scale.below !== undefined) this.legend.append(make('p', { class: 'stamp' }, this.thinWords()));
   }
+
+  get channelWords() { return `${this.channel.name}${this.unit && ` (${this.unit})`}`; }
 
   // How much of each shape is thinner than the threshold.
   thinWords() {
@@ -201,17 +229,13 @@ export class ShapeView {
     cell.shares = binShares(shown.values, shape.weights, low, high, bins);
     cell.histogram = valueHistogram(cell.bars, {
       shares: cell.shares, low, high,
-      width: Math.max(260, cell.bars.clientWidth || 420),
       label: `${this.channel.name} of ${shape.name}: share of the area`,
-      colourOf: (bin) => (colours ? colours[bin] : this.colourOf(shown, edge(bin + 0.5))),
-      unit: colours ? '' : this.unit, mark: shown.below,
+      colourOf: (bin) => valueColour(shown, colours ? bin : edge(bin + 0.5)),
+      title: colours ? this.channel.name : this.channelWords, mark: shown.below,
+      size: { width: Math.max(260, cell.bars.clientWidth || 420), height: this.cells.length > 1 || shape.regions.length ? 200 : 420 },
       ticks: colours && d3.range(0, bins, Math.ceil(bins / 12)),
       chosen: (first, last) => this.choose(cell, first, last),
     });
-  }
-
-  colourOf(shown, value) {
-    return shown.below !== undefined && value < shown.below ? belowColour : rampColour(scalePart(shown, value));
   }
 
   // Bins of one histogram: of all of them, where they have the same ones.
@@ -256,16 +280,31 @@ export class ShapeView {
     const known = ({ values }) => hit.places.every((place) => !Number.isNaN(values[place]));
     const words = (field) => (known(field) ? number(valueIn(field)) : 'no value');
     const lines = shape.fields.map((field) => tipLine([field.name], words(field)));
-    if (shape.parts) lines.push(tipLine(['Part'], String(shape.parts.values[hit.place] + 1)));
+    const alone = shape.parts.length === 1;
+    for (const { name, values } of shape.parts) {
+      lines.push(tipLine([alone ? 'Part' : name], String(values[hit.place] + 1)));
+    }
     const head = shape.site === 'vertex' ? shape.name : `${shape.name}, ${shape.site} ${hit.place}`;
     tooltip.show(event.clientX, event.clientY, tipHead(head), ...lines);
     const data = this.channel.of(shape);
     const value = data && data.values && known(data) ? valueIn(data) : null;
+    if (value !== null && data.measured) {
+      drawn.measure(hit, data.measured.by, (value * data.measured.unit) / shape.radius);
+      this.schedule();
+    } else {
+      this.hideProbes();
+    }
     for (const cell of this.cells) if (cell.histogram) cell.histogram.mark(cell.shape === shape ? value : null);
+  }
+
+  hideProbes() {
+    for (const { drawn } of this.cells) drawn.probe.hide();
+    this.schedule();
   }
 
   leave() {
     tooltip.hide();
+    this.hideProbes();
     for (const { histogram } of this.cells) if (histogram) histogram.mark(null);
   }
 
@@ -284,6 +323,7 @@ export class ShapeView {
     this.waiting = true;
     requestAnimationFrame(() => {
       this.waiting = false;
+      link({ camera: cameraText(this.camera) });
       for (const { drawn, canvas } of this.cells) drawn.draw(canvas, this.camera);
     });
   }

@@ -1,6 +1,7 @@
 // The share of the area at each value, in bins that can be brushed.
 
-import { drawing } from '../common/chart.mjs';
+import { drawing, tickCount } from '../common/chart.mjs';
+import { shortened } from '../common/words.mjs';
 
 // Shares of the area in so many bins from low to high; values beyond are in the first and in the last.
 export function binShares(values, weights, low, high, bins) {
@@ -25,10 +26,10 @@ export function selectionAfter(selected, { key, shiftKey }, bins) {
 }
 
 // Draws the bars and axes. Returns the drawing, its bars and the scale of the values.
-function drawBars(place, { shares, low, high, label, width: wanted, colourOf, ticks, unit, mark }) {
+function drawBars(place, { shares, low, high, label, size, colourOf, ticks, title, mark }) {
   const bins = shares.length;
   const { svg, area, width, height } =
-    drawing(place, { width: wanted, height: 170, left: 44, right: 12, top: 8, bottom: unit ? 40 : 26, label });
+    drawing(place, { ...size, left: 60, right: 12, top: 8, bottom: 42, label });
   const x = d3.scaleLinear([low, high > low ? high : low + 1], [0, width]);
   const y = d3.scaleLinear([0, Math.max(...shares) || 1], [height, 0]).nice(3);
   y.domain([0, Math.min(1, y.domain()[1])]);
@@ -36,14 +37,14 @@ function drawBars(place, { shares, low, high, label, width: wanted, colourOf, ti
   const bars = area.append('g').selectAll('rect').data(shares).enter().append('rect')
     .attr('x', (_, bin) => (width * bin) / bins).attr('width', Math.max(0.5, width / bins - 0.5))
     .attr('y', y).attr('height', (share) => height - y(share)).style('fill', (_, bin) => colourOf(bin));
-  const axis = d3.axisBottom(x).ticks(5);
+  const axis = d3.axisBottom(x).ticks(tickCount(width));
   if (ticks) axis.tickValues(ticks).tickFormat((value) => String(value + 1));
   area.append('g').attr('class', 'axis').attr('transform', `translate(0,${height})`).call(axis);
   area.append('g').attr('class', 'axis').call(d3.axisLeft(y).ticks(3, '%'));
-  if (unit) {
-    area.append('text').attr('class', 'unit').attr('x', width / 2).attr('y', height + 36).attr('text-anchor', 'middle')
-      .text(unit);
-  }
+  area.append('text').attr('class', 'title').attr('x', width / 2).attr('y', height + 37).attr('text-anchor', 'middle')
+    .text(shortened(title, width / 7));
+  area.append('text').attr('transform', `translate(-46,${height / 2}) rotate(-90)`).attr('text-anchor', 'middle')
+    .text('Share of the area');
   if (mark >= low && mark <= high) {
     area.append('line').attr('class', 'level threshold').attr('y1', 0).attr('y2', height)
       .attr('x1', x(mark)).attr('x2', x(mark));

@@ -33,7 +33,7 @@ class ViewCommand : public testing::Test {
     return run_executable("view " + arguments + " --replace -o '" + at("page.html") + "'");
   }
   /// Data shown on the page.
-  [[nodiscard]] ordered_json page() const { return test::data_in(text_of(at("page.html")), "view-data"); }
+  [[nodiscard]] ordered_json page() const { return test::data_in(text_of(at("page.html"))); }
   [[nodiscard]] std::vector<std::string> field_names() const {
     std::vector<std::string> names;
     const ordered_json shown = page();

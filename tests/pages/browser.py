@@ -49,10 +49,10 @@ class Browser:
 class Page:
     """A page that is open, and what a reader does with it."""
 
-    def __init__(self, driver, address, data):
+    def __init__(self, driver, address):
         self.driver = driver
         driver.get(address)
-        self.data = json.loads(self.run("return document.getElementById(arguments[0]).textContent", data))
+        self.data = json.loads(self.run("return document.getElementById('page-data').textContent"))
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)
@@ -129,6 +129,17 @@ def check_silence(page):
             continue
         address = message["params"]["request"]["url"]
         expect(address.startswith(("file:", "data:", "blob:")), f"the page asks for {address}")
+
+
+def check_width(page):
+    """No page is wider than a narrow window."""
+    size = page.driver.get_window_size()
+    for width in (1280, 500):
+        page.driver.set_window_size(width, 900)
+        page.drawn()
+        beyond = page.run("return document.documentElement.scrollWidth - window.innerWidth")
+        expect(beyond <= 0, f"the page is {beyond} pixels wider than a window of {width}")
+    page.driver.set_window_size(size["width"], size["height"])
 
 
 def check_theme(page):

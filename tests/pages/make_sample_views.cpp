@@ -8,6 +8,7 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/render/splats.h"
+#include "tests/pages/sample_segmentation.h"
 #include "tests/pages/sample_views.h"
 
 int main(int argument_count, char** arguments) {
@@ -20,6 +21,8 @@ int main(int argument_count, char** arguments) {
   shapegauge::write_file_atomically(folder / "two.html", shapegauge::view_page(shapegauge::test_view::page()));
   shapegauge::write_file_atomically(folder / "search.html",
                                     shapegauge::search_page(shapegauge::test_view::sample_search()));
+  shapegauge::write_file_atomically(folder / "segmentation.html",
+                                    shapegauge::segmentation_page(shapegauge::test_segmentation::sample_page()));
   const shapegauge::ShapeView cloud = shapegauge::test_view::cloud();
   nlohmann::ordered_json corners = nlohmann::ordered_json::array();
   const shapegauge::Shape hexagons = shapegauge::splats(cloud.shape);

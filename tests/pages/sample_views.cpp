@@ -15,9 +15,9 @@ ShapeView balls() {
   thickness.tail(faces).setConstant(0.5);
   view.fields = {{.name = "thickness", .values = thickness, .colours = {.low = 0.5, .high = 2}},
                  {.name = "height", .values = samples.points.col(2), .colours = {.low = -1, .high = 1}}};
-  view.parts.assign(static_cast<std::size_t>(2 * faces), 0);
-  std::fill(view.parts.begin() + faces, view.parts.end(), 1);
-  view.part_colours = {Colour{200, 40, 40}, Colour{40, 40, 200}};
+  std::vector<std::int32_t> labels(static_cast<std::size_t>(2 * faces), 0);
+  std::fill(labels.begin() + faces, labels.end(), 1);
+  view.parts = {{.name = "Parts", .labels = labels, .colours = {Colour{200, 40, 40}, Colour{40, 40, 200}}}};
   view.normals = samples.normals;
   view.regions = {{.text = "small <ball>", .position = {2.25, 0, 0}, .towards_viewer = {1, 0, 0}, .size = 0.5}};
   return view;

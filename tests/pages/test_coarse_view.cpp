@@ -114,14 +114,14 @@ TEST(CoarseView, KeepsWhatEachBallHas) {
   const ShapeView coarse = coarse_view(fine, samples, 400);
   ASSERT_LE(coarse.shape.triangles.rows(), 400);
   const Samples places = sample_shape(coarse.shape, SampleSite::faces);
-  ASSERT_EQ(std::ssize(coarse.parts), places.points.rows());
+  ASSERT_EQ(std::ssize(coarse.parts.front().labels), places.points.rows());
   std::set<std::int32_t> parts;
   for (Eigen::Index i = 0; i < places.points.rows(); ++i) {
     const bool small = places.points(i, 0) > 1.5;
-    EXPECT_EQ(coarse.parts[static_cast<std::size_t>(i)], small ? 1 : 0);
+    EXPECT_EQ(coarse.parts.front().labels[static_cast<std::size_t>(i)], small ? 1 : 0);
     EXPECT_NEAR(coarse.fields[0].values[i], small ? 0.5 : 2, 1e-12);
     EXPECT_NEAR(coarse.fields[1].values[i], places.points(i, 2), 0.12);
-    parts.insert(coarse.parts[static_cast<std::size_t>(i)]);
+    parts.insert(coarse.parts.front().labels[static_cast<std::size_t>(i)]);
   }
   EXPECT_EQ(parts.size(), 2U);
   EXPECT_EQ(coarse_view(fine, samples, 5000).shape.triangles, fine.shape.triangles);

@@ -22,7 +22,7 @@ TEST(LeaderboardPage, NoNameCanBreakThePage) {
 
 TEST(LeaderboardPage, HasTheStandingsOfEveryMethodAndMeasure) {
   const LeaderboardPage& sample = test_leaderboard::sample_leaderboard().page;
-  const auto board = test::data_in(leaderboard_page(sample), "leaderboard-data");
+  const auto board = test::data_in(leaderboard_page(sample));
   ASSERT_EQ(board["methods"].size(), sample.entries.size());
   ASSERT_EQ(board["micro"].size(), sample.micro.size());
   const MethodStanding& third = sample.macro[2][3];

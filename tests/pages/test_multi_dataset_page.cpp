@@ -23,7 +23,7 @@ TEST(MultiDatasetPage, NoNameCanBreakThePage) {
 
 TEST(MultiDatasetPage, HasTheValuesRanksAndGroupsOfEachTable) {
   const auto& sample = test_multi_dataset::sample_multi_dataset();
-  const auto json = test::data_in(multi_dataset_page(sample.page), "multi-dataset-data");
+  const auto json = test::data_in(multi_dataset_page(sample.page));
   ASSERT_EQ(json["tables"].size(), 8U);
   const auto& table = json["tables"][5];
   EXPECT_EQ(table["average"], "micro");

@@ -15,7 +15,7 @@ using testing::Not;
 
 TEST(SearchPage, HasEachShapeOnceAndTheAnswers) {
   const SearchPage page = test_view::sample_search();
-  const nlohmann::ordered_json data = test::data_in(search_page(page), "search-data");
+  const nlohmann::ordered_json data = test::data_in(search_page(page));
   ASSERT_EQ(data["shapes"].size(), 5U);
   EXPECT_EQ(data["shapes"][0]["name"], "query </script>.off");
   EXPECT_EQ(data["shapes"][1]["vertices"], shape_view_json(*page.shapes[1].view)["vertices"]);

@@ -136,9 +136,9 @@ TEST(ShapeViewJson, TheFirstPositionIsThatOfPictures) {
 TEST(ShapeViewJson, PartsAndNormalsAreThereOrNot) {
   const ShapeView view = test_view::balls();
   const Json json = shape_view_json(view);
-  const std::vector<int> parts = shorts_of(json["parts"]["values"]);
-  EXPECT_TRUE(std::equal(parts.begin(), parts.end(), view.parts.begin(), view.parts.end()));
-  EXPECT_EQ(json["parts"]["colours"], (Json{"#c82828", "#2828c8"}));
+  const std::vector<int> parts = shorts_of(json["parts"][0]["values"]);
+  EXPECT_TRUE(std::equal(parts.begin(), parts.end(), view.parts[0].labels.begin(), view.parts[0].labels.end()));
+  EXPECT_EQ(json["parts"][0]["colours"], (Json{"#c82828", "#2828c8"}));
   // From the middle of the box, whose x is from -1 to 2.25.
   EXPECT_EQ(
       json["regions"],
@@ -210,7 +210,7 @@ TEST(ViewPage, NoNameCanBreakIt) {
   EXPECT_EQ(test::occurrences(html, "</script>"), 3U) << "the libraries, the data, the scripts";
   EXPECT_THAT(html, HasSubstr("<title>Balls &amp; &lt;clouds&gt; "));
   EXPECT_THAT(html, Not(HasSubstr("<b>balls")));
-  const auto data = test::data_in(html, "view-data");
+  const auto data = test::data_in(html);
   EXPECT_EQ(data["shapes"][0]["name"], test_view::balls().name);
   EXPECT_EQ(data["missing"][0], "broken<i>.off");
 }

@@ -26,7 +26,7 @@ test('corners by their distance from the next unused vertex', () => {
 
 test('a scale that is set is not shared, and keeps its logarithm and threshold', () => {
   const field = { name: 'a', from: 1, to: 100, low: 0.5, high: 200, set: true, log: true, below: 2 };
-  const [channel] = channelsOf([{ fields: [field] }]);
+  const [channel] = channelsOf([{ fields: [field], parts: [] }]);
   const other = { fields: [{ name: 'a', from: 0, to: 9, low: 0, high: 9 }] };
   assert.deepEqual(scaleOf(channel, { fields: [field] }, [{ fields: [field] }, other]),
     { from: 1, to: 100, low: 0.5, high: 200, log: true, below: 2 });
@@ -63,7 +63,7 @@ test('a mesh has the area of each face and its values', () => {
   near(shape.weights.subarray(0, half).reduce((sum, weight) => sum + weight), 16 / 17, 1e-4);
   assert.deepEqual([...new Set(shape.fields[0].values.subarray(0, half))], [2]);
   assert.deepEqual([...new Set(shape.fields[0].values.subarray(half))], [0.5]);
-  assert.deepEqual([...new Set(shape.parts.values.subarray(half))], [1]);
+  assert.deepEqual([...new Set(shape.parts[0].values.subarray(half))], [1]);
   for (let face = 0; face < shape.places; face += 7) { // the normals point outwards, and are those of the program
     assert.ok(dot(vectorAt(shape.faceNormals, 3 * face), unit(vectorAt(shape.directions, 3 * face))) > 0.999);
   }
@@ -113,7 +113,7 @@ test('keys move and widen the selected bins', () => {
 
 test('shapes share a scale, have their own, or one that is given', () => {
   const field = (k) => ({ name: 'f', from: k, to: k + 1, low: k - 1, high: k + 2, values: [] });
-  const shapes = [0, 1].map((k) => ({ fields: [field(k)] }));
+  const shapes = [0, 1].map((k) => ({ fields: [field(k)], parts: [] }));
   const [channel, nothing] = channelsOf(shapes);
   assert.deepEqual(scaleOf(channel, shapes[0], shapes), { from: 0, to: 2, low: -1, high: 3 });
   assert.deepEqual(scaleOf(channel, shapes[1], [shapes[1]]), { from: 1, to: 2, low: 0, high: 3 });

@@ -12,9 +12,9 @@ inline std::size_t occurrences(const std::string& text, const std::string& word)
   return found;
 }
 
-/// Data for the scripts, in the element of the id.
-inline nlohmann::ordered_json data_in(const std::string& page, const std::string& id) {
-  const std::string opening = "id=\"" + id + "\">";
+/// Data for the scripts.
+inline nlohmann::ordered_json data_in(const std::string& page) {
+  const std::string opening = R"(id="page-data">)";
   const std::size_t begin = page.find(opening) + opening.size();
   return nlohmann::ordered_json::parse(page.substr(begin, page.find("</script>", begin) - begin));
 }

@@ -30,7 +30,7 @@ TEST(WriteSite, HasThePageTheTablesAndAPageOfEachMethod) {
     EXPECT_TRUE(fs::exists(site / name)) << name;
   }
   EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("methods/good.html"));
-  EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("report-data"));
+  EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("shapegauge report"));
 }
 
 TEST(WriteSite, WritesOnlyPagesOfSubmissionsThatChanged) {
@@ -84,7 +84,7 @@ TEST(WriteSite, CompletesWhatAnInterruptedCallLeft) {
   fs::remove_all(site / "methods" / "good.html");
   test::write_text(site / "methods/good.html", "half");
   update(small, site);
-  EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("report-data"));
+  EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("shapegauge report"));
 
   // The earlier submission again: its page is not taken for the one of before the interruption.
   small.add("good.csv", test_board::small_matrix(0));

@@ -49,10 +49,10 @@ TEST(SegmentationReport, ShowsTheLargestErrorsFirstAndTheMedianShapeOfAClass) {
   const SegmentationPage page = segmentation_report(shown);
   EXPECT_EQ(page.title, "hands");
   EXPECT_EQ(page.description, "of people");
-  EXPECT_EQ(page.shapes, 4U);
-  EXPECT_EQ(page.classes, 2U);
+  EXPECT_THAT(page.labels, ElementsAre(0, 0, 0, 1));
+  EXPECT_THAT(page.classes, ElementsAre("a", "b"));
   EXPECT_THAT(titles(page.shown), ElementsAre("4 (b)", "2 (a)", "3 (a)", "1 (a)"));
-  EXPECT_THAT(titles(page.typical), ElementsAre("3 (a)", "4 (b)"));
+  EXPECT_THAT(page.typical, ElementsAre(2, 0));
   EXPECT_THAT(page.failures, ElementsAre(std::pair<std::string, std::string>("five", "it is broken")));
 }
 
@@ -71,9 +71,9 @@ TEST(SegmentationReport, HasTheMeanErrorOfEachMethodByClass) {
   const SegmentationPage page = segmentation_report(shown);
   ASSERT_TRUE(page.errors);
   EXPECT_THAT(page.errors->methods, ElementsAre("best", "paper", people_name));
-  ASSERT_EQ(page.errors->classes.size(), 2U);
-  EXPECT_DOUBLE_EQ(page.errors->classes[0].errors[0], 0.2);
-  EXPECT_DOUBLE_EQ(page.errors->classes[1].errors[1], 0.2);
+  ASSERT_EQ(page.errors->by_class.size(), 2U);
+  EXPECT_DOUBLE_EQ(page.errors->by_class[0][0], 0.2);
+  EXPECT_DOUBLE_EQ(page.errors->by_class[1][1], 0.2);
 }
 
 TEST(SegmentationReport, WithoutPeopleOrPicturesTheirPartsAreAbsent) {
