@@ -47,7 +47,7 @@ struct RerankArguments {
 };
 
 /// Number of models above which the sparse solver is used, and the matrix need not be in memory.
-constexpr Eigen::Index most_dense = 5000;
+constexpr Eigen::Index max_dense = 5000;
 
 /// Runs the work until Ctrl-C, after catch_interruption(). Throws Interrupted.
 void run_until_interrupted(const std::function<void()>& work) {
@@ -89,7 +89,7 @@ int run(const RerankArguments& arguments) {
   const ParameterValues values =
       parameter_values(method.parameters, arguments.settings, fmt::format("--method {}", method.name));
   const OpenMatrix matrix = open_matrix(arguments.distances, TableShape::square);
-  const bool by_rows = arguments.sparse || (matrix.rows > most_dense && method.name == "diffusion" && format == ".npy");
+  const bool by_rows = arguments.sparse || (matrix.rows > max_dense && method.name == "diffusion" && format == ".npy");
   if (arguments.sparse && (method.name != "diffusion" || format != ".npy")) {
     throw InputError("--sparse requires --method diffusion and a .npy output");
   }

@@ -20,7 +20,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::size_t most_by_name = 10;
+constexpr std::size_t max_by_name = 10;
 
 void print_lines(const std::vector<std::string>& names, std::string_view verdict) {
   for (const std::string& name : names) print_output("{:<14}{}\n", verdict, printable(name));
@@ -29,7 +29,7 @@ void print_lines(const std::vector<std::string>& names, std::string_view verdict
 }  // namespace
 
 void warn_of_changed_inputs(const std::vector<std::string>& changes) {
-  const std::size_t named = std::min(changes.size(), most_by_name);
+  const std::size_t named = std::min(changes.size(), max_by_name);
   for (std::size_t i = 0; i < named; ++i) warn("input: " + changes[i]);
   if (named < changes.size()) {
     warn(fmt::format("{} more inputs differ from the recorded ones", changes.size() - named));
@@ -45,7 +45,7 @@ int report_replay(const nlohmann::json& recorded, const std::filesystem::path& r
   print_lines(outputs.timings, "not compared");
   print_lines(changed_program(recorded), "program");
   const std::vector<std::string> inputs = changed_inputs(recorded, now.at("inputs"));
-  const std::size_t named = std::min(inputs.size(), most_by_name);
+  const std::size_t named = std::min(inputs.size(), max_by_name);
   print_lines({inputs.begin(), inputs.begin() + static_cast<std::ptrdiff_t>(named)}, "input");
   if (named < inputs.size()) print_output("{:<14}and {} more\n", "input", inputs.size() - named);
   const std::size_t all = outputs.same.size() + outputs.different.size();

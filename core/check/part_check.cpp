@@ -95,7 +95,7 @@ std::vector<std::vector<std::int32_t>> connected(const std::vector<ThinCell>& ce
   return members;
 }
 
-double least_of(const ThinCell& cell) {
+double min_of(const ThinCell& cell) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::optional<double>& diameter : cell.diameters) least = std::min(least, diameter.value_or(least));
   return least;
@@ -126,7 +126,7 @@ double median_of(std::span<const ThinCell> cells, std::span<const std::int32_t> 
   double total = 0;
   for (const std::int32_t i : members) {
     const ThinCell& cell = cells[static_cast<std::size_t>(i)];
-    const double least = least_of(cell);
+    const double least = min_of(cell);
     const auto& [a, b, c] = cell.diameters;
     add_diameters({a.value_or(least), b.value_or(least), c.value_or(least)}, cell.area, 3, diameters);
     total += cell.area;
@@ -161,9 +161,9 @@ ThinRegion region_of(std::span<const ThinCell> cells, const std::vector<std::int
 /// Adds the smallest ball of a region.
 void measure_least(const CellSampler& sampler, std::span<const ThinCell> cells,
                    const std::vector<std::int32_t>& members, ThinRegion& region) {
-  const auto value = [&](std::int32_t i) { return least_of(cells[static_cast<std::size_t>(i)]); };
+  const auto value = [&](std::int32_t i) { return min_of(cells[static_cast<std::size_t>(i)]); };
   const MeasuredPoint least =
-      sampler.least_near(cells[static_cast<std::size_t>(*std::ranges::min_element(members, {}, value))]);
+      sampler.min_near(cells[static_cast<std::size_t>(*std::ranges::min_element(members, {}, value))]);
   region.least = least.ball.diameter;
   region.position = least.position;
   region.opposite = least.ball.contact;
@@ -215,8 +215,8 @@ CheckedSurface surface_of(const CheckedSide& walls, const CheckedSide& gaps) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     double fraction = std::numeric_limits<double>::infinity();
     const auto origin = static_cast<std::size_t>(cells[i].origin);
-    if (origin < walls.cells.thin.size()) fraction = least_of(walls.cells.thin[origin]) / walls.found.limit;
-    if (i < gaps.cells.thin.size()) fraction = std::min(fraction, least_of(gaps.cells.thin[i]) / gaps.found.limit);
+    if (origin < walls.cells.thin.size()) fraction = min_of(walls.cells.thin[origin]) / walls.found.limit;
+    if (i < gaps.cells.thin.size()) fraction = std::min(fraction, min_of(gaps.cells.thin[i]) / gaps.found.limit);
     if (std::isfinite(fraction)) surface.fractions[static_cast<Eigen::Index>(i)] = fraction;
   }
   return surface;

@@ -14,7 +14,7 @@ namespace shapegauge {
 namespace {
 
 /// Number of cells of the largest size on the whole surface, beyond which spacing() is larger than the limit.
-constexpr double most_cells = 250'000;
+constexpr double max_cells = 250'000;
 
 /// Index of the corner at which the longest side begins.
 std::size_t longest_side(const Cell& cell) {
@@ -77,7 +77,7 @@ CellSampler::CellSampler(const Shape& mesh, const TouchingBalls& balls, BallSide
       side_(side),
       limit_(limit),
       parallel_(parallel),
-      spacing_(std::max(limit, std::sqrt(surface_area(mesh) / most_cells))) {}
+      spacing_(std::max(limit, std::sqrt(surface_area(mesh) / max_cells))) {}
 
 DividedCells CellSampler::divide(std::vector<Cell> pending) const {
   constexpr std::size_t batch_size = 65536;
@@ -154,7 +154,7 @@ double CellSampler::share_below(const ThinCell& thin) const {
   return below == 1 ? triangle : 1 - triangle;
 }
 
-MeasuredPoint CellSampler::least_near(const ThinCell& thin) const {
+MeasuredPoint CellSampler::min_near(const ThinCell& thin) const {
   const double finest = 1e-3 * limit_;
   std::optional<MeasuredPoint> least;
   // Returns the smallest diameter in a cell, and keeps the least of all.

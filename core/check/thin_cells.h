@@ -62,7 +62,7 @@ class CellSampler {
   [[nodiscard]] DividedCells divide(std::vector<Cell> cells) const;
 
   /// Returns the smallest ball near a thin cell: descends into the half with the smaller one.
-  [[nodiscard]] MeasuredPoint least_near(const ThinCell& thin) const;
+  [[nodiscard]] MeasuredPoint min_near(const ThinCell& thin) const;
 
   [[nodiscard]] double limit() const { return limit_; }
 

@@ -18,9 +18,9 @@ double half_width_at(const TriangleBVH& tree, const Eigen::Vector3d& point, cons
                      double radius) {
   constexpr double touching = 1e-9;
   constexpr double inside = 1 - 1e-6;
-  constexpr int most_contacts = 64;
+  constexpr int max_contacts = 64;
   double half_width = 0;
-  for (int contact = 0; contact < most_contacts && radius > touching; ++contact) {
+  for (int contact = 0; contact < max_contacts && radius > touching; ++contact) {
     const std::optional<ClosestHit> hit = tree.closest(point + radius * direction, radius);
     if (!hit || !(hit->distance < inside * radius)) return half_width;
     const Eigen::Vector3d across = hit->point - point;

@@ -21,9 +21,9 @@ double rounded_up(double value) {
 
 /// Recommends a remedy for gaps wider than the offset.
 std::string advice(const ChosenOffset& chosen) {
-  constexpr double most_advised = 0.2;  // beyond it, little of the shape is left
+  constexpr double max_advised = 0.2;  // beyond it, little of the shape is left
   const double enough = rounded_up(offset_per_gap * chosen.gap);
-  if (enough > most_advised) return "no small offset closes it: fill it, or measure more points of a cloud";
+  if (enough > max_advised) return "no small offset closes it: fill it, or measure more points of a cloud";
   const bool automatic_is_enough = !chosen.automatic && enough <= largest_automatic_offset;
   return fmt::format("use `offset={:.2g}`{}", enough, automatic_is_enough ? " or `offset=auto`" : "");
 }

@@ -156,12 +156,12 @@ std::optional<std::string> chance_warning(const Evaluation& evaluation, const Ma
 
 std::optional<std::string> left_out_warning(const Evaluation& evaluation, const RetrievalTask& task,
                                             const EvaluationOptions& options) {
-  if (evaluation.models_left_out == 0) return std::nullopt;
+  if (evaluation.excluded_models == 0) return std::nullopt;
   return task.judged.empty()
              ? fmt::format("omitted as queries: {} of classes with fewer than {} models",
-                           count_text(evaluation.models_left_out, "model", "models"), options.minimum_class_size)
+                           count_text(evaluation.excluded_models, "model", "models"), options.minimum_class_size)
              : fmt::format("omitted from all scores: {} with fewer than {} relevant models",
-                           count_text(evaluation.models_left_out, "query", "queries"), options.minimum_class_size - 1);
+                           count_text(evaluation.excluded_models, "query", "queries"), options.minimum_class_size - 1);
 }
 
 }  // namespace shapegauge

@@ -13,7 +13,7 @@ namespace shapegauge {
 namespace {
 
 /// Maximum number of models whose distances by a term are kept in memory, which takes half the time.
-constexpr std::size_t most_in_memory = 10'000;
+constexpr std::size_t max_in_memory = 10'000;
 
 DistanceMatrix whole_matrix(const SearchMethod& method, std::size_t term, const Signatures& table) {
   const SignatureConfiguration& signature = method.configuration.signatures[method.terms[term]];
@@ -53,7 +53,7 @@ std::vector<NamedDistance> distances_of(const SearchMethod& method) {
 
 CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control) {
   const std::size_t models = index.models.size();
-  const bool in_memory = models <= most_in_memory;
+  const bool in_memory = models <= max_in_memory;
   std::optional<TermDistances> now;  // one at a time
   std::size_t term = method.terms.size();
   std::vector<RowSource> terms;
@@ -91,7 +91,7 @@ NearestModels nearest_in(const SearchMethod& method, const ShapeIndex& index, in
   std::vector<TermDistances> terms;
   for (std::size_t k = 0; k < method.terms.size(); ++k) {
     control.progress("neighbours", k, 2 * method.terms.size());
-    const bool in_memory = index.models.size() * method.terms.size() <= most_in_memory;
+    const bool in_memory = index.models.size() * method.terms.size() <= max_in_memory;
     terms.emplace_back(method, k, index.tables[k], in_memory);
   }
   const auto models = std::ssize(index.models);

@@ -159,7 +159,7 @@ class SegmentationJob {
     ShapeView view{.name = "", .shape = mesh_};
     const SurfaceGraph graph = surface_graph(mesh_);
     const auto add = [&](const std::string& name, const Labels& labels) {
-      const Labels numbers = renumbered(labels);
+      const Labels numbers = renumber_labels(labels);
       const std::vector<Colour> colours = colour_of_each_label(graph, numbers);
       result.pictures.push_back(picture(numbers, colours));
       view.parts.push_back({.name = name, .labels = numbers, .colours = colours});
@@ -258,7 +258,7 @@ void run_stages(const RunContext& context, SegmentationResults& results) {
   std::map<std::size_t, CutShape> cut;
   std::mutex mutex;
   const bool stop = results.experiment.on_error == OnError::stop;
-  const Eigen::Index view_faces = all.size() <= most_models_with_views ? faces_of_views(all.size()) : 0;
+  const Eigen::Index view_faces = all.size() <= max_models_with_views ? faces_of_views(all.size()) : 0;
   const std::vector<ModelFailure> failed = for_each_model(all, "shapes", stop, context.control, [&](std::size_t i) {
     SegmentationJob job(results.experiment, results.benchmark.models[i], i, context.cache);
     job.evaluate(view_faces);

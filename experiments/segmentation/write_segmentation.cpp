@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -26,7 +27,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string summary(const SegmentationResults& results, std::string (*text)(const TextTable&)) {
+std::string summary(const SegmentationResults& results, const std::function<std::string(const TextTable&)>& text) {
   if (!results.has_people) return text(consistency_table(results));
   std::vector<std::string> tables{text(mean_table(results.scores)), text(class_table(results.scores))};
   if (const TextTable moved = moved_table(results); !moved.rows.empty()) tables.push_back(text(moved));
@@ -165,7 +166,7 @@ std::vector<std::string> notes_of(const SegmentationResults& results) {
 RunOutcome write_segmentation(const RunResults& to, const SegmentationResults& results) {
   to.manifest = manifest_entries(results);
   to.execution = execution_entries(results);
-  RunOutcome outcome{.summary = summary(results, to_plain_text),
+  RunOutcome outcome{.summary = summary(results, [](const TextTable& table) { return to_plain_text(table); }),
                      .notes = notes_of(results),
                      .left_out = results.failures,
                      .used = results.shapes.size(),

@@ -142,7 +142,7 @@ std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, st
                                            : first_histogram_of(fields[i], configuration.signatures).value();
     ViewedField& field =
         viewed.emplace_back(ViewedField{.name = configuration.signatures[signature].name, .colours = {}});
-    if (plan[i].field.dimension == FieldDimension::length) field.measured_by = measured_by(plan[i].field.settings.type);
+    if (fields[i].dimension == FieldDimension::length) field.measured_by = measured_by(fields[i].settings.type);
     if (pictured)
       field.colours = configuration.report.picture_options.range;
     else if (configuration.signatures[signature].histogram.range != HistogramRange::per_shape) {

@@ -217,7 +217,7 @@ OpenedModel open_model(const Dataset& dataset, std::size_t model, const Configur
 
 /// Describes a model; `read` returns the shape of its file.
 ModelDescription describe_opened(const Dataset& dataset, std::size_t model, const OpenedModel& opened,
-                                 const Configuration& configuration, std::span<const PlannedField> plan, bool parallel,
+                                 const Configuration& configuration, std::span<const Field> fields, bool parallel,
                                  Cache& cache, const std::function<Shape(const ShapeSource&)>& read) {
   const auto perturbed = [&] {
     return perturb_model(read(opened.file), configuration.perturbations, configuration.seed, dataset.models[model].id,

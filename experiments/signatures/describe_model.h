@@ -104,7 +104,7 @@ ModelDescription without_values(ModelDescription model);
 
 /// Notes in the cache, for is_described(), that some results of a model cannot be computed.
 void note_failure(const Dataset& dataset, std::size_t model, const Configuration& configuration,
-                  std::span<const PlannedField> plan, Cache& cache);
+                  std::span<const Field> fields, Cache& cache);
 
 /// Returns the values kept by a description.
 ScalarField kept_field(const FieldDescription& field);
