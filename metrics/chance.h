@@ -6,7 +6,7 @@
 
 namespace shapegauge {
 
-/// Nearest neighbours of all queries beside those of a random order of the targets.
+/// Nearest neighbours of all queries, compared with those of a random order of the targets.
 struct NearestByChance {
   double found = 0;        ///< mean NN
   double expected = 0;     ///< mean NN of a random order

@@ -102,7 +102,7 @@ Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels,
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
 /// Streaming version of evaluate(), for matrices that do not fit into memory. Requests blocks of a few hundred rows
-/// sequentially. The result is equal to the bit. Throws as above.
+/// sequentially. The result is bit-identical. Throws as above.
 Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
 /// Evaluates ranked answers, one per row of the task. Memory is proportional to their models. Throws ArgumentError for

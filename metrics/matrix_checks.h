@@ -23,7 +23,7 @@ struct MatrixFindings {
   Eigen::Index rows_nearest_to_others = 0;
   Eigen::Index rows_at_zero = 0;  ///< rows whose smallest entry off the diagonal is 0 and not the largest
   std::vector<std::pair<Eigen::Index, Eigen::Index>>
-      equal_rows;  ///< rows that repeat an earlier one, each with that one
+      equal_rows;  ///< pairs of a row and the earlier row that it repeats
   std::vector<Eigen::Index>
       constant_rows;  ///< rows whose entries off the diagonal are all equal, but not infinite_rows
   std::vector<Eigen::Index> infinite_rows;  ///< rows whose entries off the diagonal are all infinite and positive

@@ -49,7 +49,7 @@ std::string page_constants_script() {
   add("Edges up to this angle are shaded smoothly.", "smoothEdgeDegrees", fmt::format("{}", smooth_edge_degrees));
   add("Light of pictures: its direction (right, up, towards the viewer), and how much a surface has of it.", "shading",
       fmt::format("{{\n  light: [{}, {}, {}], wrap: {}, ambient: {}, wrapped: {}, frontal: {},\n}}", light_right,
-                  light_up, light_towards, light_wrap, ambient_part, wrapped_fraction, frontal_part));
+                  light_up, light_towards, light_wrap, ambient_fraction, wrapped_fraction, frontal_fraction));
   add("Colours of no value, and of a shape without colours.", "unknownColour",
       fmt::format("'{}'", css_colour(colour_of(std::numeric_limits<double>::quiet_NaN()))));
   script += fmt::format("export const plainColour = '{}';\n", css_colour(plain_colour));

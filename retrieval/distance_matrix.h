@@ -33,7 +33,7 @@ void check_signatures(const SignatureBlock& block, const NamedDistance& distance
 DistanceMatrix distances_between(const NamedDistance& distance, const SignatureBlock& some,
                                  const SignatureBlock& others);
 
-/// Streaming version of distance_matrix(): computes `count` rows from `first` on, equal to the bit. Parallel. Throws
+/// Streaming version of distance_matrix(): computes `count` rows from `first` on, bit-identical. Parallel. Throws
 /// ArgumentError as check_signatures() does, and for rows out of range.
 DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
                              const NamedDistance& distance);

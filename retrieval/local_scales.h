@@ -19,8 +19,8 @@ struct LocalScales {
   /// Computes the scales from mean_distance_to_nearest() of each model.
   static LocalScales of_means(const Eigen::VectorXd& means);
 
-  /// Returns the square root of the scale of a model with that mean distance to its nearest. The model need not belong
-  /// to the collection.
+  /// Returns the square root of a model's scale, given its mean distance to its nearest neighbours. The model need not
+  /// belong to the collection.
   [[nodiscard]] double root_of(double mean) const;
 
   /// Scales the distances between the models and one whose root is `root`.

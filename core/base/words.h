@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-/// Words of enumerations in files, options and messages: one list beside each enumeration.
+/// Words of enumerations in files, options and messages: one list next to each enumeration.
 
 namespace shapegauge {
 
-/// Names of the values 0, 1, 2, ... of an enumeration. Specialised beside each enumeration that has words.
+/// Names of the values 0, 1, 2, ... of an enumeration. Specialised next to each enumeration that has words.
 template <typename Enumeration>
 inline constexpr std::array<std::string_view, 0> words_of{};
 

@@ -57,9 +57,9 @@ class AtomicFile {
 /// first, AtomicFile::publish() then fails instead of replacing it.
 void expect_new_file(const std::filesystem::path& path, bool is_new);
 
-/// Writes a file atomically: to a new file beside `path`, renamed when complete. An existing file stays unchanged until
-/// then and after any failure, and an interrupted program leaves no partial file under that name. After a power failure
-/// this holds only with Flush::yes. The new file has the permissions of the existing one.
+/// Writes a file atomically: to a new file next to `path`, renamed when complete. An existing file stays unchanged
+/// until then and after any failure, and an interrupted program leaves no partial file under that name. After a power
+/// failure this holds only with Flush::yes. The new file has the permissions of the existing one.
 ///
 /// Follows symbolic links. Writes directly to anything that is not a regular file (/dev/stdout, a pipe). The folder
 /// must exist. Throws InputError "cannot write <path>: <reason>" if the file cannot be written.

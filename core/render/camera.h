@@ -13,7 +13,7 @@ struct RenderOptions {
   Eigen::Vector3d towards_viewer = {0.6, 0.45, 1};  ///< direction from the shape to the viewer; any length but 0
   Eigen::Vector3d up = {0, 1, 0};                   ///< direction that is vertical in the image; any length but 0
   double margin = 0.04;                             ///< fraction of the width and height left empty on every side
-  int rays_per_side = 3;     ///< a pixel is the mean of a square grid of rays with this many a side
+  int rays_per_side = 3;     ///< a pixel is the mean of a square grid of rays with this many rays per side
   bool transparent = false;  ///< transparent background instead of white
 };
 

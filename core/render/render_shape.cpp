@@ -229,8 +229,8 @@ class Scene {
   [[nodiscard]] static double shade(Eigen::Vector3d normal, const Camera& camera) {
     if (normal.dot(camera.forward) > 0) normal = -normal;
     const double wrapped = (normal.dot(camera.light) + light_wrap) / (1 + light_wrap);
-    return ambient_part + wrapped_fraction * std::max(0.0, wrapped) +
-           frontal_part * std::max(0.0, -normal.dot(camera.forward));
+    return ambient_fraction + wrapped_fraction * std::max(0.0, wrapped) +
+           frontal_fraction * std::max(0.0, -normal.dot(camera.forward));
   }
 
   const Shape& shape_;

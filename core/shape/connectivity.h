@@ -39,7 +39,7 @@ class DisjointSets {
     while (parent_.size() < size) parent_.push_back(static_cast<std::int32_t>(parent_.size()));
   }
 
-  /// Returns the least number in the set of i.
+  /// Returns the smallest number in the set of i.
   std::int32_t find(std::int32_t i) {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;

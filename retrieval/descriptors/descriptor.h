@@ -22,7 +22,7 @@ class ProxySource;
 /// Settings of a descriptor.
 struct DescriptorSettings {
   ParameterValues values;             ///< values of Descriptor::parameters
-  std::vector<ParameterValues> axes;  ///< values of Descriptor::axis_parameters, one set a field
+  std::vector<ParameterValues> axes;  ///< values of Descriptor::axis_parameters, one set per field
 };
 
 /// Input of a descriptor.
@@ -69,8 +69,8 @@ bool needs_learning(const Descriptor& descriptor, const DescriptorSettings& sett
 
 /// Computes the features of one shape and validates them; `learnt` is for descriptors that learn. Throws InputError if
 /// there are no features or some are not finite, and as `describe` does.
-Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& input, const LearntFeatures& learnt,
-                                 const DescriptorSettings& settings);
+Eigen::VectorXf compute_features(const Descriptor& descriptor, const DescriptorInput& input,
+                                 const LearntFeatures& learnt, const DescriptorSettings& settings);
 
 /// Computes all pairwise distances of features, one shape per row. Parallel, with the same bytes for any number of
 /// threads. Throws InputError for a feature that is not finite.
