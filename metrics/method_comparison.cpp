@@ -47,7 +47,7 @@ double p_value(const Eigen::VectorXd& differences, const UnitValues& units, cons
                double observed, const ComparisonOptions& options) {
   switch (options.test) {
     case PairTest::t:
-      return paired_t_test(contributions(differences, units.weights)).p;
+      return paired_t_p_value(contributions(differences, units.weights));
     case PairTest::bootstrap:
       return bootstrap_p_value(resampled, observed);
     case PairTest::randomisation:
@@ -75,7 +75,7 @@ double class_p_value(const Eigen::VectorXd& differences, std::span<const int> cl
   const Eigen::VectorXd means = units_of(differences, classes, ResamplingUnit::classes, Average::macro).values;
   if (means.size() < 2 || means.mean() * differences.mean() <= 0) return 1;
   const bool equal = (means.array() - means[0]).abs().maxCoeff() <= score_rounding * std::abs(means[0]);
-  return equal ? std::pow(2.0, 1.0 - static_cast<double>(means.size())) : paired_t_test(means).p;
+  return equal ? std::pow(2.0, 1.0 - static_cast<double>(means.size())) : paired_t_p_value(means);
 }
 
 double min_class_effect(std::size_t classes, std::size_t pairs, double alpha) {

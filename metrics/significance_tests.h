@@ -16,17 +16,11 @@ namespace shapegauge {
 double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::VectorXd& weights,
                              const ResamplingOptions& options = {});
 
-/// Result of a paired t-test.
-struct PairedT {
-  double t = 0;  ///< infinite if all differences are equal and not 0
-  int degrees_of_freedom = 0;
-  double p = 1;  ///< two-sided; 1 if all differences are 0
-};
-
-/// Student's t-test of the mean of paired differences against 0, two-sided ("Student", Biometrika 6, 1908). Assumes
-/// independent differences and a normally distributed mean. For values between 0 and 1 with many ties the latter holds
-/// from some dozens of differences on. Throws ArgumentError for fewer than two differences.
-PairedT paired_t_test(const Eigen::VectorXd& differences);
+/// Computes the two-sided p-value of Student's t-test of the mean of paired differences against 0 ("Student",
+/// Biometrika 6, 1908). 1 if all differences are 0, 0 if they are equal and not 0. Assumes independent differences and
+/// a normally distributed mean. For values between 0 and 1 with many ties the latter holds from some dozens of
+/// differences on. Throws ArgumentError for fewer than two differences.
+double paired_t_p_value(const Eigen::VectorXd& differences);
 
 /// Computes p-values of all pairs of methods by randomised Tukey HSD ("honestly significant differences"): methods x
 /// methods, 1 on the diagonal. Each of B resamples shuffles the methods' values within every unit and records the

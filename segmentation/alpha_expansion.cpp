@@ -74,10 +74,11 @@ double labelling_cost(std::span<const std::int32_t> labels, const Eigen::MatrixX
 }
 
 std::vector<std::int32_t> alpha_expansion(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
-                                          std::vector<std::int32_t> start, int rounds) {
+                                          std::vector<std::int32_t> start) {
+  constexpr int max_rounds = 20;
   std::vector<std::int32_t> labels = std::move(start);
   double cost = labelling_cost(labels, costs, edges);
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     bool gained = false;
     for (std::int32_t label = 0; label < costs.cols(); ++label) {
       check_interruption();

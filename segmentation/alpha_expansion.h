@@ -20,12 +20,12 @@ double labelling_cost(std::span<const std::int32_t> labels, const Eigen::MatrixX
 
 /// Finds a labelling of low cost by alpha-expansion: each label in turn expands by the optimal set of nodes, a minimum
 /// cut (Boykov, Veksler, Zabih 2001; cuts after Boykov and Kolmogorov 2004). Stops when no label can gain, or after
-/// `rounds` rounds over all labels. The cost never exceeds that of the start. On convergence, the edges contribute at
+/// 20 rounds over all labels. The cost never exceeds that of the start. On convergence, the edges contribute at
 /// most twice their optimal cost. Optimal for two labels.
 ///
 /// `start` has a label for each node. Throws ArgumentError for a label or a node out of range, an edge cost that is
 /// negative, a cost that is not finite, and sizes that differ.
 std::vector<std::int32_t> alpha_expansion(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
-                                          std::vector<std::int32_t> start, int rounds = 20);
+                                          std::vector<std::int32_t> start);
 
 }  // namespace shapegauge

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
@@ -17,13 +18,16 @@ namespace shapegauge {
 namespace {
 
 constexpr double min_gain = 1e-9;  ///< of the log-likelihood, relative to its size, for another iteration
+constexpr int max_maximisations = 200;
+constexpr std::uint64_t mixture_starts = 5;
+constexpr double variance_share = 1e-2;  ///< added to each variance, relative to that of all points
 
 /// Returns the minimum variance of components by coordinate.
-Eigen::RowVectorXd min_variances(const Eigen::MatrixXd& points, double share) {
+Eigen::RowVectorXd min_variances(const Eigen::MatrixXd& points) {
   const Eigen::RowVectorXd mean = points.colwise().mean();
   const Eigen::RowVectorXd variance = (points.rowwise() - mean).array().square().colwise().mean();
   // A constant coordinate gets any variance, since it distinguishes no points.
-  return variance.unaryExpr([&](double v) { return v > 0 ? share * v : 1.0; });
+  return variance.unaryExpr([](double v) { return v > 0 ? variance_share * v : 1.0; });
 }
 
 /// Returns the logarithm of the sum of each row's exponentials.
@@ -64,7 +68,7 @@ GaussianMixture maximised(const Eigen::MatrixXd& points, const Eigen::MatrixXd& 
 }
 
 GaussianMixture fitted_from(const Eigen::MatrixXd& points, const Eigen::MatrixXd& centres,
-                            const Eigen::RowVectorXd& least, int iterations) {
+                            const Eigen::RowVectorXd& least) {
   GaussianMixture mixture;
   mixture.weights = Eigen::VectorXd::Constant(centres.rows(), 1 / static_cast<double>(centres.rows()));
   mixture.means = centres;
@@ -72,7 +76,7 @@ GaussianMixture fitted_from(const Eigen::MatrixXd& points, const Eigen::MatrixXd
   const Eigen::RowVectorXd variance = (points.rowwise() - mean).array().square().colwise().mean();
   mixture.variances = (variance + least).replicate(centres.rows(), 1);
   double before = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i < iterations; ++i) {
+  for (int i = 0; i < max_maximisations; ++i) {
     check_interruption();
     const Eigen::MatrixXd densities = log_densities(mixture, points);
     const Eigen::VectorXd sums = log_sums(densities);
@@ -83,38 +87,6 @@ GaussianMixture fitted_from(const Eigen::MatrixXd& points, const Eigen::MatrixXd
     mixture.log_likelihood = log_sums(log_densities(mixture, points)).sum();
   }
   return mixture;
-}
-
-GaussianMixture best_fit(const Eigen::MatrixXd& points, int components, const MixtureOptions& options) {
-  const Eigen::RowVectorXd least = min_variances(points, options.regularisation);
-  GaussianMixture best;
-  for (int restart = 0; restart < options.restarts; ++restart) {
-    RandomNumbers random(options.seed, static_cast<std::uint64_t>(restart));
-    const Eigen::MatrixXd centres = spread_centres(points, least.cwiseSqrt(), components, random);
-    GaussianMixture mixture = fitted_from(points, centres, least, options.iterations);
-    if (restart == 0 || mixture.log_likelihood > best.log_likelihood) best = std::move(mixture);
-  }
-  return best;
-}
-
-double information_criterion(const GaussianMixture& mixture, Eigen::Index points) {
-  const Eigen::Index parameters = 2 * mixture.means.size() + mixture.weights.size() - 1;
-  return -2 * mixture.log_likelihood + static_cast<double>(parameters) * std::log(static_cast<double>(points));
-}
-
-void check(const Eigen::MatrixXd& points, const MixtureOptions& options) {
-  if (points.rows() == 0 || points.cols() == 0) throw ArgumentError("a mixture needs points");
-  if (!points.allFinite()) throw ArgumentError("a mixture needs points that are finite");
-  if (options.components < 0) throw InputError(fmt::format("there cannot be {} components", options.components));
-  if (options.max_components < 1) {
-    throw InputError(fmt::format("at least 1 component must be allowed, not {}", options.max_components));
-  }
-  if (options.restarts < 1) throw InputError(fmt::format("at least 1 start is needed, not {}", options.restarts));
-  if (options.iterations < 1)
-    throw InputError(fmt::format("at least 1 iteration is needed, not {}", options.iterations));
-  if (!(options.regularisation > 0 && std::isfinite(options.regularisation))) {
-    throw InputError(fmt::format("the regularisation must be greater than 0, not {}", options.regularisation));
-  }
 }
 
 }  // namespace
@@ -135,19 +107,16 @@ Eigen::MatrixXd component_probabilities(const GaussianMixture& mixture, const Ei
   return (densities.colwise() - log_sums(densities)).array().exp();
 }
 
-GaussianMixture fit_gaussian_mixture(const Eigen::MatrixXd& points, const MixtureOptions& options) {
-  check(points, options);
-  const int most = static_cast<int>(std::min<Eigen::Index>(points.rows(), options.max_components));
-  if (options.components > 0) {
-    const auto components = static_cast<int>(std::min<Eigen::Index>(points.rows(), options.components));
-    return best_fit(points, components, options);
-  }
-  GaussianMixture best = best_fit(points, 1, options);
-  for (int components = 2; components <= most; ++components) {
-    GaussianMixture mixture = best_fit(points, components, options);
-    if (information_criterion(mixture, points.rows()) < information_criterion(best, points.rows())) {
-      best = std::move(mixture);
-    }
+GaussianMixture fit_gaussian_mixture(const Eigen::MatrixXd& points, Eigen::Index components) {
+  if (points.rows() == 0 || points.cols() == 0) throw ArgumentError("a mixture needs points");
+  if (!points.allFinite()) throw ArgumentError("a mixture needs points that are finite");
+  const Eigen::RowVectorXd least = min_variances(points);
+  GaussianMixture best;
+  for (std::uint64_t start = 0; start < mixture_starts; ++start) {
+    RandomNumbers random(1, start);
+    const Eigen::Index count = std::min(points.rows(), components);
+    GaussianMixture mixture = fitted_from(points, spread_centres(points, least.cwiseSqrt(), count, random), least);
+    if (start == 0 || mixture.log_likelihood > best.log_likelihood) best = std::move(mixture);
   }
   return best;
 }

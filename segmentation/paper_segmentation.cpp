@@ -12,6 +12,7 @@
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/segmentation/alpha_expansion.h"
+#include "shapegauge/segmentation/gaussian_mixture.h"
 #include "shapegauge/segmentation/patch_features.h"
 #include "shapegauge/segmentation/segment_labels.h"
 #include "shapegauge/segmentation/sound_mesh.h"
@@ -20,6 +21,7 @@ namespace shapegauge {
 
 namespace {
 
+constexpr int quantile_levels = 16;  ///< quantiles of each field's distribution on a patch
 constexpr double min_probability = 1e-6;
 constexpr double min_turn = 1e-3;  ///< radians, so that flat borders cost a finite amount
 constexpr double convex_share = 0.1;
@@ -60,8 +62,8 @@ std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::spa
     throw InputError(fmt::format("the smoothness must be at least 0, not {}", options.smoothness));
   }
   const std::vector<std::int32_t> patch = patches(graph, options.patches);
-  const Eigen::MatrixXd features = patch_features(patch, fields, options.levels);
-  const GaussianMixture mixture = fit_gaussian_mixture(features, options.mixture);
+  const Eigen::MatrixXd features = patch_features(patch, fields, quantile_levels);
+  const GaussianMixture mixture = fit_gaussian_mixture(features, options.clusters);
   const Eigen::MatrixXd costs = -component_probabilities(mixture, features).array().max(min_probability).log();
   std::vector<std::int32_t> start;
   for (Eigen::Index p = 0; p < costs.rows(); ++p) {

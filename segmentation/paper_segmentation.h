@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "shapegauge/core/shape/samples.h"
-#include "shapegauge/segmentation/gaussian_mixture.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/surface_graph.h"
 
@@ -18,9 +17,8 @@ inline constexpr int paper_segmentation_version = 5;
 /// Options of the paper's pipeline. The paper gives the number of patches, 50, and leaves the rest open.
 struct PaperSegmentationOptions {
   PatchOptions patches{};
-  int levels = 16;                          ///< quantiles of each field's distribution on a patch, at least 1
-  MixtureOptions mixture{.components = 5};  ///< clusters of patches
-  double smoothness = 1;                    ///< weight of cuts relative to clusters; at least 0
+  int clusters = 5;       ///< of patches, at least 1
+  double smoothness = 1;  ///< weight of cuts relative to clusters; at least 0
 };
 
 /// Segments a surface as in the paper (Section "Shape segmentation"). The steps are: over-segmentation into patches,

@@ -125,12 +125,10 @@ std::vector<std::int32_t> patches(const SurfaceGraph& graph, const PatchOptions&
                                   std::span<const double> costs) {
   if (options.count < 1)
     throw InputError(fmt::format("the number of patches must be at least 1, not {}", options.count));
-  if (options.rounds < 0)
-    throw InputError(fmt::format("the number of rounds must not be negative: {}", options.rounds));
   if (!costs.empty() && costs.size() != graph.links.size()) throw ArgumentError("each link needs one cost");
   std::vector<std::int32_t> centres = farthest_centres(graph, options, costs);
   std::vector<std::int32_t> patch = grown_from(graph, costs, centres);
-  for (int round = 0; round < options.rounds; ++round) {
+  for (int round = 0; round < 3; ++round) {
     centres = middles(graph, patch, centres.size());
     patch = grown_from(graph, costs, centres);
   }

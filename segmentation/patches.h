@@ -11,7 +11,6 @@ namespace shapegauge {
 /// Options of patches().
 struct PatchOptions {
   int count = 50;          ///< number of patches (L in the paper), at least 1
-  int rounds = 3;          ///< number of times that patches are re-centred, at least 0
   std::uint64_t seed = 1;  ///< seed of the first patch's position
 };
 
@@ -21,7 +20,7 @@ inline constexpr double min_patch = 0.1;
 /// Divides a surface into compact, connected patches: returns a patch number for each node, from 0 on without gaps.
 ///
 /// Patches grow from centres along the links; each node joins the centre with the cheapest path. Centres start in
-/// farthest-point order and move to the middle of their patches after each round. `costs` has the symmetric cost of
+/// farthest-point order and move to the middle of their patches, in three rounds. `costs` has the symmetric cost of
 /// every link, in the order of the graph's links; by default, a link costs its distance. There are more patches than
 /// requested if the surface has more components, and fewer if it has fewer nodes.
 ///

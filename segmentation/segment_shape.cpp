@@ -17,7 +17,7 @@ std::optional<SegmentationAlgorithm> algorithm_with(std::string_view parameter) 
 std::vector<std::int32_t> segment_shape(const Shape& shape, const SegmentationOptions& options) {
   if (options.method == SegmentationAlgorithm::best) return part_segmentation(shape, options.best);
   PaperSegmentationOptions paper;
-  if (options.best.parts > 0) paper.mixture.components = options.best.parts;
+  if (options.best.parts > 0) paper.clusters = options.best.parts;
   return paper_segmentation(shape, options.field == SegmentedSdf::offset ? std::optional(options.offset) : std::nullopt,
                             paper);
 }

@@ -10,21 +10,6 @@ namespace shapegauge {
 
 namespace {
 
-void check(const ScaleInvariantOptions& options) {
-  if (!(options.first_time > 0 && options.last_time > options.first_time && std::isfinite(options.last_time))) {
-    throw InputError(fmt::format("the times of a heat kernel must be positive and ascending, not {} to {}",
-                                 options.first_time, options.last_time));
-  }
-  if (options.times < 4 || options.times > 10000) {
-    throw InputError(
-        fmt::format("the number of times of a heat kernel must be from 4 to 10000, not {}", options.times));
-  }
-  if (options.frequencies < 1 || options.frequencies > options.times / 2) {
-    throw InputError(fmt::format("with {} times, the number of frequencies must be from 1 to {}, not {}", options.times,
-                                 options.times / 2, options.frequencies));
-  }
-}
-
 /// Computes the heat kernel signature, one column for each time, evenly spaced by logarithm.
 Eigen::MatrixXd heat_kernel(const Spectrum& spectrum, double area, const ScaleInvariantOptions& options) {
   const Eigen::ArrayXd t =
@@ -48,7 +33,6 @@ Eigen::VectorXd heat_kernel_signature(const Spectrum& spectrum, double area, dou
 
 Eigen::MatrixXd scale_invariant_heat_kernel_signature(const Spectrum& spectrum, double area,
                                                       const ScaleInvariantOptions& options) {
-  check(options);
   const Eigen::MatrixXd logarithm = heat_kernel(spectrum, area, options).array().log();
   const Eigen::Index steps = options.times - 1;
   const double step = std::log(options.last_time / options.first_time) / static_cast<double>(steps);

@@ -27,7 +27,7 @@ struct ScaleInvariantOptions {
 
 /// Computes the scale-invariant heat kernel signature (Bronstein and Kokkinos 2010). The derivative of the log heat
 /// kernel signature by log time turns a change of scale into a translation in time. The signature is the magnitudes of
-/// its first discrete Fourier coefficients, one a column. Throws InputError for options out of range.
+/// its first discrete Fourier coefficients, one a column.
 Eigen::MatrixXd scale_invariant_heat_kernel_signature(const Spectrum& spectrum, double area,
                                                       const ScaleInvariantOptions& options = {});
 

@@ -36,10 +36,10 @@ fs::path ShapeSource::neighbour(std::string_view file) const {
   return *folder / file;
 }
 
-std::string ShapeSource::read_neighbour(std::string_view file, std::size_t limit) const {
+std::string ShapeSource::read_neighbour(std::string_view file) const {
   const fs::path path = neighbour(file);
   try {
-    return read_file_bytes(path, limit);
+    return read_file_bytes(path);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", name, error.what()));
   }

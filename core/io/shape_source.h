@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,10 +25,8 @@ struct ShapeSource {
   /// or a URI with a scheme. Follows symbolic links within the folder.
   [[nodiscard]] std::filesystem::path neighbour(std::string_view file) const;
 
-  /// Reads at most `limit` leading bytes of that file. Throws InputError, also if it is absent, unreadable, empty, or
-  /// not a regular file.
-  [[nodiscard]] std::string read_neighbour(std::string_view file,
-                                           std::size_t limit = std::numeric_limits<std::size_t>::max()) const;
+  /// Reads that file. Throws InputError, also if it is absent, unreadable, empty, or not a regular file.
+  [[nodiscard]] std::string read_neighbour(std::string_view file) const;
 };
 
 /// Reads a whole file as a source, named by its path; a text in UTF-16 is converted (to_utf8()). Throws InputError as

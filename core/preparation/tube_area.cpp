@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
@@ -88,9 +89,8 @@ double corrected_for_gaps(double tube, double points, double r) {
 
 }  // namespace
 
-double tube_area(const Shape& shape, const TubeAreaOptions& options) {
-  const double r = options.radius;
-  require_in_bounds("the tube's radius, a fraction of the diagonal,", r, TubeAreaOptions::radius_bounds);
+double tube_area(const Shape& shape, double r) {
+  require_in_bounds("the tube's radius, a fraction of the diagonal,", r, {.low = 0, .high = 1, .low_open = true});
   require_usable(shape);
   const double diagonal = bounding_box_diagonal(shape);
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {

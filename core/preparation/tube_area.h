@@ -1,19 +1,11 @@
 #pragma once
 
-#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
-/// Options of tube_area().
-struct TubeAreaOptions {
-  static constexpr Bounds radius_bounds{.low = 0, .high = 1, .low_open = true};
-
-  double radius = 0.02;  ///< of the tube, as a fraction of the bounding-box diagonal
-};
-
 /// Estimates the area of a surface as V / 2r, where V is the volume of the tube around it: all points within a radius
-/// r. In the shape's units squared.
+/// r, a fraction of the bounding-box diagonal. In the shape's units squared.
 ///
 /// By Weyl's formula the volume of the tube about a smooth closed surface is 2 r A + (4/3) pi r^3 X, with its Euler
 /// characteristic X (2 for a sphere, 0 for a torus). This holds for any curvature if r is less than the radius of
@@ -25,6 +17,6 @@ struct TubeAreaOptions {
 /// V is summed over cubes of edge r/2 or 1/256 of the diagonal, whichever is larger.
 ///
 /// Throws InputError for an unusable shape (require_usable()), one without extent, and a radius out of bounds.
-double tube_area(const Shape& shape, const TubeAreaOptions& options = {});
+double tube_area(const Shape& shape, double r = 0.02);
 
 }  // namespace shapegauge

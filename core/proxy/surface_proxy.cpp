@@ -25,6 +25,9 @@ namespace shapegauge {
 
 namespace {
 
+constexpr Eigen::Index samples_per_point = 12;
+constexpr int candidate_neighbours = 20;  ///< of a point, among which its neighbours are chosen
+
 /// Samples chosen as points of a proxy, before neighbours are computed.
 struct ProxyPoints {
   DenseSamples at;                    ///< with the areas and mean normals of the samples that each point covers
@@ -261,22 +264,16 @@ Eigen::SparseMatrix<double> stiffness_of(const SurfaceProxy& proxy, std::span<co
   return stiffness;
 }
 
-void check(const SurfaceProxyOptions& options) {
-  require_in_bounds("the number of a proxy's points", options.points, SurfaceProxyOptions::points_bounds);
-  require_in_bounds("the number of a proxy's neighbours", options.neighbours, SurfaceProxyOptions::neighbours_bounds);
-}
-
 }  // namespace
 
-SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& options) {
-  check(options);
+SurfaceProxy surface_proxy(const Shape& shape, Eigen::Index points) {
   require_usable(shape);
   const UnitFrame frame = unit_frame(shape);
   const Shape framed = in_unit_frame(shape, frame);
   const std::vector<std::int32_t> merged = welded_vertices(framed.vertices);
   const std::vector<HalfEdge> uses = half_edges(framed.triangles, merged);
-  const DenseSamples samples = dense_samples(framed, uses, Eigen::Index{options.points} * options.samples_per_point);
-  ProxyPoints chosen = proxy_points(samples, farthest_points(samples, options.points));
+  const DenseSamples samples = dense_samples(framed, uses, samples_per_point * points);
+  ProxyPoints chosen = proxy_points(samples, farthest_points(samples, points));
   chosen.covering_radius = std::max(chosen.covering_radius, radius_of_spacing(chosen.at.points));
   SurfaceProxy proxy;
   proxy.points = chosen.at.points;
@@ -284,7 +281,7 @@ SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& option
   proxy.areas = chosen.at.areas;
   proxy.covering_radius = chosen.covering_radius;
   std::vector<Segment> segments = neighbour_pairs(
-      chosen, PointConnectivity(chosen, samples, LocalConnectivity(framed, merged, uses)), options.neighbours);
+      chosen, PointConnectivity(chosen, samples, LocalConnectivity(framed, merged, uses)), candidate_neighbours);
   set_arcs(proxy, segments);
   proxy.components = link_components(proxy.points, 8, segments);
   proxy.stiffness = stiffness_of(proxy, segments);

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -17,16 +16,6 @@ inline constexpr int surface_proxy_version = 5;
 
 /// Combines the version of a descriptor that may be computed on the proxy with the version of the proxy.
 constexpr int version_on_proxy(int version) { return 1000 * version + surface_proxy_version; }
-
-/// Options of surface_proxy(). docs/methods/surface_proxy.md has the measurements behind the defaults.
-struct SurfaceProxyOptions {
-  static constexpr Bounds points_bounds{.low = 2, .high = 100'000};
-  static constexpr Bounds neighbours_bounds{.low = 6, .high = 64};
-
-  int points = 2000;           ///< number of points; fewer if the shape has fewer distinct positions
-  int samples_per_point = 12;  ///< dense samples represented by each point
-  int neighbours = 20;         ///< number of nearest points among which neighbours are chosen
-};
 
 /// Edge from a point of the proxy to a neighbour.
 struct ProxyArc {
@@ -59,7 +48,8 @@ struct SurfaceProxy {
 /// distances, have a planar Delaunay triangulation whose triangles count a third each (after Belkin, Sun, Wang 2009).
 /// The nearest components are linked, which makes every distance finite.
 ///
-/// Throws InputError for options out of bounds and as dense_samples() does.
-SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& options = {});
+/// There are fewer points than wanted if the shape has fewer distinct positions. docs/methods/surface_proxy.md has the
+/// measurements behind the default. Throws InputError as dense_samples() does.
+SurfaceProxy surface_proxy(const Shape& shape, Eigen::Index points = 2000);
 
 }  // namespace shapegauge

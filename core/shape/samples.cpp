@@ -263,9 +263,9 @@ Samples sample_shape(const Shape& shape, SampleSite site) {
   return site == SampleSite::faces ? sample_faces(shape) : sample_vertices(shape);
 }
 
-Samples sample_surface(const Shape& shape, Eigen::Index count, std::uint64_t seed) {
+Samples sample_surface(const Shape& shape, Eigen::Index count) {
   require_usable(shape);
-  RandomNumbers random(seed);
+  RandomNumbers random(1);
   if (is_cloud(shape)) {
     if (count < 1) throw InputError(fmt::format("the number of samples must be at least 1, not {}", count));
     const Samples all = sample_cloud(shape);

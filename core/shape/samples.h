@@ -58,10 +58,10 @@ struct Samples {
 Samples sample_shape(const Shape& shape, SampleSite site);
 
 /// Samples a shape at `count` points of the surface (SampleSite::surface, stratified_points()), with the triangles'
-/// normals and equal weights that sum to the area. Deterministic for the same shape and seed. Of a cloud, selects
+/// normals and equal weights that sum to the area. Deterministic for the same shape. Of a cloud, selects
 /// `count` points at random, or all if there are no more; the result's site is then `vertices`. Throws InputError as
 /// sample_shape() does, for a mesh without area, and for less than one sample.
-Samples sample_surface(const Shape& shape, Eigen::Index count, std::uint64_t seed = 1);
+Samples sample_surface(const Shape& shape, Eigen::Index count);
 
 /// Value and represented area of each sample. A missing value is NaN. Code that computes or uses a field reports the
 /// number of missing values.

@@ -114,8 +114,8 @@ void CsvReader::fail(std::size_t line, const std::string& message) const {
   throw InputError(source_ + ':' + std::to_string(line) + ": " + message);
 }
 
-std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, char separator) {
-  CsvReader reader(text, source, separator);
+std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source) {
+  CsvReader reader(text, source, ',');
   std::vector<CsvRow> rows;
   while (auto row = reader.next()) rows.push_back(std::move(*row));
   return rows;

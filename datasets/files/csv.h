@@ -50,7 +50,7 @@ class CsvReader {
 };
 
 /// Reads all rows. Throws InputError as CsvReader does.
-std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, char separator = ',');
+std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source);
 
 /// Returns the separator of a table: the first of tab, semicolon and comma that occurs in the first non-blank line;
 /// nothing if none does.

@@ -21,12 +21,6 @@ std::vector<std::string> interval_cells(const MethodStanding& standing, const Sc
   return {score_text(standing.interval->low, style), score_text(standing.interval->high, style)};
 }
 
-std::string interval_beside(const MethodStanding& standing, const ScoreStyle& style) {
-  if (!standing.interval) return "";
-  return fmt::format(" [{}, {}]", score_text(standing.interval->low, style),
-                     score_text(standing.interval->high, style));
-}
-
 // Returns " ± " and the standard deviation over repetitions of a measure, if there is one.
 std::string deviation_beside(const Eigen::VectorXd& deviations, std::size_t measure, const ScoreStyle& style) {
   if (deviations.size() == 0) return "";
@@ -73,7 +67,7 @@ BoardJson submission_json(const Leaderboard& board, std::size_t index, const Eva
 
 }  // namespace
 
-TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, bool intervals) {
+TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style) {
   TextTable table{.header = {"rank", "method"}, .rows = {}, .text_columns = 2};
   table.header.insert(table.header.end(), board.measures.begin(), board.measures.end());
   for (std::size_t i = 0; i < board.submissions.size(); ++i) {
@@ -82,8 +76,7 @@ TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, b
     for (std::size_t k = 0; k < board.measures.size(); ++k) {
       const MethodStanding& standing = board.micro[k][i];
       row.push_back(score_text(standing.average, style) +
-                    deviation_beside(board.submissions[i].micro_deviation, k, style) +
-                    (intervals ? interval_beside(standing, style) : ""));
+                    deviation_beside(board.submissions[i].micro_deviation, k, style));
       const std::string mark = standing.letters + " " + board.macro[k][i].letters;
       table.emphases.push_back({.row = i, .column = 2 + k, .bold = false, .mark = mark});
     }

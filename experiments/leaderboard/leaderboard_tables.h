@@ -11,9 +11,8 @@ namespace shapegauge {
 
 /// Makes a table with a row for each submission, best first: rank, method, measures averaged over queries. The best of
 /// each measure is bold, and scores are followed by their letters over queries, and in capitals over classes
-/// (MethodStanding), or by " ± " and their standard deviation over repetitions. With `intervals`, cells include
-/// confidence intervals.
-TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style, bool intervals = false);
+/// (MethodStanding), or by " ± " and their standard deviation over repetitions.
+TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style);
 
 /// Makes a table for files with a row for each submission and average (micro, macro): rank, method, authors, paper,
 /// file, average, and for each measure its value, the ends of its interval and its letters (NN, NN_low, NN_high,

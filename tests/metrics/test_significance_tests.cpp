@@ -79,20 +79,17 @@ TEST(RandomisationTest, OverQueriesFindsTooManyDifferences) {
 // freedom, p = 0.00283.
 TEST(PairedTTest, HasThePValueOfStudentsSleepData) {
   const Eigen::VectorXd gained = (Eigen::VectorXd(10) << 1.2, 2.4, 1.3, 1.3, 0, 1, 1.8, 0.8, 4.6, 1.4).finished();
-  const PairedT result = paired_t_test(gained);
-  EXPECT_NEAR(result.t, 4.0621, 5e-5);
-  EXPECT_EQ(result.degrees_of_freedom, 9);
-  EXPECT_NEAR(result.p, 0.002833, 5e-7);
-  EXPECT_DOUBLE_EQ(paired_t_test(-gained).p, result.p);
+  const double p = paired_t_p_value(gained);
+  EXPECT_NEAR(p, 0.002833, 5e-7);
+  EXPECT_DOUBLE_EQ(paired_t_p_value(-gained), p);
 }
 
 TEST(PairedTTest, DifferencesThatDoNotVary) {
-  EXPECT_EQ(paired_t_test(Eigen::VectorXd::Zero(5)).p, 1);
-  EXPECT_EQ(paired_t_test(Eigen::VectorXd::Constant(4, -0.5)).p, 0);
-  EXPECT_TRUE(std::isinf(paired_t_test(Eigen::VectorXd::Constant(4, -0.5)).t));
+  EXPECT_EQ(paired_t_p_value(Eigen::VectorXd::Zero(5)), 1);
+  EXPECT_EQ(paired_t_p_value(Eigen::VectorXd::Constant(4, -0.5)), 0);
 }
 
-TEST(PairedTTest, NeedsTwo) { EXPECT_THROW(paired_t_test(Eigen::VectorXd::Ones(1)), ArgumentError); }
+TEST(PairedTTest, NeedsTwo) { EXPECT_THROW(paired_t_p_value(Eigen::VectorXd::Ones(1)), ArgumentError); }
 
 UnitValues random_units(Eigen::Index units, Eigen::Index methods, unsigned seed) {
   std::mt19937 random(seed);

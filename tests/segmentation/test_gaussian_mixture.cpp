@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -28,7 +27,7 @@ Eigen::MatrixXd clouds(const std::vector<Eigen::RowVector2d>& centres, int each)
 const std::vector<Eigen::RowVector2d> three_centres = {{0, 0}, {10, 0}, {0, 10}};
 
 TEST(GaussianMixture, FindsTheCloudsThatPointsWereDrawnFrom) {
-  const GaussianMixture mixture = fit_gaussian_mixture(clouds(three_centres, 400), {.components = 3});
+  const GaussianMixture mixture = fit_gaussian_mixture(clouds(three_centres, 400), 3);
   for (const Eigen::RowVector2d& centre : three_centres) {
     Eigen::Index nearest = 0;
     // 400 points of deviation 1: the mean is off by 0.05, the variance by 0.07 and the regularisation of 0.2.
@@ -36,11 +35,6 @@ TEST(GaussianMixture, FindsTheCloudsThatPointsWereDrawnFrom) {
     EXPECT_NEAR(mixture.weights[nearest], 1.0 / 3, 0.01);
     EXPECT_NEAR(mixture.variances(nearest, 0), 1.2, 0.3);
   }
-}
-
-TEST(GaussianMixture, TheCriterionCountsTheClouds) {
-  EXPECT_EQ(fit_gaussian_mixture(clouds(three_centres, 100), {}).weights.size(), 3);
-  EXPECT_EQ(fit_gaussian_mixture(clouds({{1, 1}}, 100), {}).weights.size(), 1);
 }
 
 TEST(GaussianMixture, DensityOfOneComponentIsThatOfTheNormalDistribution) {
@@ -55,10 +49,10 @@ TEST(GaussianMixture, DensityOfOneComponentIsThatOfTheNormalDistribution) {
 TEST(GaussianMixture, OfOneComponentHasTheMeanAndTheVarianceOfThePoints) {
   Eigen::MatrixXd points(4, 2);
   points << 1, 5, 2, 5, 4, 5, 5, 5;  // the second coordinate is constant
-  const GaussianMixture mixture = fit_gaussian_mixture(points, {.components = 1, .regularisation = 0.2});
+  const GaussianMixture mixture = fit_gaussian_mixture(points, 1);
   EXPECT_DOUBLE_EQ(mixture.weights[0], 1);
   EXPECT_DOUBLE_EQ(mixture.means(0, 0), 3);
-  EXPECT_DOUBLE_EQ(mixture.variances(0, 0), 1.2 * 2.5);
+  EXPECT_DOUBLE_EQ(mixture.variances(0, 0), 1.01 * 2.5);
   EXPECT_DOUBLE_EQ(mixture.variances(0, 1), 1);
   EXPECT_NEAR(mixture.log_likelihood, log_densities(mixture, points).sum(), 1e-12);
 }
@@ -77,41 +71,25 @@ TEST(GaussianMixture, ProbabilitiesAreByWeightAndDensity) {
 
 TEST(GaussianMixture, ProbabilitiesOfAPointSumToOneHoweverFar) {
   const Eigen::MatrixXd points = clouds(three_centres, 20);
-  const GaussianMixture mixture = fit_gaussian_mixture(points, {.components = 3});
+  const GaussianMixture mixture = fit_gaussian_mixture(points, 3);
   const Eigen::MatrixXd probabilities = component_probabilities(mixture, 1e6 * points);
   EXPECT_TRUE((probabilities.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
   EXPECT_GE(probabilities.minCoeff(), 0);
 }
 
-TEST(GaussianMixture, MoreStartsAreNeverWorse) {
-  const Eigen::MatrixXd points = clouds({{0, 0}, {4, 0}, {0, 4}, {4, 4}, {9, 9}}, 40);
-  double before = -std::numeric_limits<double>::infinity();
-  for (const int restarts : {1, 3, 10}) {
-    const double now = fit_gaussian_mixture(points, {.components = 5, .restarts = restarts}).log_likelihood;
-    EXPECT_GE(now, before);
-    before = now;
-  }
-}
-
 TEST(GaussianMixture, OfPointsThatAreAllTheSame) {
-  const GaussianMixture mixture = fit_gaussian_mixture(Eigen::MatrixXd::Constant(5, 2, 3), {.components = 3});
+  const GaussianMixture mixture = fit_gaussian_mixture(Eigen::MatrixXd::Constant(5, 2, 3), 3);
   EXPECT_TRUE(mixture.means.allFinite());
   EXPECT_TRUE(component_probabilities(mixture, Eigen::MatrixXd::Constant(1, 2, 3)).allFinite());
 }
 
 TEST(GaussianMixture, HasNoMoreComponentsThanPoints) {
-  EXPECT_EQ(fit_gaussian_mixture(clouds({{0, 0}}, 2), {.components = 7}).weights.size(), 2);
+  EXPECT_EQ(fit_gaussian_mixture(clouds({{0, 0}}, 2), 7).weights.size(), 2);
 }
 
-TEST(GaussianMixture, RefusesOptionsOutOfRange) {
-  const Eigen::MatrixXd points = clouds({{0, 0}}, 3);
-  EXPECT_THROW(fit_gaussian_mixture(points, {.components = -1}), InputError);
-  EXPECT_THROW(fit_gaussian_mixture(points, {.max_components = 0}), InputError);
-  EXPECT_THROW(fit_gaussian_mixture(points, {.restarts = 0}), InputError);
-  EXPECT_THROW(fit_gaussian_mixture(points, {.iterations = 0}), InputError);
-  EXPECT_THROW(fit_gaussian_mixture(points, {.regularisation = 0}), InputError);
-  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd(0, 2), {}), ArgumentError);
-  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd::Constant(2, 2, NAN), {}), ArgumentError);
+TEST(GaussianMixture, RefusesNoPointsAndPointsThatAreNotFinite) {
+  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd(0, 2), 1), ArgumentError);
+  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd::Constant(2, 2, NAN), 1), ArgumentError);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ std::int32_t part_between(const SurfaceGraph& graph, const std::vector<std::int3
 /// Checks that the dumbbell's balls and bar become three parts with this field.
 void expect_bar_and_balls(const SurfaceGraph& graph, const Eigen::VectorXd& field, double share) {
   const std::vector<ScalarField> fields = {{field, graph.samples.weights}};
-  const std::vector<std::int32_t> parts = paper_segmentation(graph, fields, {.mixture = {.components = 2}});
+  const std::vector<std::int32_t> parts = paper_segmentation(graph, fields, {.clusters = 2});
   const std::int32_t low = part_between(graph, parts, -4, -2.2, share);
   const std::int32_t bar = part_between(graph, parts, -0.8, 0.8, share);
   const std::int32_t high = part_between(graph, parts, 2.2, 4, share);
@@ -74,8 +74,8 @@ bool falls_apart(double smoothness, double length, double concavity) {
   Eigen::VectorXd values(6);
   values << 1, 1, 1, 2, 2, 2;
   const std::vector<ScalarField> fields = {{values, graph.samples.weights}};
-  const std::vector<std::int32_t> parts = paper_segmentation(
-      graph, fields, {.patches = {.count = 6}, .mixture = {.components = 2}, .smoothness = smoothness});
+  const std::vector<std::int32_t> parts =
+      paper_segmentation(graph, fields, {.patches = {.count = 6}, .clusters = 2, .smoothness = smoothness});
   const std::size_t count = std::set(parts.begin(), parts.end()).size();
   EXPECT_LE(count, 2U);
   return count == 2;
@@ -102,7 +102,6 @@ TEST(PaperSegmentation, RefusesOptionsOutOfRange) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 1));
   const std::vector<ScalarField> fields = {{Eigen::VectorXd::Constant(graph.size(), 2), graph.samples.weights}};
   EXPECT_THROW(paper_segmentation(graph, fields, {.smoothness = -1}), InputError);
-  EXPECT_THROW(paper_segmentation(graph, fields, {.levels = 0}), InputError);
 }
 
 /// Nodes in a row, with an edge of the given concavity before node `edge` and flat links elsewhere.
@@ -127,7 +126,7 @@ TEST(PaperSegmentation, CutsAlongAnEdgeRatherThanWhereItIsFlat) {
   // The middle node belongs to neither part; the edge decides, even if convex.
   const Eigen::VectorXd values = (Eigen::VectorXd(9) << 0, 0, 0, 0, 0.5, 1, 1, 1, 1).finished();
   const std::vector<ScalarField> fields = {{values, Eigen::VectorXd::Ones(9)}};
-  const PaperSegmentationOptions options{.patches = {.count = 9}, .mixture = {.components = 2}, .smoothness = 4};
+  const PaperSegmentationOptions options{.patches = {.count = 9}, .clusters = 2, .smoothness = 4};
   for (const double concavity : {1.5, -1.5}) {
     SCOPED_TRACE(concavity);
     EXPECT_EQ(paper_segmentation(row_with_edge(9, 4, concavity), fields, options),

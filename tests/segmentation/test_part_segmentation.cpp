@@ -268,7 +268,7 @@ TEST(PartSegmentation, RefusesWhatCannotBe) {
   EXPECT_THROW(part_segmentation(box, {.parts = -1}), InputError);
   EXPECT_THROW(part_segmentation(box, {.patches = 0}), InputError);
   EXPECT_THROW(part_segmentation(box, {.samples = 0}), InputError);
-  EXPECT_THROW(part_segmentation(box, {.least_probability = 2}), InputError);
+  EXPECT_THROW(part_segmentation(box, {.min_probability = 2}), InputError);
   EXPECT_THROW(part_segmentation(Shape{}, {}), InputError);
   Shape flat = box;
   flat.vertices.setZero();

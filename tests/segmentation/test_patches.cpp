@@ -44,7 +44,6 @@ TEST(Patches, HaveTheirBordersAtExpensiveLinks) {
 TEST(Patches, MoveToTheMiddlesOfTheirAreas) {
   SurfaceGraph graph = surface_graph(test::sphere(1, 3));
   const std::vector<std::int32_t> moved = patches(graph, {.count = 20});
-  EXPECT_NE(moved, patches(graph, {.count = 20, .rounds = 0}));
   graph.samples.weights *= 1024;
   EXPECT_EQ(moved, patches(graph, {.count = 20})) << "whatever the unit of area";
   graph.samples.weights.head(graph.size() / 2) *= 100;
@@ -73,7 +72,6 @@ TEST(Patches, DependOnTheSeedOnly) {
 TEST(Patches, RefuseOptionsOutOfRange) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 0));
   EXPECT_THROW(patches(graph, {.count = 0}), InputError);
-  EXPECT_THROW(patches(graph, {.rounds = -1}), InputError);
   EXPECT_THROW(patches(graph, {}, std::vector<double>{1}), ArgumentError);
 }
 

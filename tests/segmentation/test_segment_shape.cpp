@@ -21,7 +21,7 @@ TEST(SegmentShape, IsTheChosenAlgorithmWithItsOptions) {
   two.best.parts = 2;
   two.field = SegmentedSdf::cone;
   PaperSegmentationOptions two_clusters;
-  two_clusters.mixture.components = 2;
+  two_clusters.clusters = 2;
   EXPECT_EQ(segment_shape(shape, two), paper_segmentation(shape, std::nullopt, two_clusters));
 }
 

@@ -166,10 +166,6 @@ TEST(HeatKernel, WaveKernelSignatureIsWhatTheDefinitionSays) {
 TEST(HeatKernel, RefusesOptionsOutOfRange) {
   const Spectrum spectrum = spectrum_of(sphere(1, 1), 8);
   EXPECT_THROW(heat_kernel_signature(spectrum, 1, 0), InputError);
-  EXPECT_THROW(scale_invariant_heat_kernel_signature(spectrum, 1, {.first_time = 0}), InputError);
-  EXPECT_THROW(scale_invariant_heat_kernel_signature(spectrum, 1, {.first_time = 2, .last_time = 1}), InputError);
-  EXPECT_THROW(scale_invariant_heat_kernel_signature(spectrum, 1, {.times = 3, .frequencies = 1}), InputError);
-  EXPECT_THROW(scale_invariant_heat_kernel_signature(spectrum, 1, {.times = 8, .frequencies = 5}), InputError);
   EXPECT_THROW(wave_kernel_signature(spectrum, 1, {.energies = 1}), InputError);
   EXPECT_THROW(wave_kernel_signature(spectrum, 1, {.width_steps = 0}), InputError);
   EXPECT_THROW(wave_kernel_signature(spectrum_of(sphere(1, 1), 2), 1), InputError);

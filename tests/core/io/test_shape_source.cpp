@@ -31,7 +31,6 @@ TEST_F(ReadNeighbour, FindsFilesInTheFolderAndBelow) {
   EXPECT_EQ(source().bytes, "shape");
   EXPECT_EQ(source().read_neighbour("parts/one.bin"), "one of the parts");
   EXPECT_EQ(source().read_neighbour("./parts//one.bin"), "one of the parts");
-  EXPECT_EQ(source().read_neighbour("parts/one.bin", 3), "one");
   EXPECT_EQ(source().read_neighbour("shape.x"), "shape");
 }
 

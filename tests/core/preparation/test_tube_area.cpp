@@ -26,18 +26,18 @@ TEST(TubeArea, IsWeylsForASphereATorusAndABox) {
   const Eigen::Vector3d size(1, 2, 3);
   for (const double radius : {0.01, 0.02, 0.05}) {
     const double r = radius * bounding_box_diagonal(sphere);
-    EXPECT_NEAR(tube_area(sphere, {.radius = radius}) / surface_area(sphere), 1 + r * r / 3, 1e-3) << radius;
-    EXPECT_NEAR(tube_area(torus, {.radius = radius}) / surface_area(torus), 1, 1e-3) << radius;
+    EXPECT_NEAR(tube_area(sphere, radius) / surface_area(sphere), 1 + r * r / 3, 1e-3) << radius;
+    EXPECT_NEAR(tube_area(torus, radius) / surface_area(torus), 1, 1e-3) << radius;
     const Shape box = test::box(size, 6);
     const double expected = tube_area_of_box(size, radius * bounding_box_diagonal(box));
-    EXPECT_NEAR(tube_area(box, {.radius = radius}) / expected, 1, 5e-3) << radius;
+    EXPECT_NEAR(tube_area(box, radius) / expected, 1, 5e-3) << radius;
   }
 }
 
 TEST(TubeArea, OfATubeFinerThanTheFinestCubes) {
   const Shape sphere = test::sphere(1, 5);
   for (const double radius : {0.0005, 0.001, 0.002}) {
-    EXPECT_NEAR(tube_area(sphere, {.radius = radius}) / surface_area(sphere), 1, 0.02) << radius;
+    EXPECT_NEAR(tube_area(sphere, radius) / surface_area(sphere), 1, 0.02) << radius;
   }
 }
 
@@ -83,7 +83,7 @@ TEST(TubeArea, GoesWithTheScaleAndNotWithThePlace) {
 TEST(TubeArea, RefusesWhatHasNoExtentAndARadiusOutOfRange) {
   const Shape sphere = test::sphere(1, 1);
   for (const double radius : {0.0, -1.0, 1.1, std::nan("")}) {
-    EXPECT_THROW(tube_area(sphere, {.radius = radius}), InputError);
+    EXPECT_THROW(tube_area(sphere, radius), InputError);
   }
   EXPECT_THROW(tube_area({}), InputError);
   EXPECT_THROW(tube_area({Points::Ones(7, 3), {}}), InputError);

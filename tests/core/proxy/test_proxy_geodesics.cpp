@@ -28,7 +28,7 @@ Eigen::VectorXf literal_distances(const SurfaceProxy& proxy, Eigen::Index source
 }
 
 TEST(ProxyGeodesics, AreTheShortestPathsAlongTheArcs) {
-  const SurfaceProxy proxy = surface_proxy(test::torus(1, 0.4, 30, 16), {.points = 300});
+  const SurfaceProxy proxy = surface_proxy(test::torus(1, 0.4, 30, 16), 300);
   const ProxyGeodesics geodesics = proxy_geodesics(proxy, 37);  // not a multiple of the lanes
   ASSERT_EQ(geodesics.distances.cols(), 37);
   for (Eigen::Index landmark = 0; landmark < 37; ++landmark) {
@@ -37,7 +37,7 @@ TEST(ProxyGeodesics, AreTheShortestPathsAlongTheArcs) {
 }
 
 TEST(ProxyGeodesics, AreasAreThoseOfTheVoronoiCells) {
-  const SurfaceProxy proxy = surface_proxy(test::sphere(1, 3), {.points = 400});
+  const SurfaceProxy proxy = surface_proxy(test::sphere(1, 3), 400);
   const ProxyGeodesics geodesics = proxy_geodesics(proxy, 20);
   EXPECT_NEAR(geodesics.areas.sum(), proxy.areas.sum(), 1e-12 * proxy.areas.sum());
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(20);
@@ -52,7 +52,7 @@ TEST(ProxyGeodesics, AreasAreThoseOfTheVoronoiCells) {
 }
 
 TEST(ProxyGeodesics, HaveAsManyLandmarksAsThereArePoints) {
-  const SurfaceProxy proxy = surface_proxy(test::sphere(1, 1), {.points = 30});
+  const SurfaceProxy proxy = surface_proxy(test::sphere(1, 1), 30);
   EXPECT_EQ(proxy_geodesics(proxy, 1000).distances.cols(), proxy.points.rows());
 }
 
