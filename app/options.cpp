@@ -223,7 +223,7 @@ Shape cleaned(Shape shape, const CleaningArguments& arguments, bool automatic, R
     shape = without_outliers(std::move(shape));
     if (const Eigen::Index count = points - shape.vertices.rows(); count > 0) {
       remarks.notes.push_back(outlier_text(static_cast<std::size_t>(count), points) +
-                              "; results are those of the others, whose indices skip them");
+                              "; results are those of the others, numbered without them");
     }
   } else if (const auto warning = outlier_warning(shape)) {
     remarks.warnings.push_back(*warning);

@@ -346,7 +346,8 @@ RankedList list_of_models(const ForEach& for_each, bool is_empty, const Relevanc
     return list_of_answer(answer, is_empty, relevance, row, {.protocol = conventions.protocol, .ties = ties});
   };
   RankedList list = list_with(conventions.ties);
-  if (extremes != nullptr && list.tied) *extremes = {list_with(Ties::pessimistic), list_with(Ties::optimistic)};
+  if (extremes != nullptr && list.tied)
+    *extremes = TieExtremes{list_with(Ties::pessimistic), list_with(Ties::optimistic)};
   return list;
 }
 

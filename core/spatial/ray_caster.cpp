@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <new>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -49,7 +48,7 @@ struct Release {
 /// One device serves the process: it holds no scene, and creating one takes longer than building a small tree.
 RTCDevice device() {
   static const std::unique_ptr<RTCDeviceTy, Release> shared(rtcNewDevice(nullptr));
-  if (!shared) throw std::runtime_error("Embree, the library that casts rays, could not be started");
+  if (!shared) throw std::bad_alloc();  // Embree starts on every processor, but not without memory
   return shared.get();
 }
 
@@ -175,6 +174,7 @@ RayCaster::RayCaster(const Shape& shape, EdgeHandling edge_handling) : scene_(st
   if (shape.triangles.rows() > 0) scene_->add_triangles(shape);
   rtcCommitScene(scene_->scene.get());
   check_interruption();  // Embree gives up a tree whose loops are cancelled
+  if (rtcGetDeviceError(device()) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
 }
 
 RayCaster::~RayCaster() = default;

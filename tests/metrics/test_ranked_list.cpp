@@ -80,7 +80,9 @@ TEST(RankedList, OrdersDistancesOfAnyScale) {
   std::vector<std::size_t> order(distances.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return distances[i]; });
-  RetrievalTask task{.query_classes = {1}, .target_classes = {}, .own_column = {-1}};
+  RetrievalTask task;
+  task.query_classes = {1};
+  task.own_column = {-1};
   for (const unsigned relevant : {0x2aaaaU, 0x15555U, 0x0c30fU, 0x00208U, 0x20002U, 0x3ffffU}) {  // by bit
     task.target_classes.clear();
     for (std::size_t i = 0; i < distances.size(); ++i)
