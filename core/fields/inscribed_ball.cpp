@@ -105,7 +105,7 @@ class TouchingBalls::Search {
     const double back = extent * cone_cosine_ / std::sqrt(1 - cone_cosine_ * cone_cosine_);
     Ball ball{.centre = middle, .radius = extent + limit / frame_.diagonal};
     bool found = false;
-    tree_.search({middle - back * direction, direction, cone_cosine_}, ball,
+    tree_.search({middle - back * direction, direction, cone_cosine_, normal_limit()}, ball,
                  [&](std::span<const std::int32_t> triangles, Ball& searched) {
                    found = found || std::ranges::any_of(triangles, [&](std::int32_t index) {
                              return is_opposite(index, part, middle, direction, ball.radius);
@@ -126,6 +126,9 @@ class TouchingBalls::Search {
     std::int32_t triangle;
   };
 
+  /// Returns Cone::min_normal_cosine; points of a cloud have normals of their own.
+  [[nodiscard]] double normal_limit() const { return is_cloud(shape_) ? 0 : std::max(0.0, min_cosine_ - rounding_); }
+
   static Eigen::Vector3d direction_of(const Eigen::Vector3d& normal, BallSide side) {
     return side == BallSide::inside ? Eigen::Vector3d(-normal) : normal;
   }
@@ -141,15 +144,16 @@ class TouchingBalls::Search {
     double limit = start;
     int leaves = 0;
     Ball ball = ball_of(limit);
-    tree_.search({point, direction, cone_cosine_}, ball, [&](std::span<const std::int32_t> triangles, Ball& searched) {
-      for (const std::int32_t index : triangles) {
-        const double found = radius_at(point, normal, opposite, index, limit);
-        if (found < limit) stop = {.radius = limit = found, .triangle = index};
-      }
-      if (stop.radius < start) ++leaves;
-      limit = leaves > exact ? (1 - skipped_difference) * stop.radius : stop.radius;
-      searched = ball_of(limit);
-    });
+    tree_.search({point, direction, cone_cosine_, normal_limit()}, ball,
+                 [&](std::span<const std::int32_t> triangles, Ball& searched) {
+                   for (const std::int32_t index : triangles) {
+                     const double found = radius_at(point, normal, opposite, index, limit);
+                     if (found < limit) stop = {.radius = limit = found, .triangle = index};
+                   }
+                   if (stop.radius < start) ++leaves;
+                   limit = leaves > exact ? (1 - skipped_difference) * stop.radius : stop.radius;
+                   searched = ball_of(limit);
+                 });
     return stop;
   }
 

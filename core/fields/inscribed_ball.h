@@ -13,7 +13,7 @@
 namespace shapegauge {
 
 /// Cache version of inscribed_ball(); see docs/manual/cache.md.
-inline constexpr int inscribed_ball_version = 2;
+inline constexpr int inscribed_ball_version = 3;
 
 /// Options of inscribed_ball().
 struct InscribedBallOptions {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -33,6 +34,7 @@ class ConeSearch {
         axis_(cone.axis.cast<float>()),
         squared_cosine_(static_cast<float>(cone.cosine * cone.cosine)),
         sine_(static_cast<float>(std::sqrt(std::max(0.0, 1 - cone.cosine * cone.cosine)))),
+        min_normal_cosine_(static_cast<float>(cone.min_normal_cosine - rounding_)),
         visit_(visit),
         ball_(ball) {
     set_ball();
@@ -65,23 +67,14 @@ class ConeSearch {
     visit_leaf(leaves_[static_cast<std::size_t>(~child)]);
   }
 
-  /// Visits the triangles whose planes intersect the ball.
   void visit_leaf(const TriangleBvhLeaf& leaf) {
-    const Eigen::Vector3f centre = (ball_.centre - leaf.origin).cast<float>();
-    alignas(64) LeafLane heights;
-    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
-      heights[lane] = std::abs((centre[0] - leaf.a[0][lane]) * leaf.normal[0][lane] +
-                               (centre[1] - leaf.a[1][lane]) * leaf.normal[1][lane] +
-                               (centre[2] - leaf.a[2][lane]) * leaf.normal[2][lane]);
-    }
-    int any = 0;
-    for (const float height : heights) any |= static_cast<int>(height <= radius_);
-    if (any == 0) return;
     std::array<std::int32_t, triangles_per_leaf> triangles;
     std::size_t count = 0;
-    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
-      const bool repeated = lane > 0 && leaf.triangle[lane] == leaf.triangle[lane - 1];
-      if (heights[lane] <= radius_ && !repeated) triangles[count++] = leaf.triangle[lane];
+    const float squared_radius = radius_ * radius_ * static_cast<float>(1 + single_precision_margin);
+    for (std::uint32_t lanes = triangles_in_ball(leaf, ball_.centre, squared_radius); lanes != 0; lanes &= lanes - 1) {
+      const std::int32_t triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))];
+      const bool is_repeated = count > 0 && triangle == triangles[count - 1];
+      if (!is_repeated) triangles[count++] = triangle;
     }
     visit_(std::span(triangles).first(count), ball_);
     set_ball();
@@ -101,6 +94,7 @@ class ConeSearch {
     alignas(64) Keys height{};  // of the disk above the ball's centre
     alignas(64) Keys along{};   // the axis, from the apex to the middle of the disk
     alignas(64) Keys from_apex2{};
+    alignas(64) Keys normal_cosine{};
     for (std::size_t k = 0; k < 3; ++k) {
       const float centre = centre_[static_cast<Eigen::Index>(k)];
       const float apex = apex_[static_cast<Eigen::Index>(k)];
@@ -113,6 +107,7 @@ class ConeSearch {
         to_apex2[i] += beside_apex * beside_apex;
         height[i] += (node.centre[k][i] - centre) * node.normal[k][i];
         along[i] += from_apex * axis;
+        normal_cosine[i] += node.normal[k][i] * axis;
         from_apex2[i] += from_apex * from_apex;
       }
     }
@@ -120,7 +115,8 @@ class ConeSearch {
       const float reach = along[i] * sine_ + node.half_height[i] + node.radius[i] + static_cast<float>(rounding_);
       const bool in_cone = reach >= 0 && (from_apex2[i] - along[i] * along[i]) * squared_cosine_ <= reach * reach;
       const bool in_ball = std::abs(height[i]) - node.half_height[i] <= radius_ && to_ball2[i] <= radius_ * radius_;
-      if (!in_cone || !in_ball) to_apex2[i] = unreachable;
+      const bool faces_axis = std::abs(normal_cosine[i]) + node.normal_deviation[i] >= min_normal_cosine_;
+      if (!in_cone || !in_ball || !faces_axis) to_apex2[i] = unreachable;
     }
     return to_apex2;
   }
@@ -133,6 +129,7 @@ class ConeSearch {
   Eigen::Vector3f axis_;
   float squared_cosine_;
   float sine_;
+  float min_normal_cosine_;
   const Visit& visit_;
   Ball& ball_;
   Eigen::Vector3f centre_;

@@ -31,6 +31,8 @@ struct Cone {
   Eigen::Vector3d apex;
   Eigen::Vector3d axis;
   double cosine;  ///< of the angle, which is at most 90 degrees
+  /// Cosine of the largest angle between the axis and the normals of triangles, on either side; 0: any triangles.
+  double min_normal_cosine = 0;
 };
 
 /// Bounding volume hierarchy over the triangles of a shape for proximity queries. Nodes have eight children and leaves
@@ -56,9 +58,9 @@ class TriangleBVH {
                                                   double max_distance = std::numeric_limits<double>::infinity(),
                                                   std::int32_t hint = -1) const;
 
-  /// Calls `visit(triangles, ball)` for groups of triangles, roughly in order of their distance from the cone's apex:
-  /// at least for all that intersect both ball and cone. `visit` may replace
-  /// the ball by a smaller one inside it, which prunes the search. Radii must be finite.
+  /// Calls `visit(triangles, ball)` for groups of triangles, which may be empty, roughly in order of their distance
+  /// from the cone's apex: at least for all that intersect both ball and cone. `visit` may replace the ball by a
+  /// smaller one inside it, which prunes the search. Radii must be finite.
   void search(const Cone& cone, Ball& ball,
               const std::function<void(std::span<const std::int32_t>, Ball&)>& visit) const;
 

@@ -155,15 +155,29 @@ class Builder {
     }
   }
 
-  void set_disk(std::size_t node, std::size_t child, Part part) {
+  /// Returns the mean normal of triangles, each turned to the side of those before it; zero if all are degenerate.
+  [[nodiscard]] Eigen::Vector3d mean_normal(Part part) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const std::int32_t i : part) sum += crosses_[static_cast<std::size_t>(i)];
-    const Eigen::Vector3f normal = sum.stableNormalized().cast<float>();
+    for (const std::int32_t i : part) {
+      const Eigen::Vector3d& cross = crosses_[static_cast<std::size_t>(i)];
+      sum += cross.dot(sum) < 0 ? Eigen::Vector3d(-cross) : cross;
+    }
+    return sum.stableNormalized();
+  }
+
+  void set_disk(std::size_t node, std::size_t child, Part part) {
+    const Eigen::Vector3f normal = mean_normal(part).cast<float>();
     const Eigen::Vector3f centre = box_of_part(part).center().cast<float>();
     double height = 0;
     double radius2 = 0;
+    double deviation2 = 0;
     for (const std::int32_t i : part) {
       const Triangle& triangle = triangles_[static_cast<std::size_t>(i)];
+      const Eigen::Vector3d own = crosses_[static_cast<std::size_t>(i)].stableNormalized();
+      if (!own.isZero(0)) {
+        const double sign = own.dot(normal.cast<double>()) < 0 ? -1 : 1;
+        deviation2 = std::max(deviation2, (sign * own - normal.cast<double>()).squaredNorm());
+      }
       for (const Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c}) {
         const Eigen::Vector3d from_centre = *corner - centre.cast<double>();
         const double along = normal.cast<double>().dot(from_centre);
@@ -178,6 +192,7 @@ class Builder {
     const double margin = box_margin * (1 + centre.cast<double>().norm());
     nodes_[node].half_height[child] = static_cast<float>(height + margin);
     nodes_[node].radius[child] = static_cast<float>(std::sqrt(radius2) + margin);
+    nodes_[node].normal_deviation[child] = static_cast<float>(std::sqrt(deviation2) + box_margin);
   }
 
   std::int32_t add_leaf(Part part) {

@@ -13,8 +13,8 @@ inline constexpr int children_per_node = 8;
 inline constexpr int triangles_per_leaf = 16;
 
 /// Bounds of eight children, coordinate by coordinate: a box and a disk, which is a flat cylinder about the mean normal
-/// of the child's triangles. On a smooth surface the disk is much thinner than the box, the more so the finer the
-/// triangles. Unused slots hold an empty box at infinity.
+/// of the child's triangles, turned to one side. On a smooth surface the disk is much thinner than the box, the more so
+/// the finer the triangles. Unused slots hold an empty box at infinity.
 struct alignas(64) TriangleBvhNode {
   std::array<std::array<float, children_per_node>, 3> low;
   std::array<std::array<float, children_per_node>, 3> high;
@@ -22,6 +22,8 @@ struct alignas(64) TriangleBvhNode {
   std::array<std::array<float, children_per_node>, 3> normal;  ///< zero if undefined; the disk is then a ball
   std::array<float, children_per_node> half_height;
   std::array<float, children_per_node> radius;
+  /// Maximum length of the difference between a triangle's unit normal, turned to the same side, and that of the disk.
+  std::array<float, children_per_node> normal_deviation;
   std::array<std::int32_t, children_per_node> child;  ///< index of a node, or ~index of a leaf
 };
 
@@ -60,5 +62,8 @@ void build_triangle_bvh(std::vector<TriangleBvhNode>& nodes, std::vector<Triangl
 /// Returns the triangle with the smallest squared distance to x below the limit, or `otherwise`.
 std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise);
+
+/// Returns a bit mask of the leaf's triangles that intersect a ball.
+std::uint32_t triangles_in_ball(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& centre, float squared_radius);
 
 }  // namespace shapegauge

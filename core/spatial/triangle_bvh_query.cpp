@@ -172,6 +172,16 @@ std::int32_t closest(const std::vector<TriangleBvhNode>& nodes, const std::vecto
   return best;
 }
 
+std::uint32_t in_ball(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& centre, float squared_radius) {
+  alignas(64) LeafLane distances;
+  if (!(squared_distances(leaf, centre, distances) <= squared_radius)) return 0;
+  std::uint32_t lanes = 0;
+  for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
+    lanes |= static_cast<std::uint32_t>(distances[lane] <= squared_radius) << lane;
+  }
+  return lanes;
+}
+
 }  // namespace
 }  // namespace shapegauge::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -180,10 +190,15 @@ HWY_AFTER_NAMESPACE();
 namespace shapegauge {
 
 HWY_EXPORT(closest);
+HWY_EXPORT(in_ball);
 
 std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
   return HWY_DYNAMIC_DISPATCH(closest)(nodes, leaves, x, squared_limit, otherwise);
+}
+
+std::uint32_t triangles_in_ball(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& centre, float squared_radius) {
+  return HWY_DYNAMIC_DISPATCH(in_ball)(leaf, centre, squared_radius);
 }
 
 }  // namespace shapegauge
