@@ -9,9 +9,12 @@ import { number } from '../common/words.mjs';
 import { stamp } from './section.mjs';
 import { picture } from './shape_buttons.mjs';
 
+// The models in the order of their classes, as rows of the heat map.
+export const classOrder = ({ labels }) =>
+  labels.map((_, model) => model).sort((a, b) => labels[a] - labels[b] || a - b);
+
 export function showHeatMap(state) {
-  const { labels } = state.report;
-  const order = labels.map((_, model) => model).sort((a, b) => labels[a] - labels[b] || a - b);
+  const order = classOrder(state.report);
   state.show(['method'], () => drawHeatMap(state, order));
 }
 

@@ -29,14 +29,14 @@ export function missingReason({ failures }, id) {
 }
 
 // The models nearest to one, each with a mark: of its class or of another.
-export function nearestStrip(state, model) {
-  const { models, lists, distances } = state.method.nearest;
+export function nearestStrip(state, model, method = state.method) {
+  const { models, lists, distances } = method.nearest;
   const row = models.indexOf(model);
   if (row < 0) {
     return make('p', {}, 'The nearest models are listed for the worst queries only in data sets of this size.');
   }
   const { ids, labels } = state.report;
-  if (lists[row].length === 0) return make('p', {}, `None: ${missingReason(state.method, ids[model])}`);
+  if (lists[row].length === 0) return make('p', {}, `None: ${missingReason(method, ids[model])}`);
   return make('div', { class: 'strip' }, ...lists[row].map((other, rank) => {
     const right = labels[model] === labels[other];
     const note = state.className(other);

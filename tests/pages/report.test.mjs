@@ -2,7 +2,10 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 
 import { methodColours } from '../../pages/common/constants.mjs';
+import { mostChanged } from '../../pages/report/changes.mjs';
+import { chosenBy } from '../../pages/report/choices.mjs';
 import { orderedClasses } from '../../pages/report/classes.mjs';
+import { classMiddles, placedModels } from '../../pages/report/collection_map.mjs';
 import { countConfusions } from '../../pages/report/confusions.mjs';
 import { lowestPrecision } from '../../pages/report/curves.mjs';
 import { filteredModels } from '../../pages/report/gallery.mjs';
@@ -103,4 +106,24 @@ test('a method that is others side by side has their histograms', () => {
   assert.deepEqual(histogramMethods(methods, 1), [1]);
   assert.deepEqual(histogramMethods(methods, 3), [0, 1, 0]);
   assert.deepEqual(histogramMethods(methods, 4), []);
+});
+
+test('the queries that change most come first, without those that do not change', () => {
+  const values = [[0, 0.5], [1, 0.2], [0, 0.9], [1, 0.4]];
+  const others = [[1, 0.6], [0, 0.2], [1, 0.4], [0, 0.5]];
+  assert.deepEqual(mostChanged(values, others, 1), [2, 0, 3]);
+});
+
+test('an address chooses by words, and nothing that is not there', () => {
+  const state = new ReportState(sampleReport());
+  const asked = { method: 'b', protocol: 'paper', measure: 'no such one', average: 'classes' };
+  assert.deepEqual(chosenBy((key) => asked[key], state, Object.keys(asked)),
+    { method: 1, protocol: 1, average: 'macro' });
+  assert.deepEqual(chosenBy(() => null, state, Object.keys(asked)), {});
+});
+
+test('models have their places on the map by the order of classes', () => {
+  const placed = placedModels([[0, 1], [2, 3], [null, null]], [0, 2, 1]);
+  assert.deepEqual(placed, [{ model: 0, x: 0, y: 1 }, { model: 2, x: 2, y: 3 }]);
+  assert.deepEqual(classMiddles(placed, [0, 1, 0]), [{ label: 0, x: 1, y: 2 }]);
 });

@@ -13,7 +13,7 @@ ShapeView balls() {
   const Samples samples = sample_shape(view.shape, SampleSite::faces);
   Eigen::VectorXd thickness = Eigen::VectorXd::Constant(2 * faces, 2);
   thickness.tail(faces).setConstant(0.5);
-  view.fields = {{.name = "thickness", .values = thickness, .colours = {.low = 0.5, .high = 2}},
+  view.fields = {{.name = "thickness", .values = thickness, .colours = {.low = 0.5, .high = 2}, .measured_by = "ball"},
                  {.name = "height", .values = samples.points.col(2), .colours = {.low = -1, .high = 1}}};
   std::vector<std::int32_t> labels(static_cast<std::size_t>(2 * faces), 0);
   std::fill(labels.begin() + faces, labels.end(), 1);

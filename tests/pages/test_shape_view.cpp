@@ -138,6 +138,7 @@ TEST(ShapeViewJson, PartsAndNormalsAreThereOrNot) {
   const Json json = shape_view_json(view);
   const std::vector<int> parts = shorts_of(json["parts"][0]["values"]);
   EXPECT_TRUE(std::equal(parts.begin(), parts.end(), view.parts[0].labels.begin(), view.parts[0].labels.end()));
+  EXPECT_EQ(json["fields"][0]["measured"], (Json{{"by", "ball"}, {"unit", 1}}));
   EXPECT_EQ(json["parts"][0]["colours"], (Json{"#c82828", "#2828c8"}));
   // From the middle of the box, whose x is from -1 to 2.25.
   EXPECT_EQ(

@@ -5,9 +5,12 @@ import { join } from 'node:path';
 import test from 'node:test';
 
 import { rampColour, scalePart, scaleTicks } from '../../pages/common/chart.mjs';
-import { ramp, trianglesPerSplat } from '../../pages/common/constants.mjs';
-import { binsOf, channelsOf, scaleOf, shownBy } from '../../pages/view/channels.mjs';
+import { belowColour, ramp, trianglesPerSplat, unknownColour } from '../../pages/common/constants.mjs';
+import { binsOf, channelsOf, scaleOf, shownBy, valueColour } from '../../pages/view/channels.mjs';
+import { glbOf } from '../../pages/view/glb.mjs';
+import { measuredLine } from '../../pages/view/probe.mjs';
 import { cornersOf, unpackShape } from '../../pages/view/shape_data.mjs';
+import { planeOf } from '../../pages/view/slice.mjs';
 import { cornerNormals, measureTriangles } from '../../pages/view/surface.mjs';
 import { binShares, selectionAfter } from '../../pages/view/value_histogram.mjs';
 import { cross, difference, dot, scaled, unit, vectorAt } from '../../pages/view/vectors.mjs';
@@ -146,4 +149,45 @@ test('scales place their ticks between their ends', () => {
   assert.equal(scalePart({ from: 1, to: 1 }, 1), 0.5);
   assert.equal(rampColour(-1), ramp[0]);
   assert.equal(rampColour(2), ramp[255]);
+});
+
+test('a slice cuts off the half towards the viewer', () => {
+  assert.deepEqual(planeOf({ axis: 'y', at: 0.25 }, [0, 0.9, 0.1]), { normal: [0, 1, 0], at: 0.25 });
+  assert.deepEqual(planeOf({ axis: 'y', at: 0.25 }, [0, -0.9, 0.1]), { normal: [0, -1, 0], at: -0.25 });
+});
+
+test('a ball lies inside of the surface, that of a gap outside', () => {
+  assert.deepEqual(measuredLine([1, 0, 0], [1, 0, 0], 'ball', 0.5), { from: [1, 0, 0], to: [0.5, 0, 0] });
+  assert.deepEqual(measuredLine([1, 0, 0], [1, 0, 0], 'gap', 0.5), { from: [1, 0, 0], to: [1.5, 0, 0] });
+});
+
+test('a value has the colour of its scale, of its part, or of what is not known or too small', () => {
+  const scale = { from: 0, to: 4 };
+  assert.equal(valueColour(scale, 4), ramp[255]);
+  assert.equal(valueColour({ ...scale, root: true }, 1), rampColour(0.5));
+  assert.equal(valueColour({ ...scale, below: 1 }, 0.9), belowColour);
+  assert.equal(valueColour(scale, NaN), unknownColour);
+  assert.equal(valueColour({ ...scale, colours: ['#000000', '#0000ff'] }, 1), '#0000ff');
+});
+
+test('a GLB file has the corners with their colours and values', () => {
+  const positions = Float32Array.from([0, 0, 0, 2, 0, 0, 0, 3, 0]);
+  const file = glbOf([{ name: 'a', positions, colours: [[255, 0, 0], [0, 255, 0], [128, 0, 0]],
+    values: Float32Array.from([1, 2, 3]) }]);
+  const view = new DataView(file.buffer);
+  assert.deepEqual([0, 4, 8].map((at) => view.getUint32(at, true)), [0x46546c67, 2, file.length]);
+  const jsonLength = view.getUint32(12, true);
+  const gltf = JSON.parse(new TextDecoder().decode(file.subarray(20, 20 + jsonLength)));
+  const begin = 20 + jsonLength + 8;
+  assert.equal(view.getUint32(begin - 8, true), file.length - begin);
+  const { attributes } = gltf.meshes[0].primitives[0];
+  const bytesOf = (name) => {
+    const { byteOffset, byteLength } = gltf.bufferViews[gltf.accessors[attributes[name]].bufferView];
+    return file.slice(begin + byteOffset, begin + byteOffset + byteLength);
+  };
+  assert.deepEqual(new Float32Array(bytesOf('POSITION').buffer), positions);
+  assert.deepEqual([...new Float32Array(bytesOf('_VALUE').buffer)], [1, 2, 3]);
+  // Half of sRGB is a fifth of the light (IEC 61966-2-1).
+  assert.deepEqual([...bytesOf('COLOR_0')], [255, 0, 0, 255, 0, 255, 0, 255, 55, 0, 0, 255]);
+  assert.deepEqual([gltf.accessors[0].min, gltf.accessors[0].max, gltf.accessors[0].count], [[0, 0, 0], [2, 3, 0], 3]);
 });
