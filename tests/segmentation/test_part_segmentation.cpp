@@ -144,7 +144,7 @@ TEST(PartSegmentation, ThreePatchesAPartAreTheFewest) {
 
 TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
   const Labels parts = part_segmentation(test::dumbbell(4), {.parts = 5});
-  EXPECT_EQ(parts, renumbered(parts));
+  EXPECT_EQ(parts, renumber_labels(parts));
 }
 
 TEST(PartSegmentation, OfOneTriangle) {

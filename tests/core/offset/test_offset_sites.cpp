@@ -68,7 +68,7 @@ TEST(OffsetSites, AreOnTheOffsetSurface) {
   ASSERT_GT(numbers.size(), 1000U);
   const double r = all.grid.r;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const Eigen::Vector3d place = all.sites.place(numbers[i]);
+    const Eigen::Vector3d place = all.sites.position(numbers[i]);
     EXPECT_NEAR(all.distance_to_triangle(all.sites.triangle(numbers[i]), place), r, 1e-4);
     if (i % 20 != 0) continue;
     // The triangle of the nearest point is hardly farther than the closest one, see BlockDistances.
@@ -102,7 +102,7 @@ TEST(OffsetSites, AreThoseOfTheExteriorCellsInTheBand) {
     if (!is_certain) continue;
     ASSERT_EQ(numbers[number].size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      EXPECT_LT((all.sites.place(numbers[number][i]) - expected[i]).norm(), 1e-3);
+      EXPECT_LT((all.sites.position(numbers[number][i]) - expected[i]).norm(), 1e-3);
     }
     cells += expected.size();
   }
@@ -146,7 +146,7 @@ TEST(OffsetSites, AreTheSameOnAnyNumberOfThreads) {
   const std::vector<std::uint32_t> numbers = all_sites(serial);
   ASSERT_EQ(all_sites(parallel), numbers);
   for (const std::uint32_t site : numbers) {
-    EXPECT_EQ(serial.sites.place(site), parallel.sites.place(site));
+    EXPECT_EQ(serial.sites.position(site), parallel.sites.position(site));
     EXPECT_EQ(serial.sites.triangle(site), parallel.sites.triangle(site));
   }
 }
@@ -159,7 +159,7 @@ Eigen::Vector3d random_place(RandomNumbers& random, const BlockGrid& grid, doubl
 
 double nearest_site(const SiteGrid& all, const std::vector<std::uint32_t>& numbers, const Eigen::Vector3d& x) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t site : numbers) nearest = std::min(nearest, (all.sites.place(site) - x).norm());
+  for (const std::uint32_t site : numbers) nearest = std::min(nearest, (all.sites.position(site) - x).norm());
   return nearest;
 }
 
@@ -214,12 +214,12 @@ TEST(NearbySites, CollectTheSitesWithinReachOfTheBox) {
     nearby.start_sites(0, 1e6, 0, numbers.size(), found);
     std::set<std::array<double, 3>> collected;
     const auto key = [&](std::uint32_t site) {
-      const Eigen::Vector3d at = all.sites.place(site);
+      const Eigen::Vector3d at = all.sites.position(site);
       return std::array{at.x(), at.y(), at.z()};
     };
     for (const NearbySites::Site& site : found) collected.insert(key(site.site));
     for (const std::uint32_t site : numbers) {
-      if (box.exteriorDistance(all.sites.place(site)) > reach - 1e-3) continue;
+      if (box.exteriorDistance(all.sites.position(site)) > reach - 1e-3) continue;
       EXPECT_TRUE(collected.contains(key(site)));
     }
   }
@@ -246,22 +246,22 @@ TEST(NearbySites, StartsAreTheNearestSitesApart) {
         most = std::max(most, starts.size());
         EXPECT_NEAR(static_cast<double>(starts.front().distance), nearest[1], 1e-4);
         for (std::size_t i = 0; i < starts.size(); ++i) {
-          const Eigen::Vector3d start = all.sites.place(starts[i].site);
+          const Eigen::Vector3d start = all.sites.position(starts[i].site);
           EXPECT_NEAR(static_cast<double>(starts[i].distance), (start - place).norm(), 1e-3);
           EXPECT_LT(starts[i].distance, nearest[1] + margin + 1e-4);
           for (std::size_t k = 0; k < i; ++k) {
             EXPECT_LE(starts[k].distance, starts[i].distance);
-            EXPECT_GT((all.sites.place(starts[k].site) - start).norm(), apart - 1e-4);
+            EXPECT_GT((all.sites.position(starts[k].site) - start).norm(), apart - 1e-4);
           }
         }
         // A site that is not among them is near one that is no farther, or farther than the last of a full list.
         for (const std::uint32_t site : numbers) {
-          const Eigen::Vector3d at = all.sites.place(site);
+          const Eigen::Vector3d at = all.sites.position(site);
           const double distance = (at - place).norm();
           if (distance > nearest[1] + margin - 1e-3) continue;
           const bool is_represented = std::ranges::any_of(starts, [&](const NearbySites::Site& start) {
             return static_cast<double>(start.distance) <= distance + 1e-3 &&
-                   (all.sites.place(start.site) - at).norm() <= apart + 1e-3;
+                   (all.sites.position(start.site) - at).norm() <= apart + 1e-3;
           });
           const bool is_beyond =
               starts.size() == max_count && distance > static_cast<double>(starts.back().distance) - 1e-3;
