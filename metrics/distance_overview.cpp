@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/metrics/ranked_list.h"
@@ -13,6 +14,7 @@ namespace shapegauge {
 namespace {
 
 constexpr Eigen::Index nearest_kept = 10;
+constexpr double no_distance = std::numeric_limits<double>::infinity();
 
 /// Returns the unit of sums: below the 16-bit resolution of the heat map, and large enough to prevent overflow.
 double unit_for(double largest) {
@@ -27,12 +29,13 @@ std::int64_t in_units(double distance, double unit) {
 }
 
 void add_to_sums(std::span<const double> row, Eigen::Index model, PartialOverview& seen) {
-  const std::int32_t cell_row = seen.positions[static_cast<std::size_t>(model)] / static_cast<std::int32_t>(seen.block);
-  PartialOverview::Cell* const cells = seen.sums.data() + cell_row * seen.side;
+  const Eigen::Index block = seen.overview.block;
+  const Eigen::Index cell_row = seen.positions[static_cast<std::size_t>(model)] / block;
+  PartialOverview::Cell* const cells = seen.sums.data() + cell_row * seen.overview.cells.cols();
   for (std::size_t other = 0; other < row.size(); ++other) {
     const double distance = static_cast<Eigen::Index>(other) == model ? 0 : row[other];
     if (!std::isfinite(distance)) continue;
-    PartialOverview::Cell& cell = cells[seen.positions[other] / seen.block];
+    PartialOverview::Cell& cell = cells[seen.positions[other] / block];
     cell.sum += in_units(distance, seen.unit);
     ++cell.count;
   }
@@ -44,7 +47,7 @@ std::vector<std::vector<Eigen::Index>> rows_by_cell(Eigen::Index first, Eigen::I
   std::vector<Eigen::Index> rows(static_cast<std::size_t>(count));
   std::iota(rows.begin(), rows.end(), Eigen::Index{0});
   const auto cell = [&](Eigen::Index row) {
-    return seen.positions[static_cast<std::size_t>(first + row)] / seen.block;
+    return seen.positions[static_cast<std::size_t>(first + row)] / seen.overview.block;
   };
   std::ranges::stable_sort(rows, {}, cell);
   std::vector<std::vector<Eigen::Index>> groups;
@@ -76,87 +79,65 @@ double largest_finite(std::span<const double> row, Eigen::Index itself) {
   return largest;
 }
 
-PartialOverview begin_overview(std::span<const int> labels, double largest, Eigen::Index first, Eigen::Index last) {
+PartialOverview begin_overview(std::span<const int> labels, double largest) {
   PartialOverview seen;
+  DistanceOverview& overview = seen.overview;
   const auto models = static_cast<Eigen::Index>(labels.size());
-  seen.first = first;
+  overview.block = std::max<Eigen::Index>(1, (models + largest_heat_map - 1) / largest_heat_map);
+  const Eigen::Index side = (models + overview.block - 1) / overview.block;
+  overview.cells.resize(side, side);
   seen.unit = unit_for(largest);
-  seen.block = std::max<Eigen::Index>(1, (models + largest_heat_map - 1) / largest_heat_map);
-  seen.side = (models + seen.block - 1) / seen.block;
+  if (overview.block > 1) seen.sums.resize(static_cast<std::size_t>(side * side));
   seen.positions.resize(labels.size());
   const std::vector<Eigen::Index> order = order_by_class(labels);
   for (std::size_t position = 0; position < order.size(); ++position) {
     seen.positions[static_cast<std::size_t>(order[position])] = static_cast<std::int32_t>(position);
   }
-  if (seen.block > 1) {
-    seen.sums.resize(static_cast<std::size_t>(seen.side * seen.side));
-  } else {
-    seen.entries.resize(static_cast<std::size_t>((last - first) * models));
-  }
   const Eigen::Index kept = std::clamp<Eigen::Index>(models - 1, 0, nearest_kept);
-  seen.nearest.resize(last - first, kept);
-  seen.nearest_distances.resize(last - first, kept);
+  overview.nearest.resize(models, kept);
+  overview.nearest_distances.resize(models, kept);
   return seen;
 }
 
 void accumulate(const DistanceTable& rows, Eigen::Index first, PartialOverview& seen) {
-  const Eigen::Index kept = seen.nearest.cols();
+  DistanceOverview& overview = seen.overview;
+  const Eigen::Index kept = overview.nearest.cols();
   parallel_for(Eigen::Index{0}, rows.rows(), [&](Eigen::Index i) {
-    const std::vector<Eigen::Index> nearest = first_ranked(row_of(rows, i), first + i, kept);
-    const Eigen::Index to = first - seen.first + i;
+    const Eigen::Index model = first + i;
+    const std::vector<Eigen::Index> nearest = first_ranked(row_of(rows, i), model, kept);
     for (Eigen::Index k = 0; k < kept; ++k) {
       const Eigen::Index other = nearest[static_cast<std::size_t>(k)];
-      seen.nearest(to, k) = static_cast<std::int32_t>(other);
-      seen.nearest_distances(to, k) = rows(i, other);
+      overview.nearest(model, k) = static_cast<std::int32_t>(other);
+      overview.nearest_distances(model, k) = rows(i, other);
     }
-    if (seen.block == 1) std::ranges::copy(row_of(rows, i), seen.entries.data() + to * rows.cols());
+    if (overview.block > 1) return;
+    const std::int32_t row = seen.positions[static_cast<std::size_t>(model)];
+    for (Eigen::Index other = 0; other < rows.cols(); ++other) {
+      const double entry = other == model ? 0 : rows(i, other);
+      overview.cells(row, seen.positions[static_cast<std::size_t>(other)]) = std::isfinite(entry) ? entry : no_distance;
+    }
   });
-  if (seen.block == 1) return;
+  if (overview.block == 1) return;
   const std::vector<std::vector<Eigen::Index>> groups = rows_by_cell(first, rows.rows(), seen);
   parallel_for(std::size_t{0}, groups.size(), [&](std::size_t group) {
     for (const Eigen::Index i : groups[group]) add_to_sums(row_of(rows, i), first + i, seen);
   });
 }
 
-DistanceOverview overview_of(std::span<const PartialOverview> parts) {
-  const PartialOverview& any = parts.front();
-  const auto models = static_cast<Eigen::Index>(any.positions.size());
-  DistanceOverview overview;
-  overview.block = any.block;
-  overview.cells.resize(any.side, any.side);
-  overview.nearest.resize(models, any.nearest.cols());
-  overview.nearest_distances.resize(models, any.nearest.cols());
-  std::vector<PartialOverview::Cell> sums(any.sums.size());
-  for (const PartialOverview& part : parts) {
-    overview.nearest.middleRows(part.first, part.nearest.rows()) = part.nearest;
-    overview.nearest_distances.middleRows(part.first, part.nearest.rows()) = part.nearest_distances;
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      sums[i].sum += part.sums[i].sum;
-      sums[i].count += part.sums[i].count;
-    }
-    for (std::size_t i = 0; i < part.entries.size(); ++i) {
-      const auto row = part.first + static_cast<Eigen::Index>(i) / models;
-      const auto column = static_cast<Eigen::Index>(i) % models;
-      const double entry = row == column ? 0 : part.entries[i];
-      overview.cells(any.positions[static_cast<std::size_t>(row)], any.positions[static_cast<std::size_t>(column)]) =
-          std::isfinite(entry) ? entry : std::numeric_limits<double>::infinity();
-    }
+DistanceOverview overview_of(PartialOverview seen) {
+  Eigen::MatrixXd& cells = seen.overview.cells;
+  for (std::size_t i = 0; i < seen.sums.size(); ++i) {
+    const auto& [sum, count] = seen.sums[i];
+    cells(static_cast<Eigen::Index>(i) / cells.cols(), static_cast<Eigen::Index>(i) % cells.cols()) =
+        count > 0 ? static_cast<double>(sum) / static_cast<double>(count) * seen.unit : no_distance;
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i) / any.side;
-    const auto column = static_cast<Eigen::Index>(i) % any.side;
-    overview.cells(row, column) = sums[i].count > 0
-                                      ? static_cast<double>(sums[i].sum) / static_cast<double>(sums[i].count) * any.unit
-                                      : std::numeric_limits<double>::infinity();
-  }
-  return overview;
+  return std::move(seen.overview);
 }
 
 DistanceOverview overview_of(const DistanceTable& distances, std::span<const int> labels) {
-  std::vector<PartialOverview> all;
-  all.push_back(begin_overview(labels, largest_finite(row_of(distances, 0), 0), 0, distances.rows()));
-  accumulate(distances, 0, all.back());
-  return overview_of(all);
+  PartialOverview seen = begin_overview(labels, largest_finite(row_of(distances, 0), 0));
+  accumulate(distances, 0, seen);
+  return overview_of(std::move(seen));
 }
 
 }  // namespace shapegauge

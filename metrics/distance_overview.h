@@ -25,24 +25,19 @@ struct DistanceOverview {
   DistanceMatrix nearest_distances;  ///< distances to `nearest`
 };
 
-/// Partial overview of some rows of a matrix. Several processes may each process other rows.
+/// Overview of the rows of a matrix so far.
 struct PartialOverview {
   /// Sum and number of the finite entries of a cell. The sum is an integer multiple of `unit`, which makes it
-  /// independent of the order of rows and of their distribution over processes.
+  /// independent of the order of rows.
   struct Cell {
     std::int64_t sum = 0;
     std::int64_t count = 0;
   };
 
-  Eigen::Index first = 0;
   double unit = 1;
-  std::vector<std::int32_t> positions;  ///< per model: its position in order_by_class()
-  Eigen::Index block = 1;
-  Eigen::Index side = 0;        ///< number of cells along a side
-  std::vector<Cell> sums;       ///< row by row; empty if a cell is one entry
-  std::vector<double> entries;  ///< used instead of sums: rows from `first` on, in the models' order
-  NearestIndices nearest;       ///< of the rows from `first` on
-  DistanceMatrix nearest_distances;
+  std::vector<std::int32_t> positions;  ///< by model: its position in order_by_class()
+  std::vector<Cell> sums;               ///< row by row; empty if a cell is one entry
+  DistanceOverview overview;            ///< cells that are sums are missing
 };
 
 /// Returns the models' indices sorted by class, in the models' order within a class.
@@ -51,15 +46,15 @@ std::vector<Eigen::Index> order_by_class(std::span<const int> labels);
 /// Returns the largest finite distance of a row without the model's distance to itself; 0 without any.
 double largest_finite(std::span<const double> row, Eigen::Index itself);
 
-/// Starts an overview of the rows [first, last) of the matrix between models with these labels. `largest` is the
-/// largest_finite() of the first row and sets the resolution of the sums; unused if cells are entries.
-PartialOverview begin_overview(std::span<const int> labels, double largest, Eigen::Index first, Eigen::Index last);
+/// Starts an overview of the matrix between models with these labels. `largest` is the largest_finite() of the first
+/// row and sets the resolution of the sums; unused if cells are entries.
+PartialOverview begin_overview(std::span<const int> labels, double largest);
 
 /// Accumulates rows of the matrix from the row `first` on. Parallel, with the same result for any number of threads.
 void accumulate(const DistanceTable& rows, Eigen::Index first, PartialOverview& seen);
 
-/// Merges partial overviews. Each row must have been accumulated once.
-DistanceOverview overview_of(std::span<const PartialOverview> parts);
+/// Returns the overview after each row was accumulated once.
+DistanceOverview overview_of(PartialOverview seen);
 
 /// Computes the overview of a matrix in memory.
 DistanceOverview overview_of(const DistanceTable& distances, std::span<const int> labels);

@@ -266,7 +266,7 @@ class MethodsRun {
     if (configuration_->report.wanted) {
       const double largest = whole ? largest_of_whole(whole_[i], holders_[i].places().front())
                                    : largest_of_first(streamed.distance, streamed.rows);
-      overview = begin_overview(labels_, largest, 0, std::ssize(labels_));
+      overview = begin_overview(labels_, largest);
     }
     RowVisitor also;
     if (file || overview) {
@@ -284,7 +284,7 @@ class MethodsRun {
     }
     if (file) file->close();
     method.evaluations = evaluations_of(task_, evaluations_, scores);
-    if (overview) method.overview = overview_of({&*overview, 1});
+    if (overview) method.overview = overview_of(std::move(*overview));
     DistanceMatrix matrix = std::move(whole_[i]);
     if (keeps_matrices()) method.distances = std::move(matrix);
     return seconds;
