@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>
 
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/metrics/evaluation.h"
 
 /// Scores as the scripts of pages read them.
