@@ -119,7 +119,8 @@ Json map_json(const DistanceOverview& distances) {
   constexpr int map_digits = 4;
   if (distances.block > 1) return nullptr;
   Json rows = Json::array();
-  for (const auto& place : plane_embedding(distances.cells).rowwise()) {
+  const Eigen::MatrixX2d places = plane_embedding(distances.cells);
+  for (const auto& place : places.rowwise()) {
     rows.push_back({rounded_to_digits(place[0], map_digits), rounded_to_digits(place[1], map_digits)});  // null: none
   }
   return rows;

@@ -2,7 +2,8 @@
 
 import { make } from './elements.mjs';
 
-export const dialogButton = (text, click, attributes = {}) => make('button', { type: 'button', click, ...attributes }, text);
+export const dialogButton = (text, click, attributes = {}) =>
+  make('button', { type: 'button', click, ...attributes }, text);
 
 export function fillDialog(dialog, title, buttons, ...body) {
   dialog.replaceChildren(

@@ -34,7 +34,7 @@ function followScrolling(links) {
   const observer = new IntersectionObserver((entries) => {
     for (const { target, isIntersecting } of entries) {
       if (!isIntersecting) continue;
-      for (const link of links.values()) link.removeAttribute('aria-current');
+      for (const other of links.values()) other.removeAttribute('aria-current');
       links.get(target).setAttribute('aria-current', 'true');
     }
   }, { rootMargin: '-15% 0px -75% 0px' });

@@ -57,7 +57,8 @@ function methodCell(index, report) {
   const title = page ? make('a', { href: page }, name) : name;
   const source = url ? make('a', { href: url, rel: 'noopener' }, paper || url) : paper;
   const parts = [authors, source].filter((part) => part);
-  const about = parts.length ? make('span', { class: 'about' }, ...(parts[1] ? [`${ended(authors)} `, source] : parts)) : null;
+  const words = parts.length > 1 ? [`${ended(authors)} `, source] : parts;
+  const about = parts.length ? make('span', { class: 'about' }, ...words) : null;
   return make('div', { class: 'method-name' }, swatch(index), title, about);
 }
 

@@ -19,12 +19,12 @@ export function showChanges(state) {
   const names = state.report.methods.map(({ name }) => name);
   const asked = names.indexOf(linked('with'));
   let other = asked >= 0 ? asked : names.length - 1;
+  const draw = () => drawChanges(state, other);
   byId('changes-tools').append(choice('Compared with', names, other, (index) => {
     other = index;
     link({ with: names[index] });
     draw();
   }));
-  const draw = () => drawChanges(state, other);
   state.show(['method', 'protocol'], draw);
 }
 
@@ -40,7 +40,8 @@ function drawChanges(state, other) {
   byId('changes-list').replaceChildren(...positions.slice(0, shownQueries).map((position) => {
     const model = queries[position];
     const answers = both.map(([one, scores]) => make('div', {},
-      make('p', { class: 'count' }, `${one.name}: ${percent(scores[position][measure])}`), nearestStrip(state, model, one)));
+      make('p', { class: 'count' }, `${one.name}: ${percent(scores[position][measure])}`),
+      nearestStrip(state, model, one)));
     return make('li', {}, shapeButton(state, model, { note: state.className(model) }), make('div', {}, ...answers));
   }));
 }

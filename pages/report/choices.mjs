@@ -12,7 +12,7 @@ const choices = {
 };
 
 const valueAt = (key, index) => (choices[key].values ? choices[key].values[index] : index);
-const indexOf = (state, key) => (choices[key].values ? choices[key].values.indexOf(state.chosen[key]) : state.chosen[key]);
+const indexOf = ({ chosen }, key) => (choices[key].values ? choices[key].values.indexOf(chosen[key]) : chosen[key]);
 
 // What an address chooses; asked(key): its words, or null.
 export function chosenBy(asked, state, keys) {

@@ -47,7 +47,8 @@ function drawShapes() {
 }
 
 const present = {
-  errors, classes: errors, damage: moved.rows.length, typical: shown.length, shapes: shown.length, notes: failures.length,
+  errors, classes: errors, damage: moved.rows.length, typical: shown.length, shapes: shown.length,
+  notes: failures.length,
 };
 for (const [section, there] of Object.entries(present)) if (!there) byId(section).remove();
 drawFrame(page, [counted(page.labels.length, 'shape'), counted(page.classes.length, 'class')]);

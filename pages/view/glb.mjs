@@ -47,7 +47,8 @@ export function glbOf(meshes) {
     nodes: meshes.map(({ name }, mesh) => ({ name, mesh })),
     materials: [{ doubleSided: true, pbrMetallicRoughness: { metallicFactor: 0 } }],
     meshes: meshes.map(({ name, positions, colours, values }) => {
-      const rgba = Uint8Array.from(colours.flatMap((colour) => [...colour.map((x) => Math.round(255 * linear(x))), 255]));
+      const level = (x) => Math.round(255 * linear(x));
+      const rgba = Uint8Array.from(colours.flatMap((colour) => [...colour.map(level), 255]));
       const attributes = {
         POSITION: add(positions, 'VEC3', 3, { min: extreme(positions, Math.min), max: extreme(positions, Math.max) }),
         COLOR_0: add(rgba, 'VEC4', 4, { normalized: true }),

@@ -65,7 +65,8 @@ function geometryOf(shape) {
 function shapeMaterial() {
   const uniforms = {
     colours: null, levels: ramp.length, range: new THREE.Vector2(0, 1), root: false, what: channelNumbers.plain,
-    marking: false, below: 0, cut: new THREE.Vector4(0, 0, 0, 1), lighting: false, lit: new THREE.Vector2(0, 1), unlit: new THREE.Color(0.6, 0.6, 0.6),
+    marking: false, below: 0, lighting: false, lit: new THREE.Vector2(0, 1), unlit: new THREE.Color(0.6, 0.6, 0.6),
+    cut: new THREE.Vector4(0, 0, 0, 1),
   };
   for (const name of Object.keys(uniforms)) uniforms[name] = { value: uniforms[name] };
   return new THREE.ShaderMaterial({ vertexShader, fragmentShader, side: THREE.DoubleSide, uniforms });
@@ -102,7 +103,8 @@ export class DrawnShape {
     this.section = shape.vertexOf ? new Section(this.mesh.geometry, { cut: this.material.uniforms.cut },
       { vertexShader, fragmentShader: parityShader }) : null; // a cloud has none
     this.probe = new Probe();
-    this.drawn = [this.mesh, this.lines, ...(this.section ? this.section.drawn : []), ...this.probe.drawn].filter(Boolean);
+    const helpers = [this.section, this.probe].flatMap((one) => (one ? one.drawn : []));
+    this.drawn = [this.mesh, ...(this.lines ? [this.lines] : []), ...helpers];
     this.plane = null;
     this.turned = new THREE.Group();
     this.turned.add(...this.drawn);

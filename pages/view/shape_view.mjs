@@ -38,7 +38,6 @@ export class ShapeView {
     this.unit = unit;
     this.channels = channelsOf(this.shapes);
     this.channel = this.channels.find(({ name }) => name === linked('colours')) || this.channels[0];
-    this.slice = null;
     this.together = true;
     this.lit = null;
     this.camera = readCamera(linked('camera'));
@@ -73,7 +72,8 @@ export class ShapeView {
       this.show();
     };
     const names = this.channels.map(({ name }) => name);
-    const parts = [choice('Colours', names, this.channels.indexOf(this.channel), (index) => change({ channel: this.channels[index] }))];
+    const shown = this.channels.indexOf(this.channel);
+    const parts = [choice('Colours', names, shown, (index) => change({ channel: this.channels[index] }))];
     if (this.shapes.length > 1) {
       const toggle = (event) => change({ together: event.target.checked });
       const same = make('input', { type: 'checkbox', checked: true, change: toggle });
@@ -81,7 +81,7 @@ export class ShapeView {
     }
     const button = (kind, text, click) => make('button', { type: 'button', class: kind, click }, text);
     if (this.live) {
-      parts.push(sliceTools(this.slice, (slice) => this.cut(slice)),
+      parts.push(sliceTools((slice) => this.cut(slice)),
         button('view-reset', 'Reset view', () => this.reset()),
         button('view-save', 'Download GLB', () => this.save()));
     }
@@ -150,7 +150,6 @@ export class ShapeView {
 
   // Cuts off the half that is towards the viewer at this moment.
   cut(slice) {
-    this.slice = slice;
     for (const { drawn } of this.cells) {
       if (!drawn) continue;
       const turn = drawn.upright.clone().premultiply(this.camera.turn).inverse();
@@ -224,6 +223,7 @@ export class ShapeView {
       return;
     }
     const { colours } = shown;
+    const alone = this.cells.length === 1;
     const { bins, low, high, edge } = binsOf(shown);
     cell.edges = (first, last) => [edge(first), edge(last + 1)];
     cell.shares = binShares(shown.values, shape.weights, low, high, bins);
@@ -232,7 +232,7 @@ export class ShapeView {
       label: `${this.channel.name} of ${shape.name}: share of the area`,
       colourOf: (bin) => valueColour(shown, colours ? bin : edge(bin + 0.5)),
       title: colours ? this.channel.name : this.channelWords, mark: shown.below,
-      size: { width: Math.max(260, cell.bars.clientWidth || 420), height: this.cells.length > 1 || shape.regions.length ? 200 : 420 },
+      size: { width: Math.max(260, cell.bars.clientWidth || 420), height: alone && !shape.regions.length ? 420 : 200 },
       ticks: colours && d3.range(0, bins, Math.ceil(bins / 12)),
       chosen: (first, last) => this.choose(cell, first, last),
     });

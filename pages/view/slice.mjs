@@ -5,16 +5,20 @@ import { choice, make } from '../common/elements.mjs';
 const axes = ['x', 'y', 'z'];
 
 // The controls; changed() receives { axis, at }, at from -1 to 1 in units of the radius, or null.
-export function sliceTools(slice, changed) {
-  const range = make('input', { type: 'range', min: -1, max: 1, step: 0.01, value: slice ? slice.at : 0,
-    'aria-label': 'Position of the slice', disabled: !slice, input: () => change() });
-  const chosen = choice('Slice', ['none', ...axes], slice ? 1 + axes.indexOf(slice.axis) : 0, () => change());
+export function sliceTools(changed) {
+  let axis;
+  const range = make('input', {
+    type: 'range', min: -1, max: 1, step: 0.01, value: 0, 'aria-label': 'Position of the slice', disabled: true,
+  });
   const change = () => {
-    const axis = axes[chosen.querySelector('select').selectedIndex - 1];
     range.disabled = !axis;
     changed(axis ? { axis, at: Number(range.value) } : null);
   };
-  return make('span', { class: 'view-slice' }, chosen, range);
+  range.addEventListener('input', change);
+  return make('span', { class: 'view-slice' }, choice('Slice', ['none', ...axes], 0, (index) => {
+    axis = axes[index - 1];
+    change();
+  }), range);
 }
 
 // The plane in the coordinates of a shape: kept is where dot(normal, x) <= at. The half towards the viewer is cut off.

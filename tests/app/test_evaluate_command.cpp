@@ -100,7 +100,7 @@ TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
   EXPECT_EQ(outcome.output, evaluate_toy("").output);
   const std::string page = text_of(at("report.html"));
   EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
-  EXPECT_THAT(page, HasSubstr("<title>toy – shapegauge</title>"));
+  EXPECT_THAT(page, HasSubstr("<title>toy – shapegauge report</title>"));
   EXPECT_THAT(page, HasSubstr(R"("classes":["A","B"],"ids":["0","1","2","3","4","5","6"],"labels":[0,0,0,1,1,1,1])"));
   const Outcome nowhere = evaluate_toy("--report '" + at("no_folder/report.html") + "'");
   EXPECT_EQ(nowhere.status, 2);

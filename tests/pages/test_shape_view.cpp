@@ -218,7 +218,7 @@ TEST(ViewPage, NoNameCanBreakIt) {
 
 TEST(ViewPage, AsksForNothingButItselfAndLeavesNoMarkOpen) {
   const std::string html = view_page(test_view::page());
-  for (const char* word : {" src=\"http", " href=\"", "<link", "@import", "{{title}}", "{{style}}", "{{pictures}}",
+  for (const char* word : {" src=\"http", " href=\"http", "@import", "{{title}}", "{{style}}", "{{main}}",
                            "{{libraries}}", "{{data}}", "{{script}}"}) {
     EXPECT_THAT(html, Not(HasSubstr(word)));
   }

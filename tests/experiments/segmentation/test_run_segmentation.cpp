@@ -37,7 +37,6 @@ namespace {
 using test::bytes_of;
 using test::TemporaryFolder;
 using testing::HasSubstr;
-using testing::Not;
 
 /// Two disjoint balls: every method finds the same two parts.
 Shape two_balls(int subdivisions = 2) {
@@ -136,7 +135,7 @@ TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
     for (const std::string name : manifest.at("files")) files[name] = bytes_of(place / name);
     EXPECT_TRUE(files.contains("parts/the_paper/22.seg"));
     EXPECT_TRUE(files.contains("errors.csv"));
-    EXPECT_THAT(files.at("report.html"), HasSubstr("data:image/png;base64,"));
+    EXPECT_THAT(files.at("report.html"), HasSubstr("\"png\":\"iVBOR"));
     if (first.empty()) first = files;
     EXPECT_EQ(files, first);
     EXPECT_EQ(read_seg(place / "parts/best/1.seg", two_balls()).back(), 1);
@@ -211,7 +210,8 @@ TEST_F(SegmentationRun, OfShapesThatNobodyCutSaysHowAlikeTheirPartsAre) {
   test::publish(folder_.path() / "results", results);
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "results/consistency.csv"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "results/errors.csv"));
-  EXPECT_THAT(bytes_of(folder_.path() / "results/report.html"), Not(HasSubstr("nan")));
+  const std::string page = bytes_of(folder_.path() / "results/report.html");
+  EXPECT_THAT(page, HasSubstr("\"errors\":null")) << "there is nothing to compare with";
 }
 
 /// Closed box of six quadrilaterals, triangulated as twelve triangles.
