@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 using test::text_of;
 using test::write_text;
 using test_command_line::expect_error_line;
-using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using testing::HasSubstr;
 

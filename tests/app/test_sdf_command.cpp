@@ -22,7 +22,6 @@ using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::UnusableCall;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 class SdfCommand : public testing::Test {
  protected:

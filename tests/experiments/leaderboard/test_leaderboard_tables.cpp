@@ -8,7 +8,6 @@ namespace shapegauge {
 
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(LeaderboardTables, OfFilesHaveBothAveragesWithIntervalsAndGroups) {
