@@ -237,9 +237,10 @@ void add_evaluated(const fs::path& path, EvaluatedFiles evaluated, const Evaluat
   std::vector<std::string> found = files.warnings;
   if (arguments.resampling.confidence > 0) {
     const BusyLine line("resampling");
-    named.intervals = intervals_of(files.evaluation, {.confidence = arguments.resampling.confidence,
-                                                      .blocks = resampling_unit_of(arguments.resampling.blocks).value(),
-                                                      .resampling = arguments.resampling.resampling});
+    named.intervals =
+        intervals_of(files.evaluation, {.confidence = arguments.resampling.confidence,
+                                        .blocks = value_of_word<ResamplingUnit>(arguments.resampling.blocks).value(),
+                                        .resampling = arguments.resampling.resampling});
     if (named.intervals.micro.empty()) {
       found.push_back(fmt::format("no intervals: fewer than two {}", arguments.resampling.blocks));
     }

@@ -197,7 +197,7 @@ int report_part(const PartOutcome& outcome, const Part& part, const fs::path& ca
 
 /// Checks what a run would check before it computes, and prints its inputs and results.
 int describe_run(const RunArguments& arguments, const Experiment& experiment, const fs::path& folder) {
-  check_earlier_results(folder, experiment.configuration, arguments.replace || arguments.force);
+  check_earlier_results(folder, experiment.configuration(), arguments.replace || arguments.force);
   std::size_t files = 0;
   const nlohmann::json inputs = experiment.inputs ? experiment.inputs(arguments.threads) : nlohmann::json::object();
   for (const char* kind : {"models", "shapes"}) files += inputs.value(kind, nlohmann::json::object()).size();
@@ -217,7 +217,7 @@ int run(const RunArguments& arguments) {
   const fs::path folder = result_folder(arguments, experiment.name);
   std::ranges::copy(request.files, std::back_inserter(experiment.input_paths));
   if (arguments.print_configuration) {
-    print_output("{}\n", json_text(experiment.configuration, 2));
+    print_output("{}\n", json_text(experiment.configuration(), 2));
     return exit_success;
   }
   if (arguments.dry_run) return describe_run(arguments, experiment, folder);
