@@ -66,8 +66,9 @@ std::string plain_number(double number, int digits) {
   if (size == 0) return "0";
   if (!(size >= 1e-9 && size < 1e15)) return fmt::format("{:.{}g}", number, digits);
   const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(size)));
-  const double unit = std::pow(10, std::max(-decimals, 0));
-  std::string text = fmt::format("{:.{}f}", std::round(number / unit) * unit, std::max(decimals, 0));
+  const double unit = std::pow(10, -decimals);
+  std::string text =
+      decimals < 0 ? fmt::format("{:.0f}", std::round(number / unit) * unit) : fmt::format("{:.{}f}", number, decimals);
   if (decimals > 0) text.erase(text.find_last_not_of('0') + 1);
   if (text.ends_with('.')) text.pop_back();
   return text;
