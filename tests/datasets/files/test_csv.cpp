@@ -14,8 +14,9 @@ using testing::HasSubstr;
 
 // Cells of a one-row text.
 std::vector<std::string> cells_of(const std::string& text, char separator = ',') {
-  const std::vector<CsvRow> rows = parse_csv(text, "f.csv", separator);
-  return rows.size() == 1 ? rows[0].cells : std::vector<std::string>{"not one row"};
+  CsvReader reader(text, "f.csv", separator);
+  const auto row = reader.next();
+  return row && !reader.next() ? row->cells : std::vector<std::string>{"not one row"};
 }
 
 std::string csv_error_of(const std::string& text) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "tests/support/test_files.h"
 

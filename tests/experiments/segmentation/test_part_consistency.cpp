@@ -48,7 +48,7 @@ TEST(MovedTable, HasARowForEachMethodWithPerturbations) {
   SegmentationResults results = results_of({0, 0, 0}, {{1.0}, {1.0}, {1.0}});
   for (std::size_t i = 0; i < 3; ++i) results.shapes[i].moved = {std::vector{0.1, 0.5, 0.3}[i]};
   EXPECT_TRUE(moved_table(results).rows.empty());
-  results.experiment.methods[0].perturbations.resize(1);
+  results.experiment.methods[0].perturbations.push_back({.values = ParameterValues({})});
   ASSERT_EQ(moved_table(results).rows.size(), 1U);
   EXPECT_THAT(moved_table(results).rows[0], testing::ElementsAre("m", "0.300", "0.300", "0.500"));
 }
