@@ -111,7 +111,8 @@ def ball_with_outliers(count):
     """Random points of a unit sphere, and outliers at both ends of the array."""
     points = np.random.default_rng(1).normal(size=(3000, 3))
     points /= np.linalg.norm(points, axis=1)[:, None]
-    return np.concatenate([[[30.0, 0, 0]] * min(count, 1), points, [[0, -40.0, 0]] * (count - min(count, 1))])
+    far = [[30.0, 0, 0], *[[0, -40.0, 0]] * (count - 1)][:count]
+    return np.concatenate([np.reshape(far[:1], (-1, 3)), points, np.reshape(far[1:], (-1, 3))])
 
 
 def test_outliers_are_removed_on_request_or_by_auto(tmp_path):

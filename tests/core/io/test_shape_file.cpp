@@ -91,7 +91,7 @@ TEST(ReadShape, RefusesWhatIsNotAShapeFile) {
   const TemporaryFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
   std::filesystem::create_directory(folder.path() / "folder.off");
-  ASSERT_EQ(::mkfifo((folder.path() / "pipe.off").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe.off").c_str(), 0644), 0);
   const auto locked = folder.file("locked.off", test::as_ascii_off(tetrahedron()));
   std::filesystem::permissions(locked, std::filesystem::perms::none);
   const std::vector<test::Refusal> refusals = {{"absent.off", "No such file"},

@@ -96,8 +96,10 @@ TEST(GapSize, OfTilesIsHalfTheirDistance) {
     const Eigen::RowVector3d centre = corners.colwise().mean();
     corners = (0.999 * (corners.rowwise() - centre)).rowwise() + centre;
   }
-  // The centre of a right triangle of side 1/4 is 1/12 from its short sides.
-  EXPECT_NEAR(gap_sizes(tiles).widest, 0.001 / 12, 0.01 * 0.001 / 12);
+  // Tiles on two sides of a short side are 2/3 of a thousandth of its length apart, and their corners are displaced by
+  // half of that along it.
+  const double half_width = 0.001 / 4 * std::hypot(2, 1) / 3 / 2;
+  EXPECT_NEAR(gap_sizes(tiles).widest, half_width, 0.01 * half_width);
 }
 
 TEST(GapSize, IsZeroWhereEdgesMeetWithoutSharingCorners) {
