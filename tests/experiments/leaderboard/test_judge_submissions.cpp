@@ -70,10 +70,10 @@ TEST(JudgeSubmissions, RefusesUnusableFilesAndJudgesTheOthers) {
   for (const auto& [name, text, word] : {std::tuple("nan.csv", with_nan, "row 0"),
                                          {"three.csv", "0,1,2\n1,0,2\n2,2,0\n", "12"},
                                          {"ids.lists", "m0 m3 m6\nm1 stranger\n", "stranger"},
-                                         {"broken.npy", "no numbers", ""}}) {
+                                         {"broken.npy", "no numbers", ".npy"}}) {
     const SmallBoard small;
     small.add(name, text);
-    EXPECT_THAT(refusal_of(small), testing::AllOf(HasSubstr(word), Not(HasSubstr(small.submissions().string()))));
+    EXPECT_THAT(refusal_of(small), HasSubstr(word));
   }
 }
 
