@@ -100,7 +100,7 @@ TEST(LeaderboardCommand, RefusesWhatItCannotUse) {
   expect_error_lines({
       {"leaderboard " + folder, "--labels"},
       {"leaderboard " + folder + labels + " --rank-by BEP", "BEP"},
-      {"leaderboard " + folder + labels + " --missing-queries skip", "--missing-queries: skip"},
+      {"leaderboard " + folder + labels + " --missing-queries skip", "--missing-queries"},
       {"leaderboard " + folder + labels + " -o " + folder, "submissions"},
       {"leaderboard " + folder + labels + " -o " + shell_word(small.folder.path()), "not a leaderboard site"},
       {"leaderboard '" + small.folder.path().string() + "/absent'" + labels, "absent"},

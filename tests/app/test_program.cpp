@@ -98,7 +98,7 @@ TEST_F(Program, AWordThatIsNoCommandOrOptionIsNamed) {
                       {"run --outptu x y.json", "there is no option --outptu; did you mean --output?"},
                       {"dataset info --clasification x y", "did you mean --classification?"},
                       {"sdf x.off --methd=cone", "did you mean --method?"},
-                      {"--set name=1 run x.json", "--set must follow the command, as in 'shapegauge run --set'"},
+                      {"--set name=1 run x.json", "--set must follow the command"},
                       {"run -x", "there is no option -x"},
                       {"", "subcommand is required"},
                       {"rum", "there is no command \"rum\"; did you mean \"run\"?"},
