@@ -15,8 +15,8 @@ Experiment retrieval_experiment(Configuration configuration);
 ExperimentKind retrieval_kind();
 
 /// Writes all result files of a run (docs/reference/file_formats.md#results-of-a-run) but the manifest and the
-/// distances, which run_experiment() writes by rows, and sets the manifest's entries. The summary has the best scores in
-/// bold if `bold`. Throws InputError if a file cannot be written.
+/// distances, which run_experiment() writes by rows, and sets the manifest's entries. The summary has the best scores
+/// in bold if `bold`. Throws InputError if a file cannot be written.
 RunOutcome write_results(const RunResults& to, const ExperimentResults& results, bool bold = false);
 
 /// Returns the names of the files of distances, by signature; empty if the configuration does not keep them.

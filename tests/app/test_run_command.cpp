@@ -206,7 +206,8 @@ TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
   EXPECT_THAT(text_of(at("out") / "summary.csv"),
               StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\nfixed,psb,micro,100.0000,"));
   for (const auto& entry : fs::recursive_directory_iterator(at("out"))) {
-    EXPECT_THAT(entry.path().extension().string(), MatchesRegex("|.csv|.html|.json|.md|.tex|.npy|.txt")) << entry.path();
+    EXPECT_THAT(entry.path().extension().string(), MatchesRegex("|.csv|.html|.json|.md|.tex|.npy|.txt"))
+        << entry.path();
   }
 }
 

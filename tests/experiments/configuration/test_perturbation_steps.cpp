@@ -114,7 +114,6 @@ TEST(OneOf, FillsInTheDefaultsOfItsChoices) {
   EXPECT_EQ(settings["choices"][2][0]["with_normals"], false);
 }
 
-
 /// Checks that the step equals the function of the core, and that its settings reproduce it.
 template <typename OfTheCore>
 void expect_step(const Json& settings, const OfTheCore& of_the_core) {
