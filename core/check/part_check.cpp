@@ -181,6 +181,8 @@ ThinRegions regions_of(const CellSampler& sampler, const std::vector<ThinCell>& 
       continue;
     }
     measure_least(sampler, cells, members, region);
+    // At an edge the diameter falls to 0; the ball of a thin rod also touches it at less than 180 degrees.
+    if (region.least > resolution) region.edge_share = 0;
     result.regions.push_back(std::move(region));
   }
   std::ranges::stable_sort(result.regions, std::greater{}, &ThinRegion::area);

@@ -397,6 +397,16 @@ TEST(PartCheck, SharpEdgesAreNoWalls) {
   EXPECT_TRUE(right_angled.walls.regions.empty());
 }
 
+TEST(PartCheck, ThinRodsAreWalls) {
+  for (const int around : {8, 12, 32}) {
+    const PartReport report = check_part(test::capsule(wall_limit / 3, 10, around, 6), {.min_wall = wall_limit});
+    ASSERT_EQ(report.walls.regions.size(), 1) << around;
+    EXPECT_FALSE(report.walls.regions[0].is_edge()) << around;
+    EXPECT_FALSE(report.passes());
+    EXPECT_NEAR(report.walls.regions[0].median, 2 * wall_limit / 3, 0.15 * wall_limit);
+  }
+}
+
 TEST(PartCheck, CountsVoids) {
   EXPECT_EQ(check_part(sphere_with_void().shape(0), {.min_gap = 1}).voids, 1);
   EXPECT_EQ(check_part(test::box({1, 1, 1}, 1), {.min_gap = 1}).voids, 0);
