@@ -61,7 +61,7 @@ CALLS = {
                  "measures=[f'F1@{k}' for k in range(1, 4000)])"),
     "compare": ("matrix = distances(700)", "sg.compare([matrix, matrix + matrix.T], np.arange(700) % 350, "
                 "blocks='queries', resamples=10_000_000)"),
-    "distances": ("features = random.random((6000, 2000))", "sg.distances(features, distance='jensen-shannon')"),
+    "distances": ("features = random.random((10000, 600))", "sg.distances(features, distance='jensen-shannon')"),
     "rerank": ("matrix = distances(6000)", "sg.rerank(matrix)"),
 }
 
