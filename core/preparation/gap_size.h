@@ -27,7 +27,7 @@ struct GapSizes {
 ///
 /// Determined on a grid of about 200,000 distances to the shape, whose cells have at most about 1 % of the diagonal.
 /// Radii are accurate to about half a cell. If the widest gap is below half a cell, it is half the width of the widest
-/// crack (half_crack_width()). Independent of orientation and of the order of vertices and triangles. Throws InputError
+/// crack. Independent of orientation and of the order of vertices and triangles. Throws InputError
 /// for an unusable shape (require_usable()).
 GapSizes gap_sizes(const Shape& shape);
 
