@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Builds the Python package for pip, by CMake: the packages of scripts/setup.sh must be installed.
 
 The environment variable SHAPEGAUGE_BUILD_FOLDER names a build folder to use, and keep; there only what has changed is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // L1 distances between signatures of 240 entries, on one thread: a plain double loop, ours, and ours row by row without
 // keeping the matrix. The argument is the number of signatures; the counter, seconds a pair. Also measured are bounds:
 // the distances of equally many pairs of cached signatures, and writing the matrix alone.

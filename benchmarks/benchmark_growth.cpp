@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the time of the offset SDF grows with the number of faces: a torus with 10,000 to a million of them, at 5 % of
 // the diagonal, on one thread. The counters are microseconds and resident bytes per face.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The SDF of given meshes at all faces by all available methods, in one process:
 //
 //     benchmark_sdf [options of Google Benchmark] MESH...

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The segmentation of given meshes compared with CGAL's, in one process:
 //
 //     benchmark_segmentation [options of Google Benchmark] MESH...

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/cgal_segmentation.h"
 
 // clang-format off: before CGAL, which would include it inside of a namespace

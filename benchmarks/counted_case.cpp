@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A small fixed case, for counting instructions (scripts/benchmark does, under callgrind): the SDF of the offset
 // surface of three spheres that overlap, with the crevices between them, at 1 and 5 % of the diagonal.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measurements of the offset SDF in docs/methods/offset_sdf.md and docs/notes/performance.md, in addition to
 // scripts/benchmark's tables:
 //

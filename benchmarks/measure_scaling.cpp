@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Distances and measures of a part of the rows of many synthetic signatures on one thread: seconds and memory.
 // Results are in docs/notes/scaling.md; scripts/simulate_scaling extrapolates them.
 

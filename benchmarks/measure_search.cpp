@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // measure_search COLLECTION MODELS [FOLDER]: run times of an index of MODELS models. The models of a described
 // collection are multiplied: each copy's features are moved towards those of another model, by a random fraction.
 // FOLDER: only plain answers, with the scales that the models have in the collection, for numbers whose pairs take

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Processor time of the recommended method, in units of the conventional SDF of the same meshes.
 
     python3 benchmarks/recommended_cost.py build/shapegauge MESH...

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes CGAL's segmentations for evaluate-segmentation:
 //
 //     segment_by_cgal CLUSTERS SMOOTHING FOLDER MESH...

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Simulates comparisons of two methods and prints how often each test is significant at 5 %, as a Markdown table
 // (docs/notes/significance.md): over queries, over class means by exchange, and the t-test of class means.
 

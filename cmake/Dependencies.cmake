@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Finds every library of the project. All are packages of Debian 12 and 13 (scripts/packages.txt). What is missing is
 # reported at once, with the Debian packages that have it.
 set(shapegauge_missing)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # CMake package: find_package(shapegauge) provides the libraries of docs/developer/architecture.md.
 include(CMakePackageConfigHelpers)
 

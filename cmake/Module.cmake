@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # shapegauge_include_folder(TARGET FOLDER): the target includes headers of the folder as "FOLDER/...". Nothing else of the
 # project is reachable through its include directory, <build>/include/FOLDER.
 function(shapegauge_include_folder target folder)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # cpack -G DEB: the Debian packages shapegauge, libshapegauge-dev and python3-shapegauge
 # (docs/install.md). Included last, as the variables must be there before CPack.
 set(CPACK_GENERATOR DEB)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The target `reference`: the comments of the installed headers as HTML pages, <build>/reference/html. Warnings are errors.
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)

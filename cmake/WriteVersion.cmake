@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DSOURCE_DIR=... -DTEMPLATE=... -DOUTPUT=... -DSHAPEGAUGE_VERSION=... -P WriteVersion.cmake
 #
 # Writes OUTPUT from TEMPLATE with the version and the git commit of SOURCE_DIR; leaves the file alone when nothing

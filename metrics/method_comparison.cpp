@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/metrics/method_comparison.h"
 
 #include <boost/math/distributions/students_t.hpp>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DFILES=<name=path;...> -DOUTPUT=<source> -P WritePageFiles.cmake: writes the functions of page_files
 # (html_page.h), each of which returns the text of a file. A library has its licence in front: <name=licence|path>.
 set(source "#include \"shapegauge/pages/html_page.h\"\n\nnamespace shapegauge::page_files {\n")

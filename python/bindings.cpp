@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The native half of the Python package: arrays in, arrays out. Checks of arguments and docstrings are in
 // shapegauge/*.py. Other functions are in the files *_bindings.cpp.
 #include <algorithm>

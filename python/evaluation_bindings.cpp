@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Evaluation of matrices and comparison of methods.
 #include <algorithm>
 #include <fmt/format.h>

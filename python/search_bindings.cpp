@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Searches, for shapegauge/_search.py.
 #include <filesystem>
 #include <memory>

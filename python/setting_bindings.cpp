@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Settings of registries and tables of options, for defaults and docstrings of the Python package.
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shapes and what is computed from one: fields, parts, features.
 #include <algorithm>
 #include <filesystem>

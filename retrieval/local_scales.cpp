@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/retrieval/local_scales.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
 # An empty Debian in a folder, in which to try what a new user does. Sourced after scripts/setup.sh; root only.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
 # Functions shared by the scripts and .ci/run, which source this file with the repository as working directory.
 # All progress goes to standard error: standard output belongs to the results.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Hooks of mkdocs: links to files of the repository that are no pages become plain names; the first page leads to the examples
 and to the C++ reference that scripts/site adds."""
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Trains or evaluates the model of part_segmentation():
 //
 //     train_part_model SHAPES WEIGHTS.inc

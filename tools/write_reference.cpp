@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the generated files of the repository: configs/experiment.schema.json, docs/reference/commands.md and the
 // tables of docs/reference/configuration.md. Run by the target update_reference.
 //

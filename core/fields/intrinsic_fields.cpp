@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fields along the surface: of geodesic distances, and of the Laplacian's spectrum.
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The SDFs and other measures of thickness as fields.
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loop over points, compiled for each instruction set supported by Highway.
 
 #undef HWY_TARGET_INCLUDE

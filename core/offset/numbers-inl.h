@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Arithmetic on numbers of one sample (float), or of one sample per lane of the processor's vectors (Highway's
 // vectors), for sources compiled for each instruction set supported by Highway. Code written with it, for numbers of
 // type V, calls Highway's functions without a namespace: those of vectors are found by their arguments, those of floats

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One step of the iteration to q (docs/methods/offset_sdf.md#the-steps-to-q): the projection of p onto the half-spaces
 // of the contacts, and its curvature correction. For numbers V of one sample, or of one per lane (numbers-inl.h); for
 // sources compiled for each instruction set supported by Highway.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Distances from positions to points and to the bounding boxes of their groups, for sources compiled for each
 // instruction set supported by Highway.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers, vectors and masks of searches, one search per lane of the processor's vectors, for sources compiled for each
 // instruction set supported by Highway.
 

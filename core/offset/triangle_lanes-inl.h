@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vectors and triangles in the lanes of the processor's vectors, for sources compiled for each instruction set
 // supported by Highway.
 

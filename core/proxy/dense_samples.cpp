@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/core/proxy/dense_samples.h"
 
 #include <Eigen/Geometry>

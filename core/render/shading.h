@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 /// Lighting of images and interactive views: a wrapped light from above the viewer's left shoulder, and a weak one from

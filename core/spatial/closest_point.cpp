@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/core/spatial/closest_point.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Hot loops of the surface tree, compiled once for each instruction set supported by Highway.
 
 #undef HWY_TARGET_INCLUDE

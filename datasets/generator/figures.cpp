@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An aeroplane, a fish and a bust.
 
 #include "shapegauge/datasets/generator/drawn_objects.h"

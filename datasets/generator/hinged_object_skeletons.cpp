@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Skeletons of hinged objects in their rest pose.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Skeletons of animals without bones, in their rest pose.
 
 #include <array>

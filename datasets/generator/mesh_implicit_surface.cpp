@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/datasets/generator/mesh_implicit_surface.h"
 
 #include <CGAL/Complex_2_in_triangulation_3.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Skeletons of animals with bones, and of a hand, in their rest pose.
 
 #include <string>

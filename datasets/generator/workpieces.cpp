@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Machine parts, tools and spectacles.
 
 #include <Eigen/Geometry>

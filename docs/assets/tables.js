@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorts a table of the page by a column when its head is clicked, or Enter is pressed on it.
 
 /** The number that a cell begins with, or NaN: "97.93 [95.17, 99.52]" is 97.93. */

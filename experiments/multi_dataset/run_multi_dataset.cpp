@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/experiments/multi_dataset/run_multi_dataset.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/experiments/results/method_comparison_tables.h"
 
 #include <algorithm>

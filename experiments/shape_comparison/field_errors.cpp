@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/experiments/shape_comparison/field_errors.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/experiments/shape_comparison/measure_shape.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the charts of all pages share.
 
 import { ramp } from './constants.mjs';

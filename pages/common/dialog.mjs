@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Dialogs: a head with a title and buttons, the last of which closes, and a body.
 
 import { make } from './elements.mjs';

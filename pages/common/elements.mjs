@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Elements of a page. All text goes into a page as text, never as markup.
 
 export const byId = (id) => document.getElementById(id);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What surrounds the contents of all pages: head, bar with contents and choices, footer.
 
 import { byId, make } from './elements.mjs';

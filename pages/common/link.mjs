@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a page shows, in the fragment of its address: #method=Offset+SDF&query=T12. Whoever opens it sees the same.
 
 const delay = 300; // milliseconds; browsers refuse to change the address at every move of the pointer

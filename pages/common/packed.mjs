@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as the program packs them (pages/packed_numbers.h): little-endian integers in base64.
 
 import { noLevel, topLevel } from './constants.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that a page gives to its reader.
 
 import { make } from './elements.mjs';

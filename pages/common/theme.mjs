@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Light and dark colours: those of the reader's system until the reader chooses.
 
 import { byId } from './elements.mjs';

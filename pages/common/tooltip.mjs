@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tooltip of a page.
 
 import { byId, make } from './elements.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers and counts as text.
 
 const plurals = { class: 'classes', query: 'queries' };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the checks of the submissions found.
 
 import { byId, make } from '../common/elements.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Averages with their intervals, and groups of methods that do not differ.
 
 import { drawing, tickCount } from '../common/chart.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The leaderboard: puts the page together.
 
 import { byId, pageData } from '../common/elements.mjs';

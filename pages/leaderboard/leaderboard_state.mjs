@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A leaderboard and what its reader chose to see of it.
 
 import { methodColours } from '../common/constants.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of a leaderboard.
 
 import { byId, make } from '../common/elements.mjs';

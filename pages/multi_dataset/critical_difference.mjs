@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The diagram of critical differences (Demsar 2006): methods on a ruler of mean ranks, bars over those that do not
 // differ significantly.
 

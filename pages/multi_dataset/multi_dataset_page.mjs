@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Assembles the page of a multi-dataset experiment.
 
 import { byId, pageData } from '../common/elements.mjs';

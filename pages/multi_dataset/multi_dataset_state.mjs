@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The results of a multi-dataset experiment, and the reader's choices.
 
 import { ReportState } from '../report/report_state.mjs';

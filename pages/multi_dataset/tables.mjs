@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of a multi-dataset experiment: methods by data sets, wins and losses, data sets.
 
 import { byId, make } from '../common/elements.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Two methods side by side: the queries whose answers differ most.
 
 import { byId, choice, make } from '../common/elements.mjs';

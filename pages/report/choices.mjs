@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The choices in the bar of a page, which are in its address as well.
 
 import { byId, choice } from '../common/elements.mjs';

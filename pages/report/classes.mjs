@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A measure class by class: bars, or cells for many methods, and the same as a table.
 
 import { drawing, tickCount } from '../common/chart.mjs';

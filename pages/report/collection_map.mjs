@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The models in the plane, the nearer the more alike: an embedding of a method's distances.
 
 import { drawing } from '../common/chart.mjs';

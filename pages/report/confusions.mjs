@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Nearest neighbours class by class: which classes are taken for which.
 
 import { drawing } from '../common/chart.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Precision against recall, a curve a method.
 
 import { drawing, tickCount } from '../common/chart.mjs';

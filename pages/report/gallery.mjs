@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small pictures of all shapes, by class.
 
 import { colourScale } from '../common/chart.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The distance matrix of a method as a picture, its rows and columns ordered by class.
 
 import { colourScale } from '../common/chart.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The histograms of a model.
 
 import { drawing } from '../common/chart.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Legends whose buttons show and hide methods.
 
 import { methodColours } from '../common/constants.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The last section: warnings, models left out, settings of the methods.
 
 import { byId, make } from '../common/elements.mjs';

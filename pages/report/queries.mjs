@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The queries that did worst, each with what was nearest to it.
 
 import { byId, make } from '../common/elements.mjs';

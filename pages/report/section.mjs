@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the sections of a report share.
 
 import { byId } from '../common/elements.mjs';

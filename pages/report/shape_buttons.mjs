@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of models, and buttons that open their shapes.
 
 import { make } from '../common/elements.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One shape in a dialog, with its values as a query, its histograms and what is nearest to it.
 
 import { dialogButton, fillDialog } from '../common/dialog.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables whose rows a click or the keyboard sorts by any column.
 
 import { make } from '../common/elements.mjs';

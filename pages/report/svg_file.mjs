@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings as files to keep.
 
 import { make } from '../common/elements.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A query beside one of the shapes that were found, both to be turned together.
 
 import { dialogButton, fillDialog } from '../common/dialog.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of `shapegauge search`: each query with the shapes that are nearest to it.
 
 import { byId, make, pageData } from '../common/elements.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The report of a segmentation experiment: puts the page together.
 
 import { fillDialog } from '../common/dialog.mjs';

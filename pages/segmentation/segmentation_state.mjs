@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The errors of a segmentation experiment, as a report has the measures of methods.
 
 import { ReportState } from '../report/report_state.mjs';

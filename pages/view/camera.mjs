@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The camera of a view, { turn, zoom, shift }, as a text for links.
 
 const first = '0,0,0,1,1,0,0';

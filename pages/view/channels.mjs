@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the colours of a view can show, and on which scale.
 
 import { rampColour, scalePart } from '../common/chart.mjs';

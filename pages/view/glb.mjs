@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shapes as they are coloured, as a binary glTF 2.0 file with the values as the attribute _VALUE.
 
 const linear = (level) => ((level / 255 + 0.055) / 1.055) ** 2.4; // sRGB; exact enough for the darkest levels as well

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What was measured at a place: the ball that touches the surface there, inside or in the gap outside, or the ray
 // through the shape.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of regions of a shape: a click turns the view there.
 
 import { make } from '../common/elements.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The shaders of shapes: colours by value, by normal or none, with the light of the program's own pictures.
 
 import { belowColour, plainColour, shading, unknownColour } from '../common/constants.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shapes as shape_view.cpp packs them, unpacked into what is drawn: triangles, and values at their places. A place is a
 // face, a vertex or, of a cloud, a point; each corner of each triangle belongs to one.
 

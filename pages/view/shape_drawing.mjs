@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws shapes with WebGL. One context draws all of them, one after the other, and each is copied to its own canvas:
 // browsers allow few contexts.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shapes that can be turned, side by side, with what their colours show: the same in a page of its own and in reports.
 
 import { colourScale } from '../common/chart.mjs';

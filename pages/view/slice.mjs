@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A plane that cuts shapes open: what lies beyond it is not drawn, and the section is filled.
 
 import { choice, make } from '../common/elements.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The points of a cloud as splats() of core/render has them: hexagons in their tangent planes.
 
 import { trianglesPerSplat } from '../common/constants.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Areas and normals of triangles.
 
 import { smoothEdgeDegrees } from '../common/constants.mjs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How pointers, the wheel and keys turn, zoom and move what is drawn on a canvas.
 
 // Distance of the first two pointers.

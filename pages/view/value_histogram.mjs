@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The share of the area at each value, in bins that can be brushed.
 
 import { drawing, tickCount } from '../common/chart.mjs';

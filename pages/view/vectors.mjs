@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vectors of three numbers.
 
 export const vectorAt = (array, begin) => [array[begin], array[begin + 1], array[begin + 2]];

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Shape diameter function, shape signatures and retrieval evaluation.
 
 Arrays are those of NumPy: vertices are n x 3 floats, faces m x 3 vertex indices, points n x 3 floats, distances n x n

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Validates the arguments of the package's functions, and converts them to NumPy arrays and JSON."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The check of a part: walls that are too thin, gaps that are too narrow."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Distances: evaluation, comparison, re-ranking."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The native functions behind the package: arrays as the package makes them, settings as JSON."""
 
 from typing import Any, Callable, Optional

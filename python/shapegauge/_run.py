@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs experiments from their configurations."""
 
 from __future__ import annotations

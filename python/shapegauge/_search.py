@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Search for similar shapes in a collection."""
 
 from __future__ import annotations

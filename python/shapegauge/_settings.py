@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Settings as the registries have them: defaults, and the part of docstrings that lists them."""
 
 from __future__ import annotations

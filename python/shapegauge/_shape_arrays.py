@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Shapes as arguments: arrays, or objects of trimesh, Open3D, PyVista and meshio."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Shapes: files, fields, normals, parts and features."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/retrieval/descriptors/cylinder_map.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
 
 #include <Eigen/Eigenvalues>

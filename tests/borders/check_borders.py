@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Checks the dependencies of libraries against docs/developer/architecture.md.
 
     check_borders.py ARCHITECTURE.md LIBRARIES COMPILER

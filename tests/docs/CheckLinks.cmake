@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DROOT=... -P CheckLinks.cmake
 #
 # Checks that the relative links of all Markdown pages, and the pages cited by sources, exist and have the heading named

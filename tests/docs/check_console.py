@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the commands on a page and compares their output with that on the page.
 
     check_console.py PAGE FOLDER [--update | --any-numbers]

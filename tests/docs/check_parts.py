@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the commands of docs/manual/scaling.md for GNU parallel or make, and compares the results with those of one process.
 
 Arguments: the page, a folder, and the tool, parallel or make. Exit status 77, with the reason, without the tool.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """check_pictures.py ROOT VERSION: the pictures of pages are of this version and show the figures of README.md."""
 import hashlib
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Checks that the rows of all Markdown tables have as many cells as their headers: check_tables.py ROOT"""
 
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Checks the length of headers that many sources include, and that headers do not include JSON in full.
 
     check_header_lines.py SOURCES COMPILER FOLDERS

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/oracle/inscribed_ball_reference.h"
 
 #include <Eigen/Geometry>

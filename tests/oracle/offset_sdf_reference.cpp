@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/oracle/offset_sdf_reference.h"
 
 #include <algorithm>

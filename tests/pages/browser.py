@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of pages share: a headless Chromium, and a page that is open in it."""
 import argparse
 import json
@@ -13,6 +14,7 @@ try:
     from selenium import webdriver
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
+    from selenium.webdriver.support.ui import WebDriverWait
 except ImportError:
     print("skipped: python3-selenium is not installed")
     sys.exit(SKIPPED)
@@ -85,6 +87,13 @@ class Page:
         tooltip = self.one("#tooltip")
         return tooltip.text if tooltip.is_displayed() else ""
 
+    def resize(self, width, height):
+        """Changes the size of the window, and waits until the page has been drawn in it."""
+        self.driver.set_window_size(width, height)
+        # The page learns its size later than the window.
+        WebDriverWait(self.driver, 120).until(lambda _: self.run("return innerWidth === arguments[0]", width))
+        self.drawn()
+
     def drawn(self):
         """Waits until what is to be drawn is drawn."""
         self.driver.execute_async_script(
@@ -135,11 +144,10 @@ def check_width(page):
     """No page is wider than a narrow window."""
     size = page.driver.get_window_size()
     for width in (1280, 500):
-        page.driver.set_window_size(width, 900)
-        page.drawn()
+        page.resize(width, 900)
         beyond = page.run("return document.documentElement.scrollWidth - window.innerWidth")
         expect(beyond <= 0, f"the page is {beyond} pixels wider than a window of {width}")
-    page.driver.set_window_size(size["width"], size["height"])
+    page.resize(size["width"], size["height"])
 
 
 def check_theme(page):

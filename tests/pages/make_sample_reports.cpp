@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // make_sample_reports FOLDER: writes the sample reports, a leaderboard and a multi-dataset page, for a browser to
 // open.
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // make_sample_views FOLDER: writes the sample pages for a browser to open, and for tests of scripts its shapes with the
 // corners of the splats.
 #include <filesystem>

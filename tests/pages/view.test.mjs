@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads view.json of make_sample_views in the folder SHAPEGAUGE_SAMPLE_VIEWS.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

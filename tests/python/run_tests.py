@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs pytest on this folder; exit status 77 if a package is missing."""
 
 import os

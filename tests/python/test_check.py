@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The check of a part: regions with their faces."""
 
 import numpy as np

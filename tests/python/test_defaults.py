@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Defaults of signatures and docstrings are those of the registries."""
 
 import inspect

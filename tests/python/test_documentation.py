@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Output shown in docs/manual/python.md equals that of the code."""
 
 import contextlib

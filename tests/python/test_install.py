@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Installation by pip from the source folder, without network."""
 
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Ctrl-C stops computations: the exception is raised and no thread continues.
 
 Each call would take long. It is interrupted after a second; the bound is for slow machines.

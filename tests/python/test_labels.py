@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Labels of models: accepted types and missing values."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Results as pickles, data frames, plots and intervals; arguments from other packages."""
 
 import copy

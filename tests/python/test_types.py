@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Annotations of the package, checked by mypy if installed."""
 
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Uses of the package that mypy checks (test_types.py); never run. Lines marked `error` must be errors."""
 
 import pathlib

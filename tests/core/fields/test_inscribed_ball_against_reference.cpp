@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Inscribed balls against their definition, evaluated literally.
 
 #include <cmath>

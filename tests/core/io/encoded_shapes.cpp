@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/io/encoded_shapes.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/datasets/files/random_matrices.h"
 
 #include <cmath>

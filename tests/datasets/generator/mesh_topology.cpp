@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/datasets/generator/mesh_topology.h"
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // CGAL includes this inside of a namespace, so that <maxflow.h> must have been included before.
