@@ -19,7 +19,6 @@
 #include "app/options.h"
 #include "app/parameter_options.h"
 #include "app/shape_files.h"
-#include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"

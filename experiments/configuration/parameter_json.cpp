@@ -14,8 +14,6 @@
 #include <variant>
 #include <vector>
 
-#include "shapegauge/core/base/error.h"
-
 namespace shapegauge {
 
 namespace {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "shapegauge/core/io/off.h"
-#include "shapegauge/datasets/files/npy.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"

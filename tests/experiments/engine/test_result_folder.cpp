@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
-#include <set>
 
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "tests/support/test_files.h"

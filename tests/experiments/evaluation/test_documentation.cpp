@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <gmock/gmock.h>
-#include <map>
 
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"

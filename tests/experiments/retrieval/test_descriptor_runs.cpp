@@ -8,7 +8,6 @@
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
-#include "shapegauge/experiments/retrieval/write_results.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
 #include "shapegauge/retrieval/diffusion.h"

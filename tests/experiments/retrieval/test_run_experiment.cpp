@@ -13,7 +13,6 @@
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
-#include "shapegauge/experiments/retrieval/write_results.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/page_text.h"
 #include "tests/support/small_dataset.h"

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/retrieval/write_results.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/csv_records.h"

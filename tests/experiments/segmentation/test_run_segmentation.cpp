@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -17,7 +16,6 @@
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/configuration/json_document.h"
-#include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/replay.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"

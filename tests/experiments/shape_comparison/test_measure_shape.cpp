@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
-#include <fmt/format.h>
-#include <functional>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <string>

@@ -6,7 +6,6 @@
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
-#include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
 #include "tests/experiments/shape_comparison/published_comparison.h"
 #include "tests/support/run_alone.h"
 #include "tests/support/test_files.h"

@@ -3,8 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/io/off.h"
-#include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
 #include "tests/experiments/shape_comparison/published_comparison.h"
 #include "tests/support/csv_records.h"
 #include "tests/support/test_files.h"
