@@ -15,7 +15,7 @@
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"

@@ -11,7 +11,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"

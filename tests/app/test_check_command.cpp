@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"

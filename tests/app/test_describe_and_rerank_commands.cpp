@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"

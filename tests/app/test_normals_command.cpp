@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/sdf/automatic_offset.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "tests/app/program.h"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "tests/app/program.h"
 #include "tests/support/small_dataset.h"

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/gltf.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/support/test_files.h"
 

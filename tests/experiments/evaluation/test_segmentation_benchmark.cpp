@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "tests/support/test_files.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
 #include "shapegauge/segmentation/seg_file.h"
 #include "tests/support/test_files.h"

@@ -8,7 +8,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/engine/replay.h"

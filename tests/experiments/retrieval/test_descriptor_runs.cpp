@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"

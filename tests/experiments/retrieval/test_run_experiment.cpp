@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <map>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"

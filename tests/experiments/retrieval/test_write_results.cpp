@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/metrics/evaluation.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"

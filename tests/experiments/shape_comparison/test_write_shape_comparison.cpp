@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/experiments/shape_comparison/published_comparison.h"
 #include "tests/support/csv_records.h"
 #include "tests/support/test_files.h"
