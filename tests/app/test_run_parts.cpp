@@ -17,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::results_in;
 using test::text_of;
 using test::write_text;
 using test_command_line::BackgroundRun;
 using test_command_line::Outcome;
-using test_command_line::results_in;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
 using testing::HasSubstr;

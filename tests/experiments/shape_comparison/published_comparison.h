@@ -48,15 +48,4 @@ inline RunOutcome publish(const std::filesystem::path& destination, const ShapeC
                          [&](const RunResults& to) { return write_shape_comparison(to, results); });
 }
 
-/// Returns the published files by name, without run times; of the manifest only what is reproducible.
-inline std::map<std::string, std::string> reproducible_results(const std::filesystem::path& folder) {
-  nlohmann::json manifest = nlohmann::json::parse(text_of(folder / manifest_name));
-  manifest.erase("execution");
-  std::map<std::string, std::string> files{{"manifest", manifest.dump()}};
-  for (const std::string name : manifest.at("files")) {
-    if (!holds_timings(name)) files[name] = text_of(folder / name);
-  }
-  return files;
-}
-
 }  // namespace shapegauge::test
