@@ -5,13 +5,10 @@
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
@@ -50,4 +47,4 @@ TEST(CacheCommand, UnusableArgumentsAreOneClearLine) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

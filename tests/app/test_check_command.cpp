@@ -7,15 +7,14 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::Outcome;
 using testing::HasSubstr;
 
 /// Checks a plate of thickness 1.
-class CheckCommand : public test_command_line::CommandTest {
+class CheckCommand : public CommandTest {
  protected:
   CheckCommand() { write_off(at("plate.off"), test::box({20, 12, 1}, 1)); }
 
@@ -66,4 +65,4 @@ TEST_F(CheckCommand, WrongLimitsAreRefused) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -12,20 +12,18 @@
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_line;
-using test_command_line::Outcome;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Ten classes of six models on a line, seen with little noise (good.npy), and with much (bad.npy, poor.npy).
-class CompareCommand : public test_command_line::CommandTest {
+class CompareCommand : public CommandTest {
  protected:
   void SetUp() override {
     std::string table = "id,class\n";
@@ -213,7 +211,7 @@ TEST_F(CompareCommand, FilesOfOneNameAreToldApart) {
 }
 
 TEST(MeasuresCommand, ListsEveryMeasureOnce) {
-  const auto json = nlohmann::json::parse(test_command_line::run_executable("measures --format json").output);
+  const auto json = nlohmann::json::parse(run_executable("measures --format json").output);
   EXPECT_EQ(json[0]["name"], "NN");
   std::set<std::string> names;
   for (const auto& measure : json) names.insert(measure["name"]);
@@ -223,4 +221,4 @@ TEST(MeasuresCommand, ListsEveryMeasureOnce) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -8,15 +8,14 @@
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::write_text;
-using test_command_line::Outcome;
 using testing::HasSubstr;
 
-class DatasetCommand : public test_command_line::CommandTest {
+class DatasetCommand : public CommandTest {
  protected:
   void SetUp() override { test::write_small_dataset(folder_.path()); }
   [[nodiscard]] Outcome dataset(const std::string& command) const {
@@ -105,7 +104,7 @@ TEST_F(DatasetCommand, AMissingFolderIsAnError) {
 }
 
 TEST_F(DatasetCommand, AnInterruptedGenerationSaysWhatItLeaves) {
-  test_command_line::BackgroundRun run(
+  BackgroundRun run(
       {"dataset", "generate", at("made"), "--classes", "1", "--models-per-class", "500", "--threads", "1"},
       at("errors"));
   ASSERT_TRUE(
@@ -126,4 +125,4 @@ TEST_F(DatasetCommand, GenerateMakesWhatInfoReads) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -24,16 +24,13 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 
-class DescribeCommand : public test_command_line::CommandTest {
+class DescribeCommand : public CommandTest {
  protected:
   void SetUp() override {
     for (const char* name : {"sphere", "box", "capsule"})
@@ -167,7 +164,7 @@ TEST_F(DescribeCommand, AnInterruptionSaysThatNothingIsWritten) {
   }
   for (const char* const word : {"--descriptor", "light_field", "--threads", "1", "-o"}) call.emplace_back(word);
   call.push_back(at("new.csv").string());
-  test_command_line::BackgroundRun run(call, at("errors"));
+  BackgroundRun run(call, at("errors"));
   std::this_thread::sleep_for(std::chrono::seconds(2));
   run.send(SIGINT);
   EXPECT_EQ(run.wait(), 130);
@@ -223,8 +220,8 @@ TEST(RerankCommand, AnInterruptionLeavesNoFile) {
               return static_cast<double>(std::abs(i - j));
             }));
   const test::TemporaryFolder messages;
-  test_command_line::BackgroundRun run({"rerank", at("d.npy"), "-o", at("r.npy"), "--sparse", "--neighbours", "auto"},
-                                       messages.path() / "errors");
+  BackgroundRun run({"rerank", at("d.npy"), "-o", at("r.npy"), "--sparse", "--neighbours", "auto"},
+                    messages.path() / "errors");
   ASSERT_TRUE(run.wait_until([&] { return names_in(folder.path()).size() == 2; }));
   run.send(SIGINT);
   EXPECT_EQ(run.wait(), 130);
@@ -305,4 +302,4 @@ TEST(RerankCommand, TellsWhatIsWrongInALine) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

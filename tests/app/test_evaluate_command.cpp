@@ -9,21 +9,18 @@
 #include "tests/datasets/files/write_matrix.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::UnusableCall;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::StartsWith;
 
 /// The example of the known answers: A = values 0, 1, 4 and B = values 2, 3.5, 7, 9 on a line, in that order.
-class EvaluateCommand : public test_command_line::CommandTest {
+class EvaluateCommand : public CommandTest {
  protected:
   void SetUp() override {
     const Eigen::VectorXd values{{0, 1, 4, 2, 3.5, 7, 9}};
@@ -346,4 +343,4 @@ TEST_F(EvaluateCommand, JudgementsAreUsuallyOfTheTrecProtocol) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

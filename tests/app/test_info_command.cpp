@@ -7,12 +7,10 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 
 TEST(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
@@ -56,4 +54,4 @@ TEST(InfoCommand, AVolumeThatIsTooLargeIsSaidToBe) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

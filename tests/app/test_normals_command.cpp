@@ -12,16 +12,15 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
-using test_command_line::Outcome;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class NormalsCommand : public test_command_line::CommandTest {
+class NormalsCommand : public CommandTest {
  protected:
   void SetUp() override {
     write_off(at("mesh.off"), mesh);
@@ -136,4 +135,4 @@ TEST_F(NormalsCommand, RefusesWhatItCannotUse) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

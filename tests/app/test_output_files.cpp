@@ -9,15 +9,13 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 namespace fs = std::filesystem;
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_line;
-using test_command_line::Outcome;
 using testing::HasSubstr;
 
 /// A command that writes a file. Words that begin with @ are paths in the folder.
@@ -50,7 +48,7 @@ std::vector<WriterOfFiles> writers() {
           {.call = "evaluate-segmentation @mine --benchmark @psb --per-mesh", .input = "", .output = "x.csv"}};
 }
 
-class OutputFiles : public test_command_line::CommandTest {
+class OutputFiles : public CommandTest {
  protected:
   void SetUp() override {
     write_off(at("box.off"), test::box({1, 2, 3}, 1));
@@ -163,4 +161,4 @@ TEST_F(OutputFiles, StandardStreamsAreUsedOnce) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -8,15 +8,14 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
-using test_command_line::Outcome;
 using testing::HasSubstr;
 
-class PerturbCommand : public test_command_line::CommandTest {
+class PerturbCommand : public CommandTest {
  protected:
   void SetUp() override { write_off(at("sphere.off"), shape); }
   [[nodiscard]] Outcome perturb(const std::string& output, const std::string& more) const {
@@ -91,4 +90,4 @@ TEST_F(PerturbCommand, RefusesWhatItCannotDo) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

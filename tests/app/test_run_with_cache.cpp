@@ -12,7 +12,7 @@
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,10 +20,6 @@ using nlohmann::json;
 using test::results_in;
 using test::text_of;
 using test::write_text;
-using test_command_line::BackgroundRun;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
-using test_command_line::SmallRun;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
@@ -217,4 +213,4 @@ TEST_F(RunWithCache, AFileThatMayNotGrowIsAnErrorThatLeavesTheEarlierResults) {
 }
 
 }  // namespace
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -12,18 +12,15 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::UnusableCall;
 using testing::HasSubstr;
 
-class SdfCommand : public test_command_line::CommandTest {
+class SdfCommand : public CommandTest {
  protected:
   void SetUp() override { write_off(at("sphere.off"), shape); }
   [[nodiscard]] Outcome sdf(const std::string& more) const { return run("sdf @sphere.off " + more); }
@@ -264,4 +261,4 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

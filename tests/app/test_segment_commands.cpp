@@ -13,14 +13,12 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -37,7 +35,7 @@ std::string segments(int first, int second) {
   return text;
 }
 
-class SegmentCommands : public test_command_line::CommandTest {
+class SegmentCommands : public CommandTest {
  protected:
   void SetUp() override {
     std::filesystem::create_directories(at("psb/off"));
@@ -60,7 +58,7 @@ TEST_F(SegmentCommands, SegmentWritesALineAFace) {
 
 TEST_F(SegmentCommands, SegmentNeedsNoOptionsAndTakesFolders) {
   write_off(at("balls.off"), two_balls());
-  const test_command_line::WorkingFolder here(folder_.path());
+  const WorkingFolder here(folder_.path());
   const Outcome one = run("segment balls.off");
   EXPECT_EQ(one.status, 0) << one.errors;
   EXPECT_THAT(one.errors, HasSubstr("2 parts in balls.seg\n"));
@@ -155,4 +153,4 @@ TEST_F(SegmentCommands, UnusableCallsOfEvaluateSegmentation) {
 }
 
 }  // namespace
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -12,20 +12,17 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using nlohmann::ordered_json;
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::UnusableCall;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class ViewCommand : public test_command_line::CommandTest {
+class ViewCommand : public CommandTest {
  protected:
   void SetUp() override { write_off(at("capsule.off"), capsule); }
   [[nodiscard]] Outcome view(const std::string& arguments) const {
@@ -142,7 +139,7 @@ TEST_F(ViewCommand, WritesTheSamePageToStandardOutput) {
 }
 
 TEST_F(ViewCommand, ThePageOfASingleShapeHasItsName) {
-  const test_command_line::WorkingFolder here(at(""));
+  const WorkingFolder here(at(""));
   ASSERT_EQ(view("capsule.off").status, 0);
   const Outcome outcome = run("view capsule.off");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
@@ -172,4 +169,4 @@ TEST_F(ViewCommand, UnusableInputIsOneClearLine) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line
