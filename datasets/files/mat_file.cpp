@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 #include <matio.h>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -5,14 +5,10 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
-#include <string>
-#include <string_view>
 #include <system_error>
 
 #include "shapegauge/core/base/error.h"

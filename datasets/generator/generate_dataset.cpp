@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
-#include <functional>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>

@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string_view>
 #include <type_traits>
 #include <variant>

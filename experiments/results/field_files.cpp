@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -13,12 +12,10 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/render/image.h"
-#include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/pages/plots/charts.h"
 #include "shapegauge/pages/shape_view.h"
-#include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
 

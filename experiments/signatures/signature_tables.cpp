@@ -6,7 +6,6 @@
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/experiments/signatures/cache_keys.h"
-#include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
 

@@ -15,7 +15,6 @@
 #include <unistd.h>
 
 #include "tests/support/small_dataset.h"
-#include "tests/support/test_files.h"
 
 namespace shapegauge::test_command_line {
 
