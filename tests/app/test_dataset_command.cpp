@@ -111,7 +111,7 @@ TEST_F(DatasetCommand, AnInterruptedGenerationSaysWhatItLeaves) {
       run.wait_until([&] { return std::filesystem::exists(at("made")) && !std::filesystem::is_empty(at("made")); }));
   run.send(SIGINT);
   EXPECT_EQ(run.wait(), 130);
-  EXPECT_EQ(test::text_of(at("errors")), "shapegauge: error: interrupted; the data set in " + at("made") +
+  EXPECT_EQ(test::text_of(at("errors")), "shapegauge: error: interrupted; the data set in " + at("made").string() +
                                              " is incomplete; --replace replaces it\n");
 }
 
