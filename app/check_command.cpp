@@ -15,7 +15,6 @@
 #include "app/options.h"
 #include "app/parameter_options.h"
 #include "app/shape_files.h"
-#include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -84,15 +83,6 @@ void remark_on(const PartReport& report, Remarks& remarks) {
   }
 }
 
-/// Checks a shape. Errors name the input.
-CheckedPart checked_part(const Shape& shape, const std::string& input, const CheckOptions& options) {
-  try {
-    return {.name = input, .report = check_part(shape, options)};
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", input, error.what()));
-  }
-}
-
 int run(CheckArguments& arguments) {
   take_unit_of_files(arguments.unit, arguments.files.inputs);
   const CheckOptions options = options_of(arguments);
@@ -103,7 +93,7 @@ int run(CheckArguments& arguments) {
   if (options.keep_surface) write = surface_writer(output_name(arguments.files), arguments.unit);
   std::vector<std::optional<CheckedPart>> checked(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
-    CheckedPart part = checked_part(shape, job.input, options);
+    CheckedPart part{.name = job.input, .report = check_part(shape, options)};
     if (write) write(job.output, part);
     part.report.surface = {};
     remark_on(part.report, remarks);

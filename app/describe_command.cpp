@@ -115,12 +115,9 @@ void learn_and_describe(const DescriptorChoice& choice, const ShapeFiles& files,
   const LearntFeatures learnt = choice.descriptor.learn(inputs, choice.values);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (!shapes[i]) continue;
-    try {
-      const DescriptorInput input{.shape = none, .fields = shapes[i]->fields};
-      shapes[i]->features = compute_features(choice.descriptor, input, learnt, choice.values);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", files.inputs[i].string(), error.what()));
-    }
+    const DescriptorInput input{.shape = none, .fields = shapes[i]->fields};
+    shapes[i]->features = with_source(
+        files.inputs[i].string(), [&] { return compute_features(choice.descriptor, input, learnt, choice.values); });
   }
 }
 
@@ -168,11 +165,7 @@ int run(DescribeArguments& arguments) {
   arguments.files.others = {{.path = arguments.output, .what = "--output"}};
   std::vector<std::optional<Described>> shapes(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
-    try {
-      shapes[job.index] = described(choice, shape, arguments.cleaning, remarks);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", job.input, error.what()));
-    }
+    shapes[job.index] = described(choice, shape, arguments.cleaning, remarks);
   });
   const auto none_left = std::ranges::none_of(shapes, [](const auto& shape) { return shape.has_value(); });
   if (none_left) return exit_unusable_input;

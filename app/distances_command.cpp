@@ -34,13 +34,10 @@ int run(const DistancesArguments& arguments) {
   const OutputFile output{.path = arguments.output, .what = "--output", .extensions = {".npy", ".csv"}};
   check_output_files({&arguments.features, 1}, {&output, 1}, arguments.replace);
   const LabelledTable table = read_matrix(arguments.features, TableShape::any);
-  DistanceMatrix distances;
-  try {
+  const DistanceMatrix distances = with_source(arguments.features.string(), [&] {
     if (const auto warning = check_features(table.numbers)) warn(*warning);
-    distances = feature_distances(arguments.distance, table.numbers.cast<float>());
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", arguments.features.string(), error.what()));
-  }
+    return feature_distances(arguments.distance, table.numbers.cast<float>());
+  });
   write_distance_matrix(arguments.output, distances, table.row_ids);
   return exit_success;
 }

@@ -10,7 +10,6 @@
 #include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/evaluators.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 

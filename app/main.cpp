@@ -21,7 +21,6 @@
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/version.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {

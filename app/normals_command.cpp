@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -27,21 +26,17 @@ struct NormalsArguments {
 
 void write_normals(const NormalsArguments& arguments, const NormalFileWriter& write, const GivenOffset& given_offset,
                    const Shape& given, const ShapeJob& job, Remarks& remarks) {
-  try {
-    const Shape shape = cleaned(given, arguments.cleaning, given_offset.is_automatic(), remarks);
-    const Samples samples = sample_shape(shape, value_of_word<SampleSite>(arguments.site).value());
-    const ChosenOffset chosen = choose_offset(given_offset.fraction_of(shape), shape);
-    FieldSettings settings = field_settings("offset_sdf");
-    settings.values.set("offset", chosen.offset);
-    FieldSource source(shape);
-    const FieldValues result = make_field(std::move(settings)).compute(source, samples, true);
-    write(job.output, shape, samples, result.normals);
-    remark_on_polygons(shape, samples.site, remarks);
-    remark_on(chosen, remarks);
-    for (std::string& warning : outcome_warnings(result.outcomes)) remarks.warnings.push_back(std::move(warning));
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", job.input, error.what()));
-  }
+  const Shape shape = cleaned(given, arguments.cleaning, given_offset.is_automatic(), remarks);
+  const Samples samples = sample_shape(shape, value_of_word<SampleSite>(arguments.site).value());
+  const ChosenOffset chosen = choose_offset(given_offset.fraction_of(shape), shape);
+  FieldSettings settings = field_settings("offset_sdf");
+  settings.values.set("offset", chosen.offset);
+  FieldSource source(shape);
+  const FieldValues result = make_field(std::move(settings)).compute(source, samples, true);
+  write(job.output, shape, samples, result.normals);
+  remark_on_polygons(shape, samples.site, remarks);
+  remark_on(chosen, remarks);
+  for (std::string& warning : outcome_warnings(result.outcomes)) remarks.warnings.push_back(std::move(warning));
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <utility>
-#include <vector>
 
 #include "app/help_format.h"
 #include "app/parameter_options.h"

@@ -18,8 +18,8 @@
 #include "app/shape_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/core/io/stl.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 

@@ -19,7 +19,6 @@
 #include "app/options.h"
 #include "app/parameter_options.h"
 #include "app/shape_files.h"
-#include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -149,21 +148,14 @@ struct Computed {
   FieldValues field;
 };
 
-/// Computes the field of a shape. Errors name the input.
-Computed compute(const SdfArguments& arguments, const GivenOffset& given_offset, const Shape& shape,
-                 const std::string& input) {
-  try {
-    Computed computed;
-    if (is_offset_sdf(arguments)) computed.chosen = choose_offset(given_offset.fraction_of(shape), shape);
-    const Field field =
-        wanted_field(arguments, computed.chosen ? std::optional(computed.chosen->offset) : std::nullopt);
-    computed.samples = take_samples(shape, field.settings.samples);
-    FieldSource source(shape);
-    computed.field = field.compute(source, computed.samples, true);
-    return computed;
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", input, error.what()));
-  }
+Computed compute(const SdfArguments& arguments, const GivenOffset& given_offset, const Shape& shape) {
+  Computed computed;
+  if (is_offset_sdf(arguments)) computed.chosen = choose_offset(given_offset.fraction_of(shape), shape);
+  const Field field = wanted_field(arguments, computed.chosen ? std::optional(computed.chosen->offset) : std::nullopt);
+  computed.samples = take_samples(shape, field.settings.samples);
+  FieldSource source(shape);
+  computed.field = field.compute(source, computed.samples, true);
+  return computed;
 }
 
 void write_timings(const fs::path& path, const Shape& shape, double read_seconds, const Computed& computed) {
@@ -290,7 +282,7 @@ int run(SdfArguments& arguments) {
   const int status = for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {
     const Shape shape =
         cleaned(given, arguments.cleaning, is_offset_sdf(arguments) && given_offset.is_automatic(), remarks);
-    Computed computed = compute(arguments, given_offset, shape, job.input);
+    Computed computed = compute(arguments, given_offset, shape);
     if (write) {
       write(job.output, shape, computed.samples, computed.field.values);
       remark_on_polygons(shape, computed.samples.site, remarks);

@@ -15,7 +15,7 @@
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"
@@ -90,22 +90,17 @@ void set_offset(const OffsetArguments& arguments, const Shape& shape, Segmentati
 
 void segment(const SegmentArguments& arguments, SegmentationOptions options, LabelWriter write, const Shape& given,
              const ShapeJob& job, Remarks& remarks) {
-  try {
-    const Shape shape = cleaned(given, arguments.cleaning, false, remarks);
-    set_offset(arguments.offset, shape, options, remarks);
-    const Labels labels = segment_shape(shape, options);
-    write(job.output, shape, labels);
-    if (const auto polygons = polygon_note(shape)) {
-      remarks.notes.push_back(
-          *polygons + "; .seg files have one line per face of the file, with the part that covers most of its area");
-    }
-    const std::string parts = count_text(*std::ranges::max_element(labels) + 1, "part", "parts");
-    const bool is_streamed = is_standard_stream(arguments.files.output);
-    remarks.notes.push_back(is_streamed ? parts
-                                        : fmt::format("{} in {}", parts, job.output.lexically_normal().string()));
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", job.input, error.what()));
+  const Shape shape = cleaned(given, arguments.cleaning, false, remarks);
+  set_offset(arguments.offset, shape, options, remarks);
+  const Labels labels = segment_shape(shape, options);
+  write(job.output, shape, labels);
+  if (const auto polygons = polygon_note(shape)) {
+    remarks.notes.push_back(
+        *polygons + "; .seg files have one line per face of the file, with the part that covers most of its area");
   }
+  const std::string parts = count_text(*std::ranges::max_element(labels) + 1, "part", "parts");
+  const bool is_streamed = is_standard_stream(arguments.files.output);
+  remarks.notes.push_back(is_streamed ? parts : fmt::format("{} in {}", parts, job.output.lexically_normal().string()));
 }
 
 }  // namespace

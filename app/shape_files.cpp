@@ -122,10 +122,10 @@ void do_job(const ShapeFiles& files, ShapeJob job,
   const Stopwatch stopwatch;
   const Shape shape = read_input(files.inputs[job.index], files.input_format);
   job.read_seconds = stopwatch.seconds();
-  if (!is_standard_stream(job.output)) return work(shape, job, remarks);
+  if (!is_standard_stream(job.output)) return with_source(job.input, [&] { work(shape, job, remarks); });
   const ScratchFolder scratch;
   job.output = scratch.path() / ("output." + files.output_format);
-  work(shape, job, remarks);
+  with_source(job.input, [&] { work(shape, job, remarks); });
   write_standard_output(read_file_bytes(job.output));
 }
 

@@ -61,9 +61,9 @@ struct ShapeJob {
 /// Reads every input and processes it: several in parallel, with a progress line. `work` may run in several threads at
 /// once. Remarks are printed at the end, in the order of inputs. Returns the exit status.
 ///
-/// With a single input, errors are thrown. With several, failures are reported by name and the others are processed
-/// (exit status 1). Several outputs go into a folder, created if missing, each under the name of its input. Throws
-/// InputError as check_output_files() does before anything is read, and Interrupted.
+/// Errors of `work` name the input. With a single input, errors are thrown. With several, failures are reported by name
+/// and the others are processed (exit status 1). Several outputs go into a folder, created if missing, each under the
+/// name of its input. Throws InputError as check_output_files() does before anything is read, and Interrupted.
 int for_each_shape(const ShapeFiles& files,
                    const std::function<void(const Shape& shape, const ShapeJob& job, Remarks& remarks)>& work);
 

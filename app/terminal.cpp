@@ -5,11 +5,9 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <fmt/format.h>
 #include <optional>
 #include <sys/ioctl.h>
 #include <unistd.h>
-#include <utility>
 
 #include "shapegauge/core/base/environment.h"
 #include "shapegauge/core/base/error.h"

@@ -228,12 +228,8 @@ int run(ViewArguments& arguments, bool offset_given) {
   std::vector<std::optional<ShapeView>> views(arguments.files.inputs.size());
   std::vector<std::vector<std::string>> warnings(views.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
-    try {
-      views[job.index] = measured(arguments, fields, offset, colours, shape, job, remarks);
-      warnings[job.index] = remarks.warnings;
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", job.input, error.what()));
-    }
+    views[job.index] = measured(arguments, fields, offset, colours, shape, job, remarks);
+    warnings[job.index] = remarks.warnings;
   });
   ViewPage page{.title = {}, .shapes = {}, .missing = {}, .warnings = {}, .unit = arguments.offset.unit};
   for (std::size_t i = 0; i < views.size(); ++i) {

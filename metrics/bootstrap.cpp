@@ -11,7 +11,6 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
-#include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge {
 

@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
-#include "shapegauge/metrics/ranked_list.h"
 
 namespace shapegauge {
 namespace {

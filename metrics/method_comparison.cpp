@@ -9,7 +9,6 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/equal_scores.h"
-#include "shapegauge/metrics/significance_tests.h"
 
 namespace shapegauge {
 

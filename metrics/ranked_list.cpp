@@ -2,12 +2,10 @@
 #include "shapegauge/metrics/ranked_list.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace shapegauge {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/ascending_order.h"

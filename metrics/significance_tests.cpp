@@ -5,7 +5,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <openssl/evp.h>
-#include <vector>
 
 #include "shapegauge/core/base/utf8.h"
 #include "shapegauge/datasets/files/json_text.h"

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "shapegauge/core/version.h"
 #include "shapegauge/pages/html_page.h"

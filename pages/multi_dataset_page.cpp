@@ -2,7 +2,6 @@
 #include "shapegauge/pages/multi_dataset_page.h"
 
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "shapegauge/core/version.h"
 #include "shapegauge/pages/html_page.h"

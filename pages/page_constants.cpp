@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "shapegauge/core/render/image.h"
-#include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/render/shading.h"
 #include "shapegauge/core/render/splats.h"
 #include "shapegauge/pages/packed_numbers.h"

@@ -2,11 +2,9 @@
 #include "shapegauge/pages/palette.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <fmt/format.h>
 #include <stdexcept>
-#include <string_view>
 
 namespace shapegauge {
 

@@ -2,7 +2,6 @@
 #include "shapegauge/pages/search_page.h"
 
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/version.h"

@@ -7,13 +7,12 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "python/native.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/core/io/stl.h"
 #include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parallel.h"

@@ -10,7 +10,6 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/parallel_parts.h"
-#include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <span>
 
 #include "shapegauge/retrieval/l1_distance.h"
 

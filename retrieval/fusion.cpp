@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -14,7 +13,6 @@
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/local_scales.h"
 #include "shapegauge/retrieval/mutual_ranks.h"
-#include "shapegauge/retrieval/nearest_models.h"
 #include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/retrieval/nearest_models.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 
 namespace shapegauge {

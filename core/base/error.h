@@ -28,4 +28,14 @@ class ArgumentError : public InputError {
   using InputError::InputError;
 };
 
+/// Returns what the work returns. Prefixes the message of an InputError with the source, such as a file.
+template <typename Work>
+auto with_source(const std::string& source, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(source + ": " + error.what());
+  }
+}
+
 }  // namespace shapegauge

@@ -7,11 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
-#include <optional>
 #include <system_error>
 #include <type_traits>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/base/text.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/core/base/utf8.h"
 
-#include <cstddef>
 #include <fmt/format.h>
 
 namespace shapegauge {

@@ -17,7 +17,6 @@
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/point_cloud.h"
-#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

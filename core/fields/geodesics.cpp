@@ -17,7 +17,6 @@
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/link_components.h"
-#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

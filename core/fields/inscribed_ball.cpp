@@ -3,13 +3,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <span>
 #include <vector>
 

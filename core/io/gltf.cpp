@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shapegauge/core/io/gltf.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -15,6 +13,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shapegauge/core/io/obj.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,6 +10,7 @@
 
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shapegauge/core/io/ply.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -19,6 +17,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/little_endian.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/ply_header.h"
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/core/io/shape_file.h"

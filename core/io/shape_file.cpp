@@ -13,12 +13,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/base/utf8.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/gltf.h"
-#include "shapegauge/core/io/obj.h"
-#include "shapegauge/core/io/off.h"
-#include "shapegauge/core/io/ply.h"
-#include "shapegauge/core/io/stl.h"
-#include "shapegauge/core/io/xyz.h"
+#include "shapegauge/core/io/formats.h"
 
 namespace shapegauge {
 

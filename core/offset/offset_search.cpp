@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/core/offset/offset_search.h"
 
-#include <algorithm>
-
 #include "shapegauge/core/offset/offset_depth.h"
 
 namespace shapegauge {

@@ -18,7 +18,6 @@
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/shape/connectivity.h"
-#include "shapegauge/core/shape/shape.h"
 
 // Needed by QuadricT.hh, which does not include it.
 // clang-format off

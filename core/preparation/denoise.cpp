@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <span>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/median.h"
-#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
-#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

@@ -13,7 +13,6 @@
 #include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
-#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

@@ -16,7 +16,6 @@
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/point_cloud.h"
-#include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"
 
 namespace shapegauge {

@@ -6,11 +6,9 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/preparation/tube_area.h"
 #include "shapegauge/core/shape/point_cloud.h"
-#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

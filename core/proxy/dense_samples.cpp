@@ -4,16 +4,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <span>
 #include <tuple>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
-#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/spatial/morton_order.h"
 

@@ -2,7 +2,6 @@
 #include "shapegauge/core/proxy/local_delaunay.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace shapegauge {

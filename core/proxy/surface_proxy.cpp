@@ -9,7 +9,6 @@
 #include <optional>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/median.h"

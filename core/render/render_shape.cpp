@@ -13,10 +13,8 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
-#include "shapegauge/core/render/camera.h"
 #include "shapegauge/core/render/shading.h"
 #include "shapegauge/core/render/splats.h"
-#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/core/shape/connectivity.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cstddef>
 #include <tuple>
 #include <utility>
 
 #include "shapegauge/core/base/interruption.h"
-#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

@@ -12,13 +12,11 @@
 #include <nanoflann.hpp>
 #include <numbers>
 #include <numeric>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/median.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/parallel_parts.h"
-#include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/morton_order.h"
 
 namespace shapegauge {

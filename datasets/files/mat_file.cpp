@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 #include <matio.h>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -152,11 +151,7 @@ DistanceMatrix read_mat(const std::filesystem::path& path, const std::string& va
   }
   DistanceMatrix matrix(static_cast<Eigen::Index>(matrix_variable->dims[0]),
                         static_cast<Eigen::Index>(matrix_variable->dims[1]));
-  try {
-    copier_of(matrix_variable->class_type)(*matrix_variable, matrix);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
-  }
+  with_source(path.string(), [&] { copier_of(matrix_variable->class_type)(*matrix_variable, matrix); });
   return matrix;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <compare>
 #include <cstddef>
-#include <set>
 #include <unordered_map>
 
 #include "shapegauge/core/base/text.h"

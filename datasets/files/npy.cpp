@@ -5,14 +5,10 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
-#include <string>
-#include <string_view>
 #include <system_error>
 
 #include "shapegauge/core/base/error.h"
@@ -266,11 +262,9 @@ std::optional<std::string> decoded_string(std::string_view bytes, const StringFo
 DistanceMatrix decoded(std::string_view bytes, const NpyTable& table, const std::string& source) {
   const bool turned = table.column_by_column;
   DistanceMatrix matrix(turned ? table.columns : table.rows, turned ? table.rows : table.columns);
-  try {
+  with_source(source, [&] {
     table.numbers.decode(bytes.data() + table.data_begin, static_cast<std::size_t>(matrix.size()), matrix.data());
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", source, error.what()));
-  }
+  });
   if (turned) matrix.transposeInPlace();
   return matrix;
 }

@@ -54,28 +54,20 @@ class OpenFile {
   int descriptor_;
 };
 
-// Decodes a row. Throws InputError with the file if a number does not fit.
-void decode_row(const NumberFormat& format, const std::vector<char>& bytes, const std::filesystem::path& path,
-                Eigen::Ref<Eigen::RowVectorXd> row) {
-  try {
-    format.decode(bytes.data(), static_cast<std::size_t>(row.size()), row.data());
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
-  }
-}
-
 DistanceMatrix read_block(const OpenFile& file, const NpyTable& table, TableShape shape, const MatrixBlock& block) {
   DistanceMatrix numbers(block.rows, block.columns);
   const auto row_bytes = static_cast<std::size_t>(block.columns) * table.numbers.bytes;
-  parallel_for_parts(tbb::blocked_range<Eigen::Index>(0, block.rows),
-                     [&](const tbb::blocked_range<Eigen::Index>& some) {
-                       std::vector<char> bytes(row_bytes);
-                       for (Eigen::Index row = some.begin(); row < some.end(); ++row) {
-                         const Eigen::Index entry = (block.first_row + row) * table.columns + block.first_column;
-                         file.read(bytes, table.data_begin + static_cast<std::size_t>(entry) * table.numbers.bytes);
-                         decode_row(table.numbers, bytes, file.path(), numbers.row(row));
-                       }
-                     });
+  parallel_for_parts(
+      tbb::blocked_range<Eigen::Index>(0, block.rows), [&](const tbb::blocked_range<Eigen::Index>& some) {
+        std::vector<char> bytes(row_bytes);
+        for (Eigen::Index row = some.begin(); row < some.end(); ++row) {
+          const Eigen::Index entry = (block.first_row + row) * table.columns + block.first_column;
+          file.read(bytes, table.data_begin + static_cast<std::size_t>(entry) * table.numbers.bytes);
+          with_source(file.path().string(), [&] {
+            table.numbers.decode(bytes.data(), static_cast<std::size_t>(block.columns), numbers.row(row).data());
+          });
+        }
+      });
   replace_or_refuse_nan(numbers, {block.first_row, block.first_column}, shape, file.path());
   return numbers;
 }

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
-#include <functional>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -19,7 +17,7 @@
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/generator/articulated_body.h"
 #include "shapegauge/datasets/generator/class_skeletons.h"

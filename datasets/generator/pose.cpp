@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/datasets/generator/pose.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <cstddef>
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace shapegauge {
 

@@ -2,7 +2,6 @@
 #include "shapegauge/datasets/generator/skeleton.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <numbers>

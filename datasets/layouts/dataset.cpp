@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <set>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>

@@ -2,20 +2,15 @@
 #include "shapegauge/datasets/layouts/labels.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <set>
-#include <string_view>
-#include <unordered_map>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/files/compressed_files.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/npy.h"

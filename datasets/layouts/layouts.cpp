@@ -2,7 +2,6 @@
 #include "shapegauge/datasets/layouts/layouts.h"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
@@ -18,7 +17,6 @@
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
 #include "shapegauge/datasets/layouts/benchmark_layouts.h"
-#include "shapegauge/datasets/layouts/dataset.h"
 
 namespace shapegauge {
 

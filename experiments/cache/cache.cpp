@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 #include <system_error>
-#include <utility>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <limits>
-#include <string_view>
 #include <system_error>
 
 #include "shapegauge/core/base/environment.h"

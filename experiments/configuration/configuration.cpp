@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/experiments/configuration/configuration.h"
 
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>

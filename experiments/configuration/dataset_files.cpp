@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/document_paths.h"

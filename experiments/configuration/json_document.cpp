@@ -9,12 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/environment.h"
-#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 

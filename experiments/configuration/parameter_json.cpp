@@ -8,13 +8,10 @@
 #include <fmt/ranges.h>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
-
-#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 

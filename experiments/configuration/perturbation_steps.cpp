@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <utility>
 
 #include "shapegauge/core/base/random_numbers.h"
-#include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 
 namespace shapegauge {

@@ -7,12 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/datasets/layouts/layouts.h"
-#include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/dataset_files.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/datasets/layouts/layouts.h"

@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <string_view>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/json_document.h"

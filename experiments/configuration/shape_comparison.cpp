@@ -7,10 +7,8 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
-#include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
-#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/configuration/short_forms.h"

@@ -6,13 +6,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <thread>
-#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/configuration/json_document.h"
-#include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 
 namespace shapegauge {

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <optional>
-#include <string>
 
 #include "shapegauge/core/base/environment.h"
 #include "shapegauge/core/base/error.h"

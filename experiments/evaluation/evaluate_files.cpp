@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
-#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -18,7 +17,6 @@
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/experiments/evaluation/evaluation_warnings.h"
-#include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/feature_checks.h"

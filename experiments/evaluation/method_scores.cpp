@@ -2,7 +2,6 @@
 #include "shapegauge/experiments/evaluation/method_scores.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>

@@ -15,7 +15,6 @@
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/core/shape/samples.h"
-#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/datasets/layouts/layouts.h"
 
 namespace shapegauge {

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -131,11 +130,7 @@ void read_description(const fs::path& file, Submission& submission) {
     throw InputError(fmt::format("{}: the link leads out of the folder of the submission", file.string()));
   }
   const nlohmann::json json = parse_json(read_file_bytes(file), file.string());
-  try {
-    set_all_described(json, submission);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  with_source(file.string(), [&] { set_all_described(json, submission); });
 }
 
 // Adds a file; refuses it if its description is invalid.

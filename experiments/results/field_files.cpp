@@ -5,20 +5,17 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/render/image.h"
-#include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/pages/plots/charts.h"
 #include "shapegauge/pages/shape_view.h"
-#include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
 

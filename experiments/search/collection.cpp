@@ -8,7 +8,6 @@
 #include <set>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"

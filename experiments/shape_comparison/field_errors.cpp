@@ -11,8 +11,6 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
-#include "shapegauge/core/shape/shape.h"
-#include "shapegauge/core/spatial/triangle_bvh.h"
 
 namespace shapegauge {
 

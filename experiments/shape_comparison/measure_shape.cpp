@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <utility>
 
 #include "shapegauge/core/base/stopwatch.h"

@@ -2,21 +2,16 @@
 #include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <fmt/format.h>
 #include <map>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/engine/run_control.h"
-#include "shapegauge/experiments/shape_comparison/measure_shape.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
 

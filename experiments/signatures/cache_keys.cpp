@@ -11,8 +11,6 @@
 #include "shapegauge/core/version.h"
 #include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/sha256.h"
-#include "shapegauge/experiments/cache/cache.h"
-#include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/engine/build_information.h"
 #include "shapegauge/experiments/engine/manifest.h"

@@ -11,7 +11,6 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/signatures/describe_learnt.h"
-#include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
 #include "shapegauge/pages/shape_view.h"
 

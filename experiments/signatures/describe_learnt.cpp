@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/experiments/signatures/describe_learnt.h"
 
-#include <algorithm>
 #include <string>
-#include <utility>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/signatures/cache_keys.h"
 
 namespace shapegauge {

@@ -287,8 +287,4 @@ ScalarField kept_field(const FieldDescription& field) {
   return {.values = field.values.cast<double>(), .weights = field.weights.cast<double>()};
 }
 
-Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options) {
-  return histogram(kept_field(field), range, options);
-}
-
 }  // namespace shapegauge

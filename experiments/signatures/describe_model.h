@@ -110,7 +110,4 @@ void note_failure(const Dataset& dataset, std::size_t model, const Configuration
 /// Returns the values kept by a description.
 ScalarField kept_field(const FieldDescription& field);
 
-/// Computes the histogram, over a range, of the values kept by a description.
-Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options);
-
 }  // namespace shapegauge

@@ -5,9 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"

@@ -4,17 +4,21 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/experiments/signatures/cache_keys.h"
-#include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
 
 namespace {
 
-/// Returns the union of the ranges of a field over all models.
+/// Returns the union of the ranges of a field over the models that have values of it.
 Interval common_range(const std::vector<const ModelDescription*>& models, std::size_t field) {
-  return enclosing_interval(model_ranges(models, field));
+  std::vector<Interval> ranges;
+  for (const ModelDescription* model : models) {
+    if (model->fields[field].error.empty()) ranges.push_back(model->fields[field].range);
+  }
+  return enclosing_interval(ranges);
 }
 
 /// Returns the histograms over this range of the field, one row per model.
@@ -22,7 +26,7 @@ Signatures histograms_of(const std::vector<const ModelDescription*>& models, std
                          const HistogramOptions& options) {
   Signatures table(std::ssize(models), options.bins);
   parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
-    table.row(static_cast<Eigen::Index>(i)) = kept_histogram(models[i]->fields[field], range, options);
+    table.row(static_cast<Eigen::Index>(i)) = histogram(kept_field(models[i]->fields[field]), range, options);
   });
   return table;
 }
@@ -34,7 +38,8 @@ Signatures features_of(const std::vector<const ModelDescription*>& models, std::
   for (std::size_t i = 0; i < models.size(); ++i) {
     const Eigen::VectorXf& features = models[i]->features[signature].features;
     if (features.size() != length) {
-      throw different_feature_counts(length, features.size());
+      throw ArgumentError(fmt::format("a descriptor returned {} features for one model and {} for another", length,
+                                      features.size()));
     }
     table.row(static_cast<Eigen::Index>(i)) = features.transpose();
   }
@@ -66,19 +71,6 @@ std::vector<std::vector<Eigen::Index>> places_with(const std::vector<const Model
 }
 
 }  // namespace
-
-ArgumentError different_feature_counts(Eigen::Index one, Eigen::Index other) {
-  return ArgumentError(fmt::format("a descriptor returned {} features for one model and {} for another", one, other));
-}
-
-std::vector<Interval> model_ranges(const std::vector<const ModelDescription*>& models, std::size_t field) {
-  std::vector<Interval> ranges;
-  ranges.reserve(models.size());
-  for (const ModelDescription* model : models) {
-    if (model->fields[field].error.empty()) ranges.push_back(model->fields[field].range);
-  }
-  return ranges;
-}
 
 NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration) {
   if (!signature.descriptor) return distances().at(configuration.distance);

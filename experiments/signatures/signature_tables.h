@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
 #include "shapegauge/retrieval/distances.h"
@@ -17,9 +16,6 @@ namespace shapegauge {
 
 /// Returns the distance between signatures of a kind that is not derived: a descriptor's own, or the configuration's.
 NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration);
-
-/// Returns the ranges of a field on the models that have values of it.
-std::vector<Interval> model_ranges(const std::vector<const ModelDescription*>& models, std::size_t field);
 
 /// Returns the range of each field over the models that have values of it. Throws ArgumentError if none
 /// has.
@@ -37,8 +33,5 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
 /// Returns the range of each model's histogram of a field.
 std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
                                        const HistogramConfiguration& wanted, std::size_t field);
-
-/// Returns the error of a descriptor whose features have different lengths.
-ArgumentError different_feature_counts(Eigen::Index one, Eigen::Index other);
 
 }  // namespace shapegauge

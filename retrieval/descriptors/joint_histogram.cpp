@@ -13,7 +13,6 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/option_parameters.h"
-#include "shapegauge/retrieval/histogram.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
 namespace shapegauge {

@@ -10,7 +10,6 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"

@@ -15,7 +15,6 @@
 #include <unistd.h>
 
 #include "tests/support/small_dataset.h"
-#include "tests/support/test_files.h"
 
 namespace shapegauge::test_command_line {
 
@@ -61,21 +60,6 @@ namespace {
 int exit_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status); }
 
 }  // namespace
-
-std::map<std::string, std::string> results_in(const std::filesystem::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().lexically_relative(folder).string();
-    const std::string file = entry.path().filename().string();
-    if (!entry.is_regular_file() || file == "shape_seconds.csv" || file == "timings.csv") continue;
-    files[name] = test::text_of(entry.path());
-    if (file != "manifest.json") continue;
-    nlohmann::json manifest = nlohmann::json::parse(files.at(name));
-    manifest.erase("execution");
-    files[name] = manifest.dump();
-  }
-  return files;
-}
 
 BackgroundRun::BackgroundRun(std::vector<std::string> arguments, const std::filesystem::path& errors,
                              const std::string& program) {

@@ -38,9 +38,6 @@ struct UnusableCall {
 /// Runs each call and expects an input error.
 void expect_error_lines(const std::vector<UnusableCall>& calls);
 
-/// Contents of a folder's result files by name, without timings; those of the manifest are removed.
-std::map<std::string, std::string> results_in(const std::filesystem::path& folder);
-
 /// Running instance of the built executable, killed if necessary at the end of the scope.
 class BackgroundRun {
  public:
@@ -90,16 +87,12 @@ class WorkingFolder {
 };
 
 /// A folder for the files of calls.
-class CommandTest : public testing::Test {
+class CommandTest : public test::FolderTest {
  protected:
-  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
   /// Quoted for a shell.
   [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
   /// Runs the built executable. Words that begin with @ are paths in the folder.
   [[nodiscard]] Outcome run(std::string arguments) const;
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 /// A folder with the small data set in data/, and with a configuration over it: small.json.

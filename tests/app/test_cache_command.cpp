@@ -5,49 +5,41 @@
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using CacheCommand = CommandTest;
 
-TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
-  const test::TemporaryFolder folder;
-  const std::string cache = (folder.path() / "cache").string();
-  Cache(cache).put(EntryKind::field, std::string(64, '1'), std::string(1'500'000, 'x'));
-  const Outcome outcome = run_executable("cache info --cache '" + cache + "'");
+TEST_F(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
+  Cache(at("cache")).put(EntryKind::field, std::string(64, '1'), std::string(1'500'000, 'x'));
+  const Outcome outcome = run("cache info --cache @cache");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, "");
-  EXPECT_THAT(outcome.output, HasSubstr("Cache in " + cache + "\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("Cache in " + at("cache").string() + "\n"));
   EXPECT_THAT(outcome.output, ContainsRegex("\nfield +1 +1\\.5 MB\n"));
   EXPECT_THAT(outcome.output, ContainsRegex("\nall +1 +1\\.5 MB\n"));
 }
 
-TEST(CacheCommand, ClearsItAndAnEmptyOneToo) {
-  const test::TemporaryFolder folder;
-  const std::string cache = (folder.path() / "cache").string();
-  Cache(cache).put(EntryKind::field, std::string(64, '1'), 1);
-  EXPECT_THAT(run_executable("cache clear --cache '" + cache + "'").output,
-              ContainsRegex("1 entry, [0-9.]+ kB, removed"));
-  EXPECT_FALSE(std::filesystem::exists(cache));
-  const Outcome again = run_executable("cache clear --cache '" + cache + "'");
+TEST_F(CacheCommand, ClearsItAndAnEmptyOneToo) {
+  Cache(at("cache")).put(EntryKind::field, std::string(64, '1'), 1);
+  EXPECT_THAT(run("cache clear --cache @cache").output, ContainsRegex("1 entry, [0-9.]+ kB, removed"));
+  EXPECT_FALSE(std::filesystem::exists(at("cache")));
+  const Outcome again = run("cache clear --cache @cache");
   EXPECT_EQ(again.status, 0);
   EXPECT_THAT(again.output, HasSubstr("0 entries"));
 }
 
-TEST(CacheCommand, UnusableArgumentsAreOneClearLine) {
-  const test::TemporaryFolder folder;
-  test::write_text(folder.path() / "file", "x");
+TEST_F(CacheCommand, UnusableArgumentsAreOneClearLine) {
+  test::write_text(at("file"), "x");
   expect_error_lines({{"cache", "subcommand is required"},
                       {"cache empty", "there is no command \"empty\""},
-                      {"cache info --cache '" + (folder.path() / "file").string() + "'", "cannot read the cache"},
-                      {"cache clear --cache '" + (folder.path() / "file").string() + "'", "cannot read the cache"}});
+                      {"cache info --cache " + quoted("file"), "cannot read the cache"},
+                      {"cache clear --cache " + quoted("file"), "cannot read the cache"}});
 }
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -2,31 +2,23 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 
 /// Checks a plate of thickness 1.
-class CheckCommand : public testing::Test {
+class CheckCommand : public CommandTest {
  protected:
-  CheckCommand() { write_off(file_, test::box({20, 12, 1}, 1)); }
+  CheckCommand() { write_off(at("plate.off"), test::box({20, 12, 1}, 1)); }
 
-  [[nodiscard]] Outcome check(const std::string& options) const {
-    return run_executable("check '" + file_ + "' " + options);
-  }
-
- private:
-  test::TemporaryFolder folder_;
-  std::string file_ = (folder_.path() / "plate.off").string();
+  [[nodiscard]] Outcome check(const std::string& options) const { return run("check @plate.off " + options); }
 };
 
 TEST_F(CheckCommand, StatusSaysWhetherThePartPasses) {
@@ -73,4 +65,4 @@ TEST_F(CheckCommand, WrongLimitsAreRefused) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -12,21 +12,18 @@
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_line;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Ten classes of six models on a line, seen with little noise (good.npy), and with much (bad.npy, poor.npy).
-class CompareCommand : public testing::Test {
+class CompareCommand : public CommandTest {
  protected:
   void SetUp() override {
     std::string table = "id,class\n";
@@ -36,15 +33,14 @@ class CompareCommand : public testing::Test {
     write_noisy("bad.npy", 3, 2);
     write_noisy("poor.npy", 3, 3);
   }
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
   [[nodiscard]] Outcome compare(const std::string& inputs, const std::string& more = "") const {
     std::string arguments = "compare";
     std::istringstream names(inputs);
-    for (std::string name; names >> name;) arguments += " '" + at(name) + "'";
-    return run_executable(arguments + " " + more);
+    for (std::string name; names >> name;) arguments += " " + quoted(name);
+    return run(arguments + " " + more);
   }
   [[nodiscard]] Outcome compare_matrices(const std::string& inputs, const std::string& more = "") const {
-    return compare(inputs, "--labels '" + at("labels.csv") + "' " + more);
+    return compare(inputs, "--labels @labels.csv " + more);
   }
 
  private:
@@ -56,8 +52,6 @@ class CompareCommand : public testing::Test {
     write_npy(at(name), DistanceMatrix::NullaryExpr(
                             60, 60, [&](Eigen::Index i, Eigen::Index j) { return std::abs(place[i] - place[j]); }));
   }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(CompareCommand, TellsWhatIsBetter) {
@@ -80,10 +74,9 @@ TEST_F(CompareCommand, TellsWhatIsBetter) {
 
 TEST_F(CompareCommand, TheOutputsOfEvaluateAreComparedAlike) {
   for (const std::string name : {"good", "bad"}) {
-    ASSERT_EQ(run_executable("evaluate '" + at(name + ".npy") + "' --labels '" + at("labels.csv") + "' --per-query '" +
-                             at(name + ".csv") + "'")
-                  .status,
-              0);
+    ASSERT_EQ(
+        run("evaluate " + quoted(name + ".npy") + " --labels @labels.csv --per-query " + quoted(name + ".csv")).status,
+        0);
   }
   const Outcome tables = compare("good.csv bad.csv", "--format csv");
   EXPECT_EQ(tables.status, 0) << tables.errors;
@@ -106,8 +99,8 @@ TEST_F(CompareCommand, MethodsOfOneFolderAreComparedWithAReference) {
 
 TEST_F(CompareCommand, DrawsCurvesAndScoresAndMakesAReportOfAll) {
   const Outcome outcome = compare_matrices(
-      "good.npy bad.npy", "--measures FT --names ours,theirs --plot '" + at("pr.svg") + "' --plot-scores '" +
-                              at("scores.svg") + "' --pr '" + at("pr.csv") + "' --report '" + at("all.html") + "'");
+      "good.npy bad.npy",
+      "--measures FT --names ours,theirs --plot @pr.svg --plot-scores @scores.svg --pr @pr.csv --report @all.html");
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(text_of(at("pr.svg")), AllOf(HasSubstr(">Recall<"), HasSubstr(">ours<"), HasSubstr(">theirs<")));
   EXPECT_THAT(text_of(at("scores.svg")), AllOf(HasSubstr(">FT<"), HasSubstr(">theirs<")));
@@ -122,7 +115,7 @@ TEST_F(CompareCommand, CurvesOfAFolderAreThoseOfItsRun) {
   write_text(at("results/pr_curves.csv"),
              "method,protocol,recall,precision,macro_precision\nm,psb,0.5,0.75,0.7\nn,psb,0.5,0.25,0.2\n"
              "m,paper,0.5,1,1\n");
-  ASSERT_EQ(compare("results", "--pr '" + at("pr.csv") + "'").status, 0);
+  ASSERT_EQ(compare("results", "--pr @pr.csv").status, 0);
   EXPECT_EQ(text_of(at("pr.csv")), "method,protocol,recall,precision\nm,psb,0.5,0.750000\nn,psb,0.5,0.250000\n");
 }
 
@@ -132,12 +125,12 @@ TEST_F(CompareCommand, InputsAreNeverReplaced) {
   write_text(at("results/pr_curves.csv"), "method,protocol,recall,precision,macro_precision\nm,psb,0.5,0.75,0.7\n");
   write_text(at("other.csv"), "1\n");
   const auto refused = [&](const Outcome& outcome, const std::string& name) {
-    expect_error_line(outcome, "would overwrite the input " + at(name));
+    expect_error_line(outcome, "would overwrite the input " + at(name).string());
   };
-  const auto replacing = [&](const std::string& name) { return "--replace --pr '" + at(name) + "' "; };
+  const auto replacing = [&](const std::string& name) { return "--replace --pr " + quoted(name) + " "; };
   refused(compare_matrices("good.npy bad.npy", replacing("labels.csv")), "labels.csv");
   for (const std::string option : {"--qrels", "--ids", "--targets"}) {
-    refused(compare("good.npy bad.npy", replacing("other.csv") + option + " '" + at("other.csv") + "'"), "other.csv");
+    refused(compare("good.npy bad.npy", replacing("other.csv") + option + " @other.csv"), "other.csv");
   }
   for (const std::string name : {"results/per_query.csv", "results/pr_curves.csv"}) {
     refused(compare("results", replacing(name)), name);
@@ -182,9 +175,7 @@ TEST_F(CompareCommand, OptionsThatCannotActOnScoresAreErrors) {
   }
   expect_error_line(compare("results", "--protocol paper"), "--protocol");
   expect_error_line(compare_matrices("results good.npy", "--measures NN --ties index"), "--ties expected");
-  expect_error_line(
-      compare_matrices("results good.npy", "--measures NN --ties expected --report '" + at("r.html") + "'"),
-      "--report");
+  expect_error_line(compare_matrices("results good.npy", "--measures NN --ties expected --report @r.html"), "--report");
   EXPECT_EQ(compare_matrices("results good.npy", "--measures NN --ties expected").status, 0);
 }
 
@@ -192,7 +183,7 @@ TEST_F(CompareCommand, TooFewClassesAreTold) {
   std::string table = "id,class\n";
   for (int i = 0; i < 60; ++i) table += std::to_string(i) + ",c" + std::to_string(i / 20) + "\n";
   write_text(at("three.csv"), table);
-  const std::string more = "--labels '" + at("three.csv") + "' --measures FT --format json ";
+  const std::string more = "--labels " + quoted("three.csv") + " --measures FT --format json ";
   const Outcome outcome = compare("good.npy bad.npy", more + "--blocks classes ");
   EXPECT_THAT(outcome.errors, AllOf(HasSubstr("3 classes"), HasSubstr("below 0.25"), HasSubstr("--blocks queries")));
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["smallest_p"], 0.25);
@@ -230,4 +221,4 @@ TEST(MeasuresCommand, ListsEveryMeasureOnce) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

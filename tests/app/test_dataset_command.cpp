@@ -8,26 +8,19 @@
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::write_text;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 
-class DatasetCommand : public testing::Test {
+class DatasetCommand : public CommandTest {
  protected:
   void SetUp() override { test::write_small_dataset(folder_.path()); }
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
-  [[nodiscard]] std::string folder() const { return folder_.path().string(); }
   [[nodiscard]] Outcome dataset(const std::string& command) const {
-    return run_executable("dataset " + command + " '" + folder_.path().string() + "'");
+    return run("dataset " + command + " '" + folder_.path().string() + "'");
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(DatasetCommand, InfoProposesTheConfiguration) {
@@ -36,7 +29,8 @@ TEST_F(DatasetCommand, InfoProposesTheConfiguration) {
   const std::size_t begin = output.find(key);
   ASSERT_NE(begin, std::string::npos);
   const auto proposed = nlohmann::json::parse(output.substr(begin + key.size()));
-  EXPECT_EQ(proposed, (nlohmann::json{{"layout", "shrec11"}, {"root", folder()}, {"classification", "test.cla"}}));
+  EXPECT_EQ(proposed,
+            (nlohmann::json{{"layout", "shrec11"}, {"root", folder_.path().string()}, {"classification", "test.cla"}}));
 }
 
 TEST_F(DatasetCommand, InfoCountsWhatCannotBeUsed) {
@@ -57,7 +51,7 @@ TEST_F(DatasetCommand, InfoCountsWhatIsSkipped) {
   std::filesystem::create_directories(at("classes/box/old"));
   std::filesystem::copy(at("T1.off"), at("classes/box/T1.off"));
   write_text(at("classes/box/T1.mtl"), "newmtl x");
-  const Outcome outcome = run_executable("dataset info '" + at("classes") + "'");
+  const Outcome outcome = run("dataset info @classes");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("\nskipped: 1 file that is not a shape, 1 folder\n"));
 }
@@ -66,11 +60,11 @@ TEST_F(DatasetCommand, InfoCountsASplit) {
   for (const char* name : {"bed/train/1.off", "bed/test/2.off", "bed/test/3.off", "sofa/test/4.off"}) {
     write_text(at("parts/" + std::string(name)), test::text_of(at("T0.off")));
   }
-  const Outcome outcome = run_executable("dataset info '" + at("parts") + "' --split test");
+  const Outcome outcome = run("dataset info @parts --split test");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("layout folders: 3 models in 2 classes"));
   EXPECT_THAT(outcome.output, HasSubstr("\"split\":\"test\""));
-  const Outcome without = run_executable("dataset info '" + folder() + "' --split test");
+  const Outcome without = run("dataset info @ --split test");
   EXPECT_EQ(without.status, 2);
   EXPECT_THAT(without.errors, HasSubstr("the layout shrec11 has no splits"));
 }
@@ -78,18 +72,18 @@ TEST_F(DatasetCommand, InfoCountsASplit) {
 TEST_F(DatasetCommand, LabelsAreWhatEvaluateReads) {
   write_text(at("all.csv"),
              "id,synsetId,subSynsetId,modelId,split\n000001,7,7,a,test\n000002,7,8,b,test\n000003,9,9,c,train\n");
-  const std::string command = "dataset labels '" + folder() + "' --layout shapenet --split test";
-  EXPECT_EQ(run_executable(command).output, "id,class,subclass\n000001,7,\n000002,7,8\n");
-  ASSERT_EQ(run_executable(command + " -o '" + at("labels.csv") + "'").status, 0);
+  const std::string command = "dataset labels @ --layout shapenet --split test";
+  EXPECT_EQ(run(command).output, "id,class,subclass\n000001,7,\n000002,7,8\n");
+  ASSERT_EQ(run(command + " -o @labels.csv").status, 0);
   write_text(at("lists/000001"), "000001 0\n000002 0.5\n");
   write_text(at("lists/000002"), "000002 0\n");
   const Outcome outcome =
-      run_executable("evaluate '" + at("lists") + "' --labels '" + at("labels.csv") +
-                     "' --protocol paper --measures P@N,R@N,F1@N,mAP@N,nDCG@N --format csv --unit fraction --digits 4");
+      run("evaluate @lists --labels @labels.csv --protocol paper --measures P@N,R@N,F1@N,mAP@N,nDCG@N --format csv "
+          "--unit fraction --digits 4");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   // Query 1 finds both, with the grades 3 and 1; query 2 finds itself only, not the model of grade 2.
   EXPECT_THAT(outcome.output, HasSubstr("lists,paper,micro,1.0000,0.7500,0.8333,0.7500,0.8000\n"));
-  EXPECT_EQ(run_executable(command + " -o '" + at("labels.csv") + "'").status, 2) << "exists";
+  EXPECT_EQ(run(command + " -o @labels.csv").status, 2) << "exists";
 }
 
 TEST_F(DatasetCommand, ValidateNamesWhatCannotBeUsed) {
@@ -103,33 +97,32 @@ TEST_F(DatasetCommand, ValidateNamesWhatCannotBeUsed) {
 
 TEST_F(DatasetCommand, AMissingFolderIsAnError) {
   for (const std::string command : {"info", "validate"}) {
-    const Outcome outcome = run_executable("dataset " + command + " /nowhere");
+    const Outcome outcome = run("dataset " + command + " /nowhere");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.errors, HasSubstr("/nowhere: no such folder"));
   }
 }
 
 TEST_F(DatasetCommand, AnInterruptedGenerationSaysWhatItLeaves) {
-  test_command_line::BackgroundRun run(
+  BackgroundRun run(
       {"dataset", "generate", at("made"), "--classes", "1", "--models-per-class", "500", "--threads", "1"},
       at("errors"));
   ASSERT_TRUE(
       run.wait_until([&] { return std::filesystem::exists(at("made")) && !std::filesystem::is_empty(at("made")); }));
   run.send(SIGINT);
   EXPECT_EQ(run.wait(), 130);
-  EXPECT_EQ(test::text_of(at("errors")), "shapegauge: error: interrupted; the data set in " + at("made") +
+  EXPECT_EQ(test::text_of(at("errors")), "shapegauge: error: interrupted; the data set in " + at("made").string() +
                                              " is incomplete; --replace replaces it\n");
 }
 
 TEST_F(DatasetCommand, GenerateMakesWhatInfoReads) {
-  const Outcome generated =
-      run_executable("dataset generate '" + at("made") + "' --classes 2 --models-per-class 2 --faces 1000");
+  const Outcome generated = run("dataset generate @made --classes 2 --models-per-class 2 --faces 1000");
   ASSERT_EQ(generated.status, 0) << generated.errors;
   EXPECT_THAT(generated.output, HasSubstr("4 models of 2 classes"));
-  EXPECT_THAT(run_executable("dataset validate '" + at("made") + "'").output, HasSubstr("4 of 4 models"));
-  EXPECT_EQ(run_executable("dataset generate '" + at("made") + "' --classes 2").status, 2);
+  EXPECT_THAT(run("dataset validate @made").output, HasSubstr("4 of 4 models"));
+  EXPECT_EQ(run("dataset generate @made --classes 2").status, 2);
 }
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

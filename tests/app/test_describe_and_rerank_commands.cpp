@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
@@ -24,16 +24,13 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 
-class DescribeCommand : public test_command_line::CommandTest {
+class DescribeCommand : public CommandTest {
  protected:
   void SetUp() override {
     for (const char* name : {"sphere", "box", "capsule"})
@@ -167,7 +164,7 @@ TEST_F(DescribeCommand, AnInterruptionSaysThatNothingIsWritten) {
   }
   for (const char* const word : {"--descriptor", "light_field", "--threads", "1", "-o"}) call.emplace_back(word);
   call.push_back(at("new.csv").string());
-  test_command_line::BackgroundRun run(call, at("errors"));
+  BackgroundRun run(call, at("errors"));
   std::this_thread::sleep_for(std::chrono::seconds(2));
   run.send(SIGINT);
   EXPECT_EQ(run.wait(), 130);
@@ -175,13 +172,13 @@ TEST_F(DescribeCommand, AnInterruptionSaysThatNothingIsWritten) {
   EXPECT_EQ(test::text_of(at("errors")), "shapegauge: error: interrupted; no results were written\n");
 }
 
-TEST(RerankCommand, GivesWhatTheLibraryGives) {
-  const test::TemporaryFolder folder;
-  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+using RerankCommand = CommandTest;
+
+TEST_F(RerankCommand, GivesWhatTheLibraryGives) {
   write_npy(at("d.npy"), line());
   const auto rerank = [&](const std::string& arguments) {
-    const std::string call = fmt::format("rerank '{}' --replace -o '{}' {}", at("d.npy"), at("r.npy"), arguments);
-    const Outcome outcome = run_executable(call);
+    const std::string call = fmt::format("rerank @d.npy --replace -o @r.npy {}", arguments);
+    const Outcome outcome = run(call);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return read_matrix(at("r.npy"), TableShape::square).numbers;
   };
@@ -204,49 +201,40 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-TEST(RerankCommand, TheSparseResultTakesItsPlaceWhenItIsComplete) {
-  const test::TemporaryFolder folder;
-  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+TEST_F(RerankCommand, TheSparseResultTakesItsPlaceWhenItIsComplete) {
   write_npy(at("d.npy"), line());
   test::write_text(at("mine"), "mine");
   std::filesystem::create_symlink(at("mine"), at("r.npy.part"));
-  EXPECT_EQ(run_executable(fmt::format("rerank '{}' -o '{}' --sparse", at("d.npy"), at("r.npy"))).status, 0);
+  EXPECT_EQ(run("rerank @d.npy -o @r.npy --sparse").status, 0);
   EXPECT_EQ(test::text_of(at("mine")), "mine");
-  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"d.npy", "mine", "r.npy", "r.npy.part"}));
+  EXPECT_EQ(names_in(folder_.path()), (std::set<std::string>{"d.npy", "mine", "r.npy", "r.npy.part"}));
 }
 
-TEST(RerankCommand, AnInterruptionLeavesNoFile) {
-  const test::TemporaryFolder folder;
-  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+TEST_F(RerankCommand, AnInterruptionLeavesNoFile) {
   constexpr Eigen::Index models = 2000;  // enough for some seconds
   write_npy(at("d.npy"), DistanceMatrix::NullaryExpr(models, models, [](Eigen::Index i, Eigen::Index j) {
               return static_cast<double>(std::abs(i - j));
             }));
   const test::TemporaryFolder messages;
-  test_command_line::BackgroundRun run({"rerank", at("d.npy"), "-o", at("r.npy"), "--sparse", "--neighbours", "auto"},
-                                       messages.path() / "errors");
-  ASSERT_TRUE(run.wait_until([&] { return names_in(folder.path()).size() == 2; }));
+  BackgroundRun run({"rerank", at("d.npy"), "-o", at("r.npy"), "--sparse", "--neighbours", "auto"},
+                    messages.path() / "errors");
+  ASSERT_TRUE(run.wait_until([&] { return names_in(folder_.path()).size() == 2; }));
   run.send(SIGINT);
   EXPECT_EQ(run.wait(), 130);
-  EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"d.npy"});
+  EXPECT_EQ(names_in(folder_.path()), std::set<std::string>{"d.npy"});
   EXPECT_EQ(test::text_of(messages.path() / "errors"), "shapegauge: error: interrupted; no results were written\n");
 }
 
-TEST(RerankCommand, IdsOfACsvStay) {
-  const test::TemporaryFolder folder;
-  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+TEST_F(RerankCommand, IdsOfACsvStay) {
   test::write_text(at("d.csv"), "id,x,y,z\nx,0,1,3\ny,1,0,2\nz,3,2,0\n");
-  const Outcome outcome = run_executable(
-      fmt::format("rerank '{}' -o '{}' --method query_expansion --neighbours 1", at("d.csv"), at("r.csv")));
+  const Outcome outcome = run("rerank @d.csv -o @r.csv --method query_expansion --neighbours 1");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   const LabelledTable found = read_matrix(at("r.csv"), TableShape::square);
   EXPECT_THAT(found.row_ids, testing::ElementsAre("x", "y", "z"));
   EXPECT_EQ(found.numbers, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
 }
 
-TEST(RerankCommand, InfiniteDistancesStayUsable) {
-  const test::TemporaryFolder folder;
-  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+TEST_F(RerankCommand, InfiniteDistancesStayUsable) {
   DistanceMatrix distances = line();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   distances.row(3).setConstant(infinity);
@@ -256,36 +244,31 @@ TEST(RerankCommand, InfiniteDistancesStayUsable) {
   test::write_text(at("classes.txt"), "a\na\na\na\na\nb\nb\nb\nb\nb\n");
   for (const std::string method :
        {"diffusion --neighbours 3", "diffusion --neighbours 3 --sparse", "k_reciprocal", "query_expansion"}) {
-    const Outcome outcome =
-        run_executable(fmt::format("rerank '{}' --replace -o '{}' --method {}", at("d.npy"), at("r.npy"), method));
+    const Outcome outcome = run(fmt::format("rerank @d.npy --replace -o @r.npy --method {}", method));
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors, "") << method;
     const DistanceMatrix found = read_matrix(at("r.npy"), TableShape::square).numbers;
     EXPECT_EQ(found.array().isInf().count(), 18) << method;
     EXPECT_FALSE(found.hasNaN()) << method;
-    EXPECT_EQ(run_executable(fmt::format("evaluate '{}' --labels '{}'", at("r.npy"), at("classes.txt"))).status, 0);
+    EXPECT_EQ(run("evaluate @r.npy --labels @classes.txt").status, 0);
   }
 }
 
-TEST(RerankCommand, RemarksOnAnAsymmetricMatrixInOneLine) {
-  const test::TemporaryFolder folder;
-  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+TEST_F(RerankCommand, RemarksOnAnAsymmetricMatrixInOneLine) {
   DistanceMatrix distances = line();
   distances(2, 5) += 0.5;
   distances(7, 1) += 2;
   write_npy(at("d.npy"), distances);
-  const Outcome outcome = run_executable(fmt::format("rerank '{}' -o '{}'", at("d.npy"), at("r.npy")));
+  const Outcome outcome = run("rerank @d.npy -o @r.npy");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.errors, testing::MatchesRegex("shapegauge: warning: [^\n]*not symmetric: 2 pairs[^\n]*by up to "
                                                     "2;[^\n]*\n"));
 }
 
-TEST(RerankCommand, TellsWhatIsWrongInALine) {
-  const test::TemporaryFolder folder;
-  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+TEST_F(RerankCommand, TellsWhatIsWrongInALine) {
   write_npy(at("d.npy"), line());
   write_npy(at("negative.npy"), -line());
-  const std::string call = fmt::format("rerank '{}' -o '{}' ", at("d.npy"), at("r.npy"));
+  const std::string call = "rerank " + quoted("d.npy") + " -o " + quoted("r.npy") + " ";
   expect_error_lines({{call + "--neighbours 0", "neighbours"},
                       {call + "--original 1", "--method diffusion"},
                       {call + "--neighbours 4,0", "neighbours"},
@@ -295,14 +278,14 @@ TEST(RerankCommand, TellsWhatIsWrongInALine) {
                       {call + "--damping 0.5,0.6", "--damping"},
                       {call + "--method k_reciprocal --neighbours 2", "expansion_neighbours"},
                       {call + "--method query_expansion --sparse", "--sparse"},
-                      {fmt::format("rerank '{}' -o '{}'", at("d.npy"), at("r.txt")), ".npy"},
-                      {fmt::format("rerank '{}' -o '{}'", at("negative.npy"), at("r.npy")), "negative"},
-                      {fmt::format("rerank '{}' -o '{}' --sparse", at("negative.npy"), at("r.npy")), "negative"}});
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+                      {"rerank " + quoted("d.npy") + " -o " + quoted("r.txt"), ".npy"},
+                      {"rerank " + quoted("negative.npy") + " -o " + quoted("r.npy"), "negative"},
+                      {"rerank " + quoted("negative.npy") + " -o " + quoted("r.npy") + " --sparse", "negative"}});
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
     EXPECT_FALSE(entry.path().filename().string().starts_with("r.npy")) << "nothing half-written is left";
   }
 }
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -9,22 +9,18 @@
 #include "tests/datasets/files/write_matrix.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
-using test_command_line::UnusableCall;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::StartsWith;
 
 /// The example of the known answers: A = values 0, 1, 4 and B = values 2, 3.5, 7, 9 on a line, in that order.
-class EvaluateCommand : public testing::Test {
+class EvaluateCommand : public CommandTest {
  protected:
   void SetUp() override {
     const Eigen::VectorXd values{{0, 1, 4, 2, 3.5, 7, 9}};
@@ -41,21 +37,16 @@ class EvaluateCommand : public testing::Test {
     write_text(at("toy.txt"), text);
     write_text(at("toy.cla"), "PSB 1\n2 7\nA 0 3\n0\n1\n2\nB 0 4\n3\n4\n5\n6\n");
   }
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
   [[nodiscard]] Outcome evaluate_toy(const std::string& more, const std::string& matrix = "toy.npy") const {
-    return run_executable("evaluate '" + at(matrix) + "' --labels '" + at("toy.cla") + "' " + more);
+    return run("evaluate " + quoted(matrix) + " --labels @toy.cla " + more);
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(EvaluateCommand, StandardInputIsAsGoodAsAFile) {
   const nlohmann::json of_file = nlohmann::json::parse(evaluate_toy("--format json").output);
   for (const std::string format : {"npy", "matrix", "txt"}) {
     const std::string told = format == "npy" ? "" : " --input-format " + format;  // .npy is recognized by its contents
-    const Outcome piped = run_executable("evaluate - --labels '" + at("toy.cla") + "' --format json" + told + " < '" +
-                                         at("toy." + format) + "'");
+    const Outcome piped = run("evaluate - --labels @toy.cla --format json" + told + " < " + quoted("toy." + format));
     ASSERT_EQ(piped.status, 0) << piped.errors;
     const nlohmann::json json = nlohmann::json::parse(piped.output);
     EXPECT_EQ(json.at("file"), "-");
@@ -65,11 +56,11 @@ TEST_F(EvaluateCommand, StandardInputIsAsGoodAsAFile) {
     }
     EXPECT_TRUE(json.contains("micro"));
   }
-  expect_error_lines(
-      {{"evaluate - --labels '" + at("toy.cla") + "' < /dev/null", "standard input is empty"},
-       {"evaluate - --labels '" + at("toy.cla") + "' < '" + at("toy.cla") + "'",
-        "standard input:1: \"PSB 1\" is neither a number"},
-       {"evaluate '" + at("toy.npy") + "' --labels '" + at("toy.cla") + "' --input-format npy", "standard input (-)"}});
+  expect_error_lines({{"evaluate - --labels " + quoted("toy.cla") + " < /dev/null", "standard input is empty"},
+                      {"evaluate - --labels " + quoted("toy.cla") + " < " + quoted("toy.cla"),
+                       "standard input:1: \"PSB 1\" is neither a number"},
+                      {"evaluate " + quoted("toy.npy") + " --labels " + quoted("toy.cla") + " --input-format npy",
+                       "standard input (-)"}});
 }
 
 TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
@@ -96,14 +87,14 @@ TEST_F(EvaluateCommand, EqualAveragesAreOneRow) {
 }
 
 TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
-  const Outcome outcome = evaluate_toy("--report '" + at("report.html") + "'");
+  const Outcome outcome = evaluate_toy("--report @report.html");
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, evaluate_toy("").output);
   const std::string page = text_of(at("report.html"));
   EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
   EXPECT_THAT(page, HasSubstr("<title>toy – shapegauge report</title>"));
   EXPECT_THAT(page, HasSubstr(R"("classes":["A","B"],"ids":["0","1","2","3","4","5","6"],"labels":[0,0,0,1,1,1,1])"));
-  const Outcome nowhere = evaluate_toy("--report '" + at("no_folder/report.html") + "'");
+  const Outcome nowhere = evaluate_toy("--report @no_folder/report.html");
   EXPECT_EQ(nowhere.status, 2);
   EXPECT_THAT(nowhere.errors, HasSubstr("cannot write"));
 }
@@ -111,9 +102,9 @@ TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
 TEST_F(EvaluateCommand, FeaturesAreTheirDistances) {
   // The toy's values as features: the same figures and notes, by rows or (for the report) by the whole matrix.
   write_text(at("toy.csv"), "0\n1\n4\n2\n3.5\n7\n9\n");
-  const Outcome expected = evaluate_toy("--per-query '" + at("matrix.csv") + "'");
-  const Outcome by_rows = evaluate_toy("--distance l1 --per-query '" + at("rows.csv") + "'", "toy.csv");
-  const Outcome whole = evaluate_toy("--distance l1 --report '" + at("report.html") + "'", "toy.csv");
+  const Outcome expected = evaluate_toy("--per-query @matrix.csv");
+  const Outcome by_rows = evaluate_toy("--distance l1 --per-query @rows.csv", "toy.csv");
+  const Outcome whole = evaluate_toy("--distance l1 --report @report.html", "toy.csv");
   ASSERT_EQ(by_rows.status, 0) << by_rows.errors;
   EXPECT_EQ(by_rows.output, expected.output);
   EXPECT_EQ(by_rows.errors, expected.errors);
@@ -125,7 +116,7 @@ TEST_F(EvaluateCommand, FeaturesAreTheirDistances) {
 TEST_F(EvaluateCommand, IdsSayWhatTheRowsAre) {
   // The same matrix with permuted models: other rows have labels A and B.
   write_text(at("ids.txt"), "T6\nT5\nT4\nT3\n2.off\n1\n0\n");
-  const auto json = nlohmann::json::parse(evaluate_toy("--format json --ids '" + at("ids.txt") + "'").output);
+  const auto json = nlohmann::json::parse(evaluate_toy("--format json --ids @ids.txt").output);
   // Now B = 0, 1, 4, 2 and A = 3.5, 7, 9; nearest others: 1, 0, 3.5, 1, 4, 9, 7: right for 5 of 7 (0, 1, 2, 7, 9).
   EXPECT_NEAR(json["micro"]["NN"], 5.0 / 7, 1e-12);
 }
@@ -134,8 +125,9 @@ TEST_F(EvaluateCommand, OrderSaysWhetherRowsFollowTheClassification) {
   // Princeton's tools take the rows in the classification's order: the first four rows are of class B then.
   write_text(at("listed.cla"), "PSB 1\n2 7\nB 0 4\n3\n4\n5\n6\nA 0 3\n0\n1\n2\n");
   const auto nn = [&](const std::string& order) {
-    const std::string arguments = "evaluate '" + at("toy.npy") + "' --labels '" + at("listed.cla") + "' --format json";
-    return nlohmann::json::parse(run_executable(arguments + order).output)["micro"]["NN"].get<double>();
+    const std::string arguments =
+        "evaluate " + quoted("toy.npy") + " --labels " + quoted("listed.cla") + " --format json";
+    return nlohmann::json::parse(run(arguments + order).output)["micro"]["NN"].get<double>();
   };
   EXPECT_NEAR(nn(" --order classification"), 5.0 / 7, 1e-12);
   EXPECT_NEAR(nn(" --order file"), 5.0 / 7, 1e-12);
@@ -150,10 +142,11 @@ TEST_F(EvaluateCommand, SmallClassesAreLeftOutAndTold) {
 }
 
 TEST_F(EvaluateCommand, CurvesOfAnyKindAndTablesGoToTheirFiles) {
-  ASSERT_EQ(evaluate_toy("--pr '" + at("pr.plot") + "' --curve trec --pr-per-class '" + at("classes.csv") +
-                         "' --per-query '" + at("queries.csv") + "' --per-class '" + at("per_class.csv") + "'")
-                .status,
-            0);
+  ASSERT_EQ(
+      evaluate_toy(
+          "--pr @pr.plot --curve trec --pr-per-class @classes.csv --per-query @queries.csv --per-class @per_class.csv")
+          .status,
+      0);
   EXPECT_THAT(text_of(at("pr.plot")), MatchesRegex("0.000000\t[^\n]*\n(.*\n)*1.000000\t[^\n]*\n"));
   EXPECT_THAT(text_of(at("classes.csv")), StartsWith("method,protocol,class,recall,precision\ntoy,psb,A,0,"));
   EXPECT_THAT(text_of(at("queries.csv")), StartsWith("method,protocol,id,class,NN,FT,ST,E,DCG,mAP\ntoy,psb,0,A,100"));
@@ -173,8 +166,7 @@ TEST_F(EvaluateCommand, TiesAreToldAndDecidedAsAsked) {
   write_text(at("tied.txt"), "0 1 1\n1 0 1\n1 1 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
   const auto nn = [&](const std::string& ties) {
-    const Outcome outcome = run_executable("evaluate '" + at("tied.txt") + "' --labels '" + at("three.csv") +
-                                           "' --format json --ties " + ties);
+    const Outcome outcome = run("evaluate @tied.txt --labels @three.csv --format json --ties " + ties);
     EXPECT_THAT(outcome.errors, HasSubstr("3 rows have all distances equal"));
     const auto json = nlohmann::json::parse(outcome.output);
     EXPECT_EQ(json["ties"], ties);
@@ -191,7 +183,7 @@ TEST_F(EvaluateCommand, TiesAreToldAndDecidedAsAsked) {
 TEST_F(EvaluateCommand, WhatIsOddIsTold) {
   write_text(at("odd.txt"), "0 1 2\n1 0 -3\n2 4 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
-  const Outcome outcome = run_executable("evaluate '" + at("odd.txt") + "' --labels '" + at("three.csv") + "'");
+  const Outcome outcome = run("evaluate @odd.txt --labels @three.csv");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.errors,
               testing::AllOf(HasSubstr("warning: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
@@ -200,15 +192,13 @@ TEST_F(EvaluateCommand, WhatIsOddIsTold) {
 TEST_F(EvaluateCommand, ListsOfAFolderAreNotReplaced) {
   write_text(at("lists/0"), "1\n");
   write_text(at("lists/1.csv"), "0\n");
-  expect_error_line(evaluate_toy("--replace --per-query '" + at("lists/1.csv") + "'", "lists"),
-                    "would overwrite the input");
+  expect_error_line(evaluate_toy("--replace --per-query @lists/1.csv", "lists"), "would overwrite the input");
   EXPECT_EQ(text_of(at("lists/1.csv")), "0\n");
 }
 
 TEST_F(EvaluateCommand, OneClassIsAllHitsAndHasNoIntervalOverClasses) {
   write_text(at("same.csv"), "id,class\n0,a\n1,a\n2,a\n3,a\n4,a\n5,a\n6,a\n");
-  const Outcome outcome = run_executable("evaluate '" + at("toy.npy") + "' --labels '" + at("same.csv") +
-                                         "' --confidence 0.95 --format json");
+  const Outcome outcome = run("evaluate @toy.npy --labels @same.csv --confidence 0.95 --format json");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.errors, HasSubstr("fewer than two classes"));
   const auto json = nlohmann::json::parse(outcome.output);
@@ -223,31 +213,31 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
   write_text(at("empty.cla"), "");
   write_text(at("one.txt"), "0\n");
   write_text(at("one.csv"), "id,class\n1,a\n");
-  const std::string toy = "evaluate '" + at("toy.npy") + "' ";
-  const std::string labels = "--labels '" + at("toy.cla") + "' ";
+  const std::string toy = "evaluate " + quoted("toy.npy") + " ";
+  const std::string labels = "--labels " + quoted("toy.cla") + " ";
   const std::vector<UnusableCall> cases{
       {toy, "--labels"},
       {toy + "--labels /nowhere.cla", "/nowhere.cla"},
-      {toy + "--labels '" + at("empty.cla") + "'", "empty.cla"},
+      {toy + "--labels " + quoted("empty.cla"), "empty.cla"},
       {"evaluate /nowhere.npy " + labels, "/nowhere.npy"},
-      {"evaluate '" + at("short.txt") + "' " + labels, "has 2 rows, but there are 7 models"},
-      {"evaluate '" + at("nan.txt") + "' " + labels, "nan.txt"},
-      {"evaluate '" + at("nan.txt") + "' '" + at("nan.txt") + "' " + labels, "shapegauge compare"},
-      {"evaluate '" + at("nan.txt") + "' --level -1 " + labels, "--level"},
-      {"evaluate '" + at("nan.txt") + "' --evaluator shrec21 --protocol psb " + labels, "--evaluator"},
-      {"evaluate '" + at("toy.cla") + "' " + labels, "toy.cla"},
+      {"evaluate " + quoted("short.txt") + " " + labels, "has 2 rows, but there are 7 models"},
+      {"evaluate " + quoted("nan.txt") + " " + labels, "nan.txt"},
+      {"evaluate " + quoted("nan.txt") + " " + quoted("nan.txt") + " " + labels, "shapegauge compare"},
+      {"evaluate " + quoted("nan.txt") + " --level -1 " + labels, "--level"},
+      {"evaluate " + quoted("nan.txt") + " --evaluator shrec21 --protocol psb " + labels, "--evaluator"},
+      {"evaluate " + quoted("toy.cla") + " " + labels, "toy.cla"},
       {toy + labels + "--protocol pbs", "--protocol"},
       {toy + labels + "--format xml", "--format"},
       {toy + labels + "--min-class-size 5", "class"},
       {toy + labels + "--measures FT,F", "no measure \"F\""},
       {toy + labels + "--similarity --distance l1", "--similarity"},
       {toy + labels + "--level 1", "no level 1"},
-      {toy + labels + "--ids '" + at("absent.txt") + "'", "toy.cla"},
+      {toy + labels + "--ids " + quoted("absent.txt"), "toy.cla"},
       {toy + labels + "--pr /nowhere/pr.csv", "/nowhere/pr.csv"},
       {toy + labels + "--confidence nan", "--confidence"},
       {toy + labels + "--confidence 0.3", "--confidence"},
       {toy + labels + "--threads 0", "--threads"},
-      {"evaluate '" + at("one.txt") + "' --labels '" + at("one.csv") + "'", "no class has 2 models"}};
+      {"evaluate " + quoted("one.txt") + " --labels " + quoted("one.csv"), "no class has 2 models"}};
   expect_error_lines(cases);
 }
 
@@ -258,7 +248,7 @@ TEST_F(EvaluateCommand, EachQueryIsShownWhereWanted) {
   const auto json = nlohmann::json::parse(evaluate_toy("--each-query --format json --measures NN").output);
   EXPECT_EQ(json["per_query"].size(), 7U);
   EXPECT_EQ(json["per_query"]["0"]["NN"], 1);
-  expect_error_lines({{"evaluate '" + at("toy.npy") + "' --labels '" + at("toy.cla") + "' -q", "--each-query"}});
+  expect_error_lines({{"evaluate " + quoted("toy.npy") + " --labels " + quoted("toy.cla") + " -q", "--each-query"}});
   EXPECT_EQ(evaluate_toy("--quiet --measures NN").output, evaluate_toy("--measures NN").output);
 }
 
@@ -302,16 +292,15 @@ int warnings_in(const std::string& text) {
 }
 
 TEST_F(EvaluateCommand, DrawsTheCurveAndTheClasses) {
-  const Outcome outcome =
-      evaluate_toy("--measures FT --plot '" + at("pr.svg") + "' --plot-classes '" + at("classes.svg") + "'");
+  const Outcome outcome = evaluate_toy("--measures FT --plot @pr.svg --plot-classes @classes.svg");
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(text_of(at("pr.svg")), AllOf(HasSubstr(">Recall<"), HasSubstr(">Precision<"), HasSubstr("<path")));
   EXPECT_THAT(text_of(at("classes.svg")), AllOf(HasSubstr(">A<"), HasSubstr(">B<"), HasSubstr("FT")));
   // Other distances have another curve, and the same ones the same.
-  ASSERT_EQ(evaluate_toy("--plot '" + at("same.svg") + "'").status, 0);
+  ASSERT_EQ(evaluate_toy("--plot @same.svg").status, 0);
   EXPECT_EQ(text_of(at("same.svg")), text_of(at("pr.svg")));
-  EXPECT_EQ(evaluate_toy("--plot '" + at("pr.svg") + "'").status, 2);
-  EXPECT_EQ(evaluate_toy("--plot '" + at("pr.svg") + "' --replace --similarity").status, 0);
+  EXPECT_EQ(evaluate_toy("--plot @pr.svg").status, 2);
+  EXPECT_EQ(evaluate_toy("--plot @pr.svg --replace --similarity").status, 0);
   EXPECT_NE(text_of(at("same.svg")), text_of(at("pr.svg")));
 }
 
@@ -334,9 +323,7 @@ TEST_F(EvaluateCommand, IntervalsAreThoseOfCompareWhateverTheOrderOfTheClasses) 
   std::filesystem::copy_file(at("toy.npy"), at("copy.npy"));
   const auto alone = nlohmann::json::parse(evaluate_toy("--confidence 0.95 --format json").output);
   const auto compared =
-      nlohmann::json::parse(run_executable("compare '" + at("toy.npy") + "' '" + at("copy.npy") + "' --labels '" +
-                                           at("toy.cla") + "' --blocks classes --format json")
-                                .output);
+      nlohmann::json::parse(run("compare @toy.npy @copy.npy --labels @toy.cla --blocks classes --format json").output);
   for (const char* const measure : {"NN", "FT", "DCG", "mAP"}) {
     EXPECT_EQ(compared["measures"][measure]["methods"][0]["interval"], alone["intervals"]["micro"][measure]) << measure;
   }
@@ -345,15 +332,15 @@ TEST_F(EvaluateCommand, IntervalsAreThoseOfCompareWhateverTheOrderOfTheClasses) 
 TEST_F(EvaluateCommand, JudgementsAreUsuallyOfTheTrecProtocol) {
   write_text(at("run.txt"), "q1 Q0 a 1 3 mine\nq1 Q0 b 2 2 mine\n");
   write_text(at("j.qrels"), "q1 0 b 1\nq2 0 a 1\n");
-  const std::string call = "evaluate '" + at("run.txt") + "' --qrels '" + at("j.qrels") + "' --format json ";
-  const auto json = nlohmann::json::parse(run_executable(call).output);
+  const std::string call = "evaluate " + quoted("run.txt") + " --qrels " + quoted("j.qrels") + " --format json ";
+  const auto json = nlohmann::json::parse(run(call).output);
   EXPECT_EQ(json["protocol"], "trec");
   EXPECT_EQ(json["method"], "mine");
   EXPECT_EQ(json["micro"]["mAP"], 0.5);
-  EXPECT_EQ(nlohmann::json::parse(run_executable(call + "-c").output)["micro"]["mAP"], 0.25);
-  EXPECT_EQ(nlohmann::json::parse(run_executable(call + "--protocol psb").output)["protocol"], "psb");
+  EXPECT_EQ(nlohmann::json::parse(run(call + "-c").output)["micro"]["mAP"], 0.25);
+  EXPECT_EQ(nlohmann::json::parse(run(call + "--protocol psb").output)["protocol"], "psb");
 }
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -10,21 +10,19 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 namespace fs = std::filesystem;
 using test::write_text;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
 /// A box of six quadrilaterals, and a mesh of triangles.
-class FileMessages : public test_command_line::CommandTest {
+class FileMessages : public CommandTest {
  protected:
   void SetUp() override {
     write_text(at("quads.off"),
@@ -58,7 +56,7 @@ TEST_F(FileMessages, OfALinkToItselfAreOneLine) {
   for (const char* const name : {"data/test.cla", "loop.npy", "loop.json"}) {
     fs::create_symlink(fs::path(name).filename(), at(name));
   }
-  test_command_line::expect_error_lines(
+  expect_error_lines(
       {{"dataset info " + quoted("data"), "cannot read " + at("data/test.cla").string() + ": Too many levels"},
        {"rerank " + quoted("loop.npy") + " -o " + quoted("x.npy"),
         "cannot read " + at("loop.npy").string() + ": Too many levels"},
@@ -86,7 +84,7 @@ TEST_F(FileMessages, StandardInputIsRecognisedByItsContent) {
 
 TEST_F(FileMessages, WhatIsNotRecognisedNamesTheOption) {
   write_text(at("bare"), "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");  // OFF without its keyword
-  test_command_line::expect_error_line(run_executable("info - < " + quoted("bare")), "--input-format");
+  expect_error_line(run_executable("info - < " + quoted("bare")), "--input-format");
   EXPECT_EQ(run_executable("info - --input-format off < " + quoted("bare")).status, 0);
 }
 
@@ -129,4 +127,4 @@ TEST_F(FileMessages, OfLinksThatGoInACircleNameTheEntryAndTheRestIsDone) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -2,30 +2,27 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
+using InfoCommand = CommandTest;
 
-TEST(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
-  const test::TemporaryFolder folder;
-  const std::string file = (folder.path() / "box.off").string();
+TEST_F(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
   Shape box = test::box({1, 1, 1}, 1);
   box.triangles = box.triangles.topRows(11).eval();
-  write_off(file, box);
-  const Outcome text = run_executable("info '" + file + "'");
+  write_off(at("box.off"), box);
+  const Outcome text = run("info @box.off");
   EXPECT_EQ(text.status, 0) << text.errors;
   EXPECT_THAT(text.output, HasSubstr("closed                  no\n"));
   EXPECT_THAT(text.output, HasSubstr("boundary edges          3\n"));
-  const Outcome json = run_executable("info --format json '" + file + "'");
+  const Outcome json = run("info --format json @box.off");
   EXPECT_EQ(json.status, 0) << json.errors;
   const auto found = nlohmann::json::parse(json.output);
   EXPECT_EQ(found["triangles"], 11);
@@ -34,26 +31,22 @@ TEST(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
   EXPECT_DOUBLE_EQ(found["boundary_fraction"], (2 + std::sqrt(2)) / std::sqrt(3));
 }
 
-TEST(InfoCommand, NumbersAreShortAndHaveNoExponent) {
-  const test::TemporaryFolder folder;
-  const std::string file = (folder.path() / "box.off").string();
+TEST_F(InfoCommand, NumbersAreShortAndHaveNoExponent) {
   Shape box = test::box({1, 1, 1}, 1);
   box.vertices *= 1234.5;
-  write_off(file, box);
-  EXPECT_THAT(run_executable("info '" + file + "'").output, HasSubstr("area                    9143940\n"));
+  write_off(at("box.off"), box);
+  EXPECT_THAT(run("info @box.off").output, HasSubstr("area                    9143940\n"));
 }
 
-TEST(InfoCommand, AVolumeThatIsTooLargeIsSaidToBe) {
-  const test::TemporaryFolder folder;
-  const std::string file = (folder.path() / "huge.off").string();
+TEST_F(InfoCommand, AVolumeThatIsTooLargeIsSaidToBe) {
   Shape box = test::box({1, 1, 1}, 1);
   box.vertices *= 1e160;
-  write_off(file, box);
-  const Outcome text = run_executable("info '" + file + "'");
+  write_off(at("huge.off"), box);
+  const Outcome text = run("info @huge.off");
   EXPECT_THAT(text.output, HasSubstr("volume                  too large to compute\n"));
   EXPECT_THAT(text.output, testing::Not(HasSubstr("null")));
 }
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

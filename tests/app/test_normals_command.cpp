@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
@@ -12,31 +12,26 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class NormalsCommand : public testing::Test {
+class NormalsCommand : public CommandTest {
  protected:
   void SetUp() override {
-    write_off(folder_.path() / "mesh.off", mesh);
-    write_off(folder_.path() / "cloud.off", cloud);
+    write_off(at("mesh.off"), mesh);
+    write_off(at("cloud.off"), cloud);
   }
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
   [[nodiscard]] Outcome normals(const std::string& input, const std::string& more, const std::string& output) const {
-    return run_executable(fmt::format("normals '{}' {} --replace -o '{}'", at(input), more, at(output)));
+    return run(fmt::format("normals {} {} --replace -o {}", quoted(input), more, quoted(output)));
   }
 
   Shape mesh = test::flipped(test::sphere(10, 2));
   Shape cloud = test::random_points(test::sphere(10, 4), 3000, 1);
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(NormalsCommand, AreOutwardAtFacesInCsv) {
@@ -112,8 +107,8 @@ TEST_F(NormalsCommand, WarnsOfAnOffsetBelowTheGaps) {
 TEST_F(NormalsCommand, DenoisesBeforeWhereThereIsNoise) {
   const Shape fine = test::sphere(10, 4);
   RandomNumbers random(1);
-  write_off(folder_.path() / "clean.off", fine);
-  write_off(folder_.path() / "noisy.off", vertex_noise(fine, {.amplitude = 0.01}, random));
+  write_off(at("clean.off"), fine);
+  write_off(at("noisy.off"), vertex_noise(fine, {.amplitude = 0.01}, random));
   EXPECT_THAT(normals("clean.off", "--denoise", "clean.xyz").errors, HasSubstr("not clearly noisy"));
   EXPECT_THAT(normals("noisy.off", "--denoise", "denoised.xyz").errors, HasSubstr("smoothed with a pass band"));
   EXPECT_EQ(normals("noisy.off", "--offset 0.03", "noisy.xyz").status, 0);
@@ -140,4 +135,4 @@ TEST_F(NormalsCommand, RefusesWhatItCannotUse) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -4,21 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/io/off.h"
-#include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 namespace fs = std::filesystem;
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_line;
-using test_command_line::Outcome;
 using testing::HasSubstr;
 
 /// A command that writes a file. Words that begin with @ are paths in the folder.
@@ -51,7 +48,7 @@ std::vector<WriterOfFiles> writers() {
           {.call = "evaluate-segmentation @mine --benchmark @psb --per-mesh", .input = "", .output = "x.csv"}};
 }
 
-class OutputFiles : public test_command_line::CommandTest {
+class OutputFiles : public CommandTest {
  protected:
   void SetUp() override {
     write_off(at("box.off"), test::box({1, 2, 3}, 1));
@@ -164,4 +161,4 @@ TEST_F(OutputFiles, StandardStreamsAreUsedOnce) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -1,34 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 
-class PerturbCommand : public testing::Test {
+class PerturbCommand : public CommandTest {
  protected:
-  void SetUp() override { write_off(folder_.path() / "sphere.off", shape); }
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  void SetUp() override { write_off(at("sphere.off"), shape); }
   [[nodiscard]] Outcome perturb(const std::string& output, const std::string& more) const {
-    return run_executable("perturb '" + at("sphere.off") + "' --replace -o '" + at(output) + "' " + more);
+    return run("perturb @sphere.off --replace -o " + quoted(output) + " " + more);
   }
 
   Shape shape = test::sphere(10, 3);  // 1280 faces
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(PerturbCommand, MakesTheChangesInTheStatedOrder) {
@@ -59,10 +53,10 @@ TEST_F(PerturbCommand, WarnsOfCoordinatesTooLargeForStl) {
   Shape far = shape;
   far.vertices.rowwise() += Eigen::RowVector3d(5e5, 4.5e6, 100);
   write_off(at("far.off"), far);
-  const Outcome converted = run_executable("convert '" + at("far.off") + "' -o '" + at("far.stl") + "'");
+  const Outcome converted = run("convert @far.off -o @far.stl");
   EXPECT_EQ(converted.status, 0);
   EXPECT_THAT(converted.errors, HasSubstr("single precision of STL"));
-  EXPECT_EQ(run_executable("convert '" + at("far.off") + "' -o '" + at("far.ply") + "'").errors, "");
+  EXPECT_EQ(run("convert @far.off -o @far.ply").errors, "");
   EXPECT_EQ(perturb("near.stl", "--flip 1").errors, "");
 }
 
@@ -96,4 +90,4 @@ TEST_F(PerturbCommand, RefusesWhatItCannotDo) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -13,14 +13,10 @@
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
-using test_command_line::SmallRun;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
@@ -192,7 +188,7 @@ TEST_F(Program, AClosedStreamIsNoPlaceForResults) {
     const std::string command =
         fmt::format("SHAPEGAUGE_CACHE= {} {} {} {}", SHAPEGAUGE_EXECUTABLE, run, quoted("again"), streams);
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << streams;
-    EXPECT_EQ(test_command_line::results_in(at("again")), test_command_line::results_in(at("out"))) << streams;
+    EXPECT_EQ(results_in(at("again")), results_in(at("out"))) << streams;
   }
 }
 
@@ -239,4 +235,4 @@ TEST_F(Program, ResultsThatDoNotReachAFullDeviceAreAnError) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

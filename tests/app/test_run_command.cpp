@@ -2,23 +2,19 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/app/program.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 namespace fs = std::filesystem;
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
-using test_command_line::SmallRun;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
@@ -180,11 +176,6 @@ namespace {
 namespace fs = std::filesystem;
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_line;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
-using test_command_line::SmallRun;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
@@ -334,4 +325,4 @@ TEST_F(RunCommand, AnInterruptionLeavesNoResults) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -12,18 +12,14 @@
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::results_in;
 using test::text_of;
 using test::write_text;
-using test_command_line::BackgroundRun;
-using test_command_line::Outcome;
-using test_command_line::results_in;
-using test_command_line::run_executable;
-using test_command_line::SmallRun;
 using testing::HasSubstr;
 
 /// Runs in parts, with 9 models and a descriptor that learns from all of them.
@@ -181,7 +177,7 @@ TEST_F(RunParts, OfAJobArrayAreThoseOfItsTask) {
 
 TEST_F(RunParts, RefuseWhatTheyCannotDo) {
   const std::string run = "run " + quoted("small.json") + " --part ";
-  test_command_line::expect_error_lines(
+  expect_error_lines(
       {{run + "3/2", "3/2"}, {run + "1/2 --no-cache", "--no-cache"}, {run + "1/2 --plot x.svg", "--plot"}});
   EXPECT_EQ(run_part("1/2", "small.json/cache").status, 2) << "a part that nothing can keep";
 }
@@ -237,4 +233,4 @@ TEST_F(RunParts, EvaluateRowsOfManyModels) {
 }
 
 }  // namespace
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

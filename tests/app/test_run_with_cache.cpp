@@ -12,18 +12,14 @@
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::results_in;
 using test::text_of;
 using test::write_text;
-using test_command_line::BackgroundRun;
-using test_command_line::Outcome;
-using test_command_line::results_in;
-using test_command_line::run_executable;
-using test_command_line::SmallRun;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
@@ -217,4 +213,4 @@ TEST_F(RunWithCache, AFileThatMayNotGrowIsAnErrorThatLeavesTheEarlierResults) {
 }
 
 }  // namespace
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
@@ -12,34 +12,24 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
-using test_command_line::UnusableCall;
 using testing::HasSubstr;
 
-class SdfCommand : public testing::Test {
+class SdfCommand : public CommandTest {
  protected:
-  void SetUp() override { write_off(folder_.path() / "sphere.off", shape); }
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
-  [[nodiscard]] Outcome sdf(const std::string& more) const {
-    return run_executable("sdf '" + at("sphere.off") + "' " + more);
-  }
+  void SetUp() override { write_off(at("sphere.off"), shape); }
+  [[nodiscard]] Outcome sdf(const std::string& more) const { return run("sdf @sphere.off " + more); }
 
   Shape shape = test::sphere(10, 3);
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(SdfCommand, GivesValuesInTheInputsUnitsAndOrder) {
-  const Outcome outcome = sdf("--method cone_sdf --at vertices -o '" + at("x.csv") + "'");
+  const Outcome outcome = sdf("--method cone_sdf --at vertices -o @x.csv");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(outcome.errors, "");
@@ -65,7 +55,7 @@ TEST_F(SdfCommand, WithoutOptionsTheOffsetSdfIsSummarised) {
 }
 
 TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
-  ASSERT_EQ(sdf("--method offset_sdf --offset 0.02 -o '" + at("x.csv") + "'").status, 0);
+  ASSERT_EQ(sdf("--method offset_sdf --offset 0.02 -o @x.csv").status, 0);
   // The icosphere is a little thinner than the sphere, and its flat faces are nearer to the centre than its corners.
   const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
   ASSERT_EQ(rows.size(), static_cast<std::size_t>(shape.triangles.rows()) + 1);
@@ -79,8 +69,7 @@ TEST_F(SdfCommand, OutliersOfACloudAreSaidAndRemovedOnRequestOrByAuto) {
   spoilt.vertices.bottomRows(2) << 100, 0, 0, 0, -200, 0;
   write_off(at("spoilt.off"), spoilt);
   const auto outcome_of = [&](const std::string& options) {
-    return run_executable("sdf '" + at("spoilt.off") + "' --method offset_sdf --replace -o '" + at("x.csv") + "' " +
-                          options);
+    return run("sdf @spoilt.off --method offset_sdf --replace -o @x.csv " + options);
   };
   EXPECT_THAT(outcome_of("--offset 0.05").errors, HasSubstr("warning: 2 of 3002 points are outliers"));
   for (const char* options : {"--offset 0.05 --remove-outliers", "--offset auto"}) {
@@ -99,9 +88,9 @@ TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
     lines += fmt::format("{} {} {}\n", point[0], point[1], point[2]);
   }
   write_text(at("cloud.pts"), lines);
-  const std::string command = "sdf '" + at("cloud.pts") + "' --method offset_sdf --offset 0.2 -o '";
+  const std::string command = "sdf @cloud.pts --method offset_sdf --offset 0.2 -o @";
   for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
-    const Outcome outcome = run_executable(command + at(file) + "'");
+    const Outcome outcome = run(command + file);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors, "");
   }
@@ -115,12 +104,12 @@ TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
     EXPECT_EQ(std::stod(rows[i].cells[2]), samples.weights[sample]);
   }
   EXPECT_EQ(read_shape(at("x.ply")).vertices, cloud.vertices);
-  ASSERT_EQ(run_executable(command + at("v.csv") + "' --at vertices").status, 0);
+  ASSERT_EQ(run(command + "v.csv --at vertices").status, 0);
   EXPECT_EQ(text_of(at("v.csv")), text_of(at("x.csv")));
 }
 
 TEST_F(SdfCommand, TimingsCountTheSamples) {
-  ASSERT_EQ(sdf("--method offset_sdf -o '" + at("x.ply") + "' --timings '" + at("t.json") + "'").status, 0);
+  ASSERT_EQ(sdf("--method offset_sdf -o @x.ply --timings @t.json").status, 0);
   const auto timings = nlohmann::json::parse(text_of(at("t.json")));
   for (const char* key : {"read_seconds", "build_seconds", "query_seconds"}) EXPECT_GE(timings.at(key), 0) << key;
   EXPECT_EQ(timings["samples"]["total"], shape.triangles.rows());
@@ -133,10 +122,7 @@ TEST_F(SdfCommand, TimingsCountTheSamples) {
 TEST_F(SdfCommand, TimingsHaveTheGapOfAMissingTriangle) {
   const Shape open{shape.vertices, shape.triangles.bottomRows(shape.triangles.rows() - 1)};
   write_off(at("open.off"), open);
-  ASSERT_EQ(run_executable("sdf '" + at("open.off") + "' --method offset_sdf --offset 0.2 -o '" + at("x.csv") +
-                           "' --timings '" + at("t.json") + "'")
-                .status,
-            0);
+  ASSERT_EQ(run("sdf @open.off --method offset_sdf --offset 0.2 -o @x.csv --timings @t.json").status, 0);
   const auto offset = nlohmann::json::parse(text_of(at("t.json"))).at("offset");
   EXPECT_EQ(offset["offset"], 0.2);
   EXPECT_EQ(offset["automatic"], false);
@@ -166,8 +152,8 @@ TEST_F(SdfCommand, SummariesAreInAnyFormatAndUnit) {
 }
 
 TEST_F(SdfCommand, GltfIsInMetres) {
-  const std::string absent = "sdf '" + at("absent.glb") + "' --method inscribed_ball --summary --below 1.2";
-  const std::string others = " '" + at("absent.glb") + "' -o x.ply --offset 1mm";
+  const std::string absent = "sdf " + quoted("absent.glb") + " --method inscribed_ball --summary --below 1.2";
+  const std::string others = " " + quoted("absent.glb") + " -o x.ply --offset 1mm";
   const std::string segment = "segment --method paper" + others;
   expect_error_lines({{absent + " --unit mm", "metres"},
                       {absent + "mm", "No such file"},
@@ -179,41 +165,41 @@ TEST_F(SdfCommand, GltfIsInMetres) {
 
 TEST_F(SdfCommand, AnOffsetMayBeALength) {
   const double diagonal = bounding_box_diagonal(shape);
-  ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 10mm -o '" + at("length.npy") + "'").status, 0);
-  ASSERT_EQ(sdf(fmt::format("--method offset_sdf --offset {} -o '{}'", 1 / diagonal, at("fraction.npy"))).status, 0);
+  ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 10mm -o @length.npy").status, 0);
+  ASSERT_EQ(sdf(fmt::format("--method offset_sdf --offset {} -o @fraction.npy", 1 / diagonal)).status, 0);
   EXPECT_TRUE(text_of(at("length.npy")) == text_of(at("fraction.npy")));
-  ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 3% -o '" + at("percent.npy") + "'").status, 0);
-  ASSERT_EQ(sdf("--method offset_sdf --offset 0.03 -o '" + at("three.npy") + "'").status, 0);
+  ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 3% -o @percent.npy").status, 0);
+  ASSERT_EQ(sdf("--method offset_sdf --offset 0.03 -o @three.npy").status, 0);
   EXPECT_TRUE(text_of(at("percent.npy")) == text_of(at("three.npy")));
 }
 
 TEST_F(SdfCommand, PicturesHaveALegendAndARange) {
-  const std::string picture = "--method cone_sdf --picture-size 640x480 -o '";
-  ASSERT_EQ(sdf(picture + at("with.png") + "' --unit mm").status, 0);
-  ASSERT_EQ(sdf(picture + at("without.png") + "' --no-legend").status, 0);
+  const std::string picture = "--method cone_sdf --picture-size 640x480 -o @";
+  ASSERT_EQ(sdf(picture + "with.png --unit mm").status, 0);
+  ASSERT_EQ(sdf(picture + "without.png --no-legend").status, 0);
   EXPECT_NE(text_of(at("with.png")), text_of(at("without.png")));
-  ASSERT_EQ(sdf("--method cone_sdf --unit mm --range 1,40 --scale log --below 1cm -o '" + at("x.ply") + "'").status, 0);
+  ASSERT_EQ(sdf("--method cone_sdf --unit mm --range 1,40 --scale log --below 1cm -o @x.ply").status, 0);
   EXPECT_THAT(text_of(at("x.ply")),
               HasSubstr("comment SDF (mm): colours (viridis) from 1 to 40, logarithmic; less than 10 is red\n"));
   EXPECT_EQ(read_shape(at("x.ply")).triangles, shape.triangles);
 }
 
 TEST_F(SdfCommand, FilesNameTheMethodUnlessItIsAnSdf) {
-  ASSERT_EQ(sdf("--method ball -o '" + at("ball.csv") + "'").status, 0);
+  ASSERT_EQ(sdf("--method ball -o @ball.csv").status, 0);
   EXPECT_THAT(text_of(at("ball.csv")), testing::StartsWith("index,inscribed_ball,weight\n"));
-  ASSERT_EQ(sdf("--method cone_sdf -o '" + at("cone.csv") + "'").status, 0);
+  ASSERT_EQ(sdf("--method cone_sdf -o @cone.csv").status, 0);
   EXPECT_THAT(text_of(at("cone.csv")), testing::StartsWith("index,sdf,weight\n"));
 }
 
 TEST_F(SdfCommand, PlotsAHistogram) {
-  ASSERT_EQ(sdf("--method cone_sdf --unit mm --below 3 --plot '" + at("x.svg") + "'").status, 0);
+  ASSERT_EQ(sdf("--method cone_sdf --unit mm --below 3 --plot @x.svg").status, 0);
   EXPECT_THAT(text_of(at("x.svg")),
               testing::AllOf(HasSubstr(">SDF (mm)<"), HasSubstr(">3 mm<"), HasSubstr(">sphere.off<")));
 }
 
 TEST_F(SdfCommand, SaysWhichThicknessOfAHollowBody) {
   write_off(at("sphere.off"), test::joined({shape, test::flipped(test::sphere(8, 3))}));
-  EXPECT_THAT(sdf("--method offset_sdf -o '" + at("x.csv") + "'").errors,
+  EXPECT_THAT(sdf("--method offset_sdf -o @x.csv").errors,
               testing::AllOf(HasSubstr("warning"), HasSubstr("hollow"), HasSubstr("hull")));
   const Outcome outcome = sdf("--method inscribed_ball --summary --format json");
   EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("wall"), testing::Not(HasSubstr("warning"))));
@@ -222,7 +208,7 @@ TEST_F(SdfCommand, SaysWhichThicknessOfAHollowBody) {
 
 TEST_F(SdfCommand, MissingValuesAreTold) {
   write_text(at("sphere.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  const Outcome outcome = sdf("--method cone_sdf -o '" + at("x.csv") + "'");
+  const Outcome outcome = sdf("--method cone_sdf -o @x.csv");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(
       outcome.errors,
@@ -236,16 +222,16 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
   write_text(at("point.xyz"), "1 2 3\n1 2 3\n");
   write_text(at("nan.xyz"), "1 2 3\n1 2 nan\n");
   write_text(at("nan.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
-  const std::string good = "sdf '" + at("sphere.off") + "' ";
-  const std::string out = " -o '" + at("x.csv") + "' ";
+  const std::string good = "sdf " + quoted("sphere.off") + " ";
+  const std::string out = " -o " + quoted("x.csv") + " ";
   const std::vector<UnusableCall> cases{
       {"sdf /nowhere.off --method cone_sdf" + out, "/nowhere.off"},
-      {"sdf '" + at("cloud.off") + "' --method cone_sdf" + out, "cloud.off: the conventional SDF needs triangles"},
-      {"sdf '" + at("cloud.off") + "' --method cone_sdf --engine cgal" + out,
+      {"sdf " + quoted("cloud.off") + " --method cone_sdf" + out, "cloud.off: the conventional SDF needs triangles"},
+      {"sdf " + quoted("cloud.off") + " --method cone_sdf --engine cgal" + out,
        "cloud.off: the conventional SDF needs triangles"},
-      {"sdf '" + at("point.xyz") + "' --method offset_sdf" + out, "point.xyz: the shape has no usable extent"},
-      {"sdf '" + at("nan.xyz") + "' --method offset_sdf" + out, "nan.xyz:2"},
-      {"sdf '" + at("nan.off") + "' --method cone_sdf" + out, "nan.off:5"},
+      {"sdf " + quoted("point.xyz") + " --method offset_sdf" + out, "point.xyz: the shape has no usable extent"},
+      {"sdf " + quoted("nan.xyz") + " --method offset_sdf" + out, "nan.xyz:2"},
+      {"sdf " + quoted("nan.off") + " --method cone_sdf" + out, "nan.off:5"},
       {good + "--method heat" + out, "--method"},
       {good + "--method offst_sdf" + out, "did you mean \"offset_sdf\"?"},
       {good + "--method cone_sdf -o x.xlsx", "must end in .csv"},
@@ -275,4 +261,4 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -3,24 +3,21 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "tests/app/program.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
-using test_command_line::expect_error_line;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
 using testing::HasSubstr;
 using testing::Not;
 
 /// A folder of small shapes, models/, and a fast method, fast.json.
-class SearchCommand : public test_command_line::CommandTest {
+class SearchCommand : public CommandTest {
  protected:
   void SetUp() override {
     test::write_small_dataset(at("models"));
@@ -163,4 +160,4 @@ TEST_F(SearchCommand, ReRanksAndUsesTheRecommendedMethodByDefault) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

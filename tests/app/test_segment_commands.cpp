@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
@@ -14,14 +13,12 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using test::text_of;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
+using test::write_text;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -38,26 +35,20 @@ std::string segments(int first, int second) {
   return text;
 }
 
-class SegmentCommands : public testing::Test {
+class SegmentCommands : public CommandTest {
  protected:
   void SetUp() override {
-    for (const char* folder : {"psb/off", "psb/seg/1", "psb/seg/21"}) create(folder);
-    for (const char* name : {"psb/off/1.off", "psb/off/21.off"}) write_off(folder_.path() / name, two_balls());
-    write("psb/seg/1/1_0.seg", segments(0, 1));
-    write("psb/seg/1/1_1.seg", segments(3, 2));
-    write("psb/seg/21/21_0.seg", segments(0, 0));
+    std::filesystem::create_directories(at("psb/off"));
+    for (const char* name : {"psb/off/1.off", "psb/off/21.off"}) write_off(at(name), two_balls());
+    write_text(at("psb/seg/1/1_0.seg"), segments(0, 1));
+    write_text(at("psb/seg/1/1_1.seg"), segments(3, 2));
+    write_text(at("psb/seg/21/21_0.seg"), segments(0, 0));
   }
-  void create(const std::string& folder) const { std::filesystem::create_directories(folder_.path() / folder); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_.path() / name) << text; }
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(SegmentCommands, SegmentWritesALineAFace) {
   for (const char* method : {"best", "paper"}) {
-    const Outcome outcome = run_executable(
-        fmt::format("segment '{}' --method {} --replace -o '{}'", at("psb/off/1.off"), method, at("x.seg")));
+    const Outcome outcome = run(fmt::format("segment @psb/off/1.off --method {} --replace -o @x.seg", method));
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.output, "");
     EXPECT_THAT(outcome.errors, HasSubstr("2 parts"));
@@ -66,22 +57,22 @@ TEST_F(SegmentCommands, SegmentWritesALineAFace) {
 }
 
 TEST_F(SegmentCommands, SegmentNeedsNoOptionsAndTakesFolders) {
-  write_off(folder_.path() / "balls.off", two_balls());
-  const test_command_line::WorkingFolder here(folder_.path());
-  const Outcome one = run_executable("segment balls.off");
+  write_off(at("balls.off"), two_balls());
+  const WorkingFolder here(folder_.path());
+  const Outcome one = run("segment balls.off");
   EXPECT_EQ(one.status, 0) << one.errors;
   EXPECT_THAT(one.errors, HasSubstr("2 parts in balls.seg\n"));
   EXPECT_EQ(text_of(at("balls.seg")), segments(0, 1));
-  EXPECT_THAT(run_executable("segment balls.off").errors, HasSubstr("--replace"));
-  EXPECT_EQ(run_executable("segment - < balls.off").output, segments(0, 1));
-  EXPECT_EQ(run_executable("segment psb/off -o parts/").status, 0);
+  EXPECT_THAT(run("segment balls.off").errors, HasSubstr("--replace"));
+  EXPECT_EQ(run("segment - < balls.off").output, segments(0, 1));
+  EXPECT_EQ(run("segment psb/off -o parts/").status, 0);
   for (const char* name : {"parts/1.seg", "parts/21.seg"}) EXPECT_EQ(text_of(at(name)), segments(0, 1)) << name;
   expect_error_lines({{"segment psb", "the folder has no shapes"}});
 }
 
 TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
-  const Outcome outcome = run_executable(fmt::format(
-      "segment '{}' --patches 40 --least-probability 0.99 --border-width 0 -o '{}'", at("psb/off/1.off"), at("x.seg")));
+  const Outcome outcome =
+      run("segment @psb/off/1.off --patches 40 --least-probability 0.99 --border-width 0 -o @x.seg");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   PartSegmentationOptions options{.patches = 40, .min_probability = 0.99};
   options.smoothing.width = 0;
@@ -90,17 +81,16 @@ TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
 }
 
 TEST_F(SegmentCommands, SegmentDrawsAndColours) {
-  EXPECT_EQ(run_executable(fmt::format("segment '{}' -o '{}'", at("psb/off/1.off"), at("x.png"))).status, 0);
+  EXPECT_EQ(run("segment @psb/off/1.off -o @x.png").status, 0);
   EXPECT_THAT(text_of(at("x.png")), StartsWith("\x89PNG"));
-  EXPECT_EQ(run_executable(fmt::format("segment '{}' -o '{}'", at("psb/off/1.off"), at("x.ply"))).status, 0);
+  EXPECT_EQ(run("segment @psb/off/1.off -o @x.ply").status, 0);
   EXPECT_THAT(text_of(at("x.ply")), HasSubstr("property double part"));
   EXPECT_EQ(read_shape(at("x.ply")).triangles.rows(), 640);
 }
 
 TEST_F(SegmentCommands, SeveralShapesGoIntoAFolder) {
-  write("bad.off", "OFF\n1 0 0\n");
-  const Outcome outcome = run_executable(fmt::format("segment '{}' '{}' '{}' -o '{}'", at("psb/off/1.off"),
-                                                     at("bad.off"), at("psb/off/21.off"), at("out")));
+  write_text(at("bad.off"), "OFF\n1 0 0\n");
+  const Outcome outcome = run("segment @psb/off/1.off @bad.off @psb/off/21.off -o @out");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("bad.off"));
   EXPECT_EQ(text_of(at("out/1.seg")), segments(0, 1));
@@ -108,7 +98,7 @@ TEST_F(SegmentCommands, SeveralShapesGoIntoAFolder) {
 }
 
 TEST_F(SegmentCommands, UnusableCallsOfSegment) {
-  const std::string shape = "'" + at("psb/off/1.off") + "'";
+  const std::string shape = quoted("psb/off/1.off");
   expect_error_lines(
       {{"segment " + shape + " -o x.obj", ".obj"},
        {"segment " + shape + " -o x.seg --parts 641", "641"},
@@ -119,16 +109,14 @@ TEST_F(SegmentCommands, UnusableCallsOfSegment) {
        {"segment " + shape + " -o x.seg --method paper --field ball", "one of offset_sdf, cone_sdf"},
        {"segment " + shape + " -o x.seg --offset 0.1", "--method paper"},
        {"segment " + shape + " -o x.seg --method paper --border-width 0", "--method best"},
-       {"segment " + at("absent.off") + " -o x.seg", "absent.off"}});
+       {"segment " + quoted("absent.off") + " -o x.seg", "absent.off"}});
 }
 
 TEST_F(SegmentCommands, EvaluateSegmentationTellsMethodsFromPeople) {
-  for (const char* folder : {"good", "none"}) create(folder);
-  write("good/1.seg", segments(7, 8));
-  write("good/21.seg", segments(5, 5));
-  for (const char* name : {"none/1.seg", "none/21.seg"}) write(name, segments(0, 0));
-  const Outcome outcome = run_executable(
-      fmt::format("evaluate-segmentation '{}' '{}' --benchmark '{}' --format json", at("good"), at("none"), at("psb")));
+  write_text(at("good/1.seg"), segments(7, 8));
+  write_text(at("good/21.seg"), segments(5, 5));
+  for (const char* name : {"none/1.seg", "none/21.seg"}) write_text(at(name), segments(0, 0));
+  const Outcome outcome = run("evaluate-segmentation @good @none --benchmark @psb --format json");
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   const auto json = nlohmann::json::parse(outcome.output);
   ASSERT_EQ(json["methods"].size(), 3U);
@@ -143,29 +131,26 @@ TEST_F(SegmentCommands, EvaluateSegmentationTellsMethodsFromPeople) {
 }
 
 TEST_F(SegmentCommands, EvaluateSegmentationWritesEachMesh) {
-  create("good");
-  write("good/1.seg", segments(7, 8));
-  write("good/21.seg", segments(5, 5));
-  const Outcome outcome = run_executable(
-      fmt::format("evaluate-segmentation '{}' --benchmark '{}' --per-mesh '{}'", at("good"), at("psb"), at("x.csv")));
+  write_text(at("good/1.seg"), segments(7, 8));
+  write_text(at("good/21.seg"), segments(5, 5));
+  const Outcome outcome = run("evaluate-segmentation @good --benchmark @psb --per-mesh @x.csv");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("good,21,cup,0,0,0,0,0,0,0\n"));
 }
 
 TEST_F(SegmentCommands, MeshesWithoutPeopleAreLeftOutWithAWarning) {
-  write_off(folder_.path() / "psb/off/2.off", two_balls());
-  const Outcome outcome = run_executable(fmt::format("evaluate-segmentation --benchmark '{}'", at("psb")));
+  write_off(at("psb/off/2.off"), two_balls());
+  const Outcome outcome = run("evaluate-segmentation --benchmark @psb");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.errors, HasSubstr("1 meshes without human segmentations (2"));
 }
 
 TEST_F(SegmentCommands, UnusableCallsOfEvaluateSegmentation) {
-  create("short");
-  write("short/1.seg", "1\n2\n");
-  expect_error_lines({{"evaluate-segmentation --benchmark '" + at("good") + "'", "off"},
-                      {"evaluate-segmentation '" + at("short") + "' --benchmark '" + at("psb") + "'", "2 lines"},
-                      {"evaluate-segmentation '" + at("absent") + "' --benchmark '" + at("psb") + "'", "1.seg"}});
+  write_text(at("short/1.seg"), "1\n2\n");
+  expect_error_lines({{"evaluate-segmentation --benchmark " + quoted("good"), "off"},
+                      {"evaluate-segmentation " + quoted("short") + " --benchmark " + quoted("psb"), "2 lines"},
+                      {"evaluate-segmentation " + quoted("absent") + " --benchmark " + quoted("psb"), "1.seg"}});
 }
 
 }  // namespace
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -3,26 +3,24 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 namespace fs = std::filesystem;
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_line;
-using test_command_line::Outcome;
 using testing::HasSubstr;
 using testing::StartsWith;
 
 /// A sphere, a box, and a file without a shape.
-class ShapeFiles : public test_command_line::CommandTest {
+class ShapeFiles : public CommandTest {
  protected:
   void SetUp() override {
     write_off(at("sphere.off"), test::sphere(10, 2));
@@ -168,4 +166,4 @@ TEST_F(ShapeFiles, PicturesHaveTheSizeAndTheViewAskedFor) {
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

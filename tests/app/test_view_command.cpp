@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
@@ -12,26 +12,21 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-namespace shapegauge {
+namespace shapegauge::test_command_line {
 
 namespace {
 
 using nlohmann::ordered_json;
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
-using test_command_line::UnusableCall;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class ViewCommand : public testing::Test {
+class ViewCommand : public CommandTest {
  protected:
-  void SetUp() override { write_off(folder_.path() / "capsule.off", capsule); }
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  void SetUp() override { write_off(at("capsule.off"), capsule); }
   [[nodiscard]] Outcome view(const std::string& arguments) const {
-    return run_executable("view " + arguments + " --replace -o '" + at("page.html") + "'");
+    return run("view " + arguments + " --replace -o @page.html");
   }
   /// Data shown on the page.
   [[nodiscard]] ordered_json page() const { return test::data_in(text_of(at("page.html"))); }
@@ -43,14 +38,11 @@ class ViewCommand : public testing::Test {
   }
 
   Shape capsule = test::capsule(1, 4, 16, 6);
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(ViewCommand, ColoursHaveARangeAThresholdAndAUnit) {
   const Outcome outcome =
-      view("'" + at("capsule.off") + "' --field cone_sdf --no-parts --unit cm --range 0.5,3 --scale log --below 15mm");
+      view("@capsule.off --field cone_sdf --no-parts --unit cm --range 0.5,3 --scale log --below 15mm");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   const ordered_json shown = page();
   EXPECT_EQ(shown["unit"], "cm");
@@ -63,7 +55,7 @@ TEST_F(ViewCommand, ColoursHaveARangeAThresholdAndAUnit) {
 
 TEST_F(ViewCommand, ShapesBeginUpright) {
   const auto up_shown = [&](const std::string& name, const std::string& more) {
-    EXPECT_EQ(view("'" + at(name) + "' --field cone_sdf --no-parts " + more).status, 0);
+    EXPECT_EQ(view(quoted(name) + " --field cone_sdf --no-parts " + more).status, 0);
     const ordered_json axes = page()["shapes"][0]["axes"];
     const auto row = axes[1].get<std::vector<double>>();
     Eigen::Index largest = 0;
@@ -81,14 +73,14 @@ TEST_F(ViewCommand, ShapesBeginUpright) {
 
 TEST_F(ViewCommand, ThePageHasTheWarnings) {
   write_off(at("hollow.off"), test::joined({test::sphere(2, 2), test::flipped(test::sphere(1, 2))}));
-  const Outcome outcome = view("'" + at("hollow.off") + "' --field offset_sdf --no-parts");
+  const Outcome outcome = view("@hollow.off --field offset_sdf --no-parts");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   ASSERT_EQ(page()["warnings"].size(), 1U);
   EXPECT_THAT(page()["warnings"][0].get<std::string>(), testing::AllOf(HasSubstr("hollow.off"), HasSubstr("hull")));
 }
 
 TEST_F(ViewCommand, ShowsBothSdfsPartsAndNormals) {
-  const Outcome outcome = view("'" + at("capsule.off") + "' --offset 0.02");
+  const Outcome outcome = view("@capsule.off --offset 0.02");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, "");
   EXPECT_THAT(field_names(), ElementsAre("SDF of the offset surface", "Conventional SDF"));
@@ -106,7 +98,7 @@ TEST_F(ViewCommand, ShowsBothSdfsPartsAndNormals) {
 TEST_F(ViewCommand, FieldsAreAskedForByNameAndSettings) {
   const std::string calls =
       R"( --no-parts --field centricity --field offset_sdf,offset=0.03 --field '{"type": "heat_kernel", "time": 0.1}')";
-  ASSERT_EQ(view("'" + at("capsule.off") + "'" + calls).status, 0);
+  ASSERT_EQ(view("@capsule.off" + calls).status, 0);
   EXPECT_THAT(field_names(),
               ElementsAre("centricity", "SDF of the offset surface, offset 0.03", "heat_kernel, time 0.1"));
   EXPECT_FALSE(page()["shapes"][0].contains("parts"));
@@ -115,7 +107,7 @@ TEST_F(ViewCommand, FieldsAreAskedForByNameAndSettings) {
 TEST_F(ViewCommand, AMeshOfMoreFacesIsMeasuredWholeAndShownSimplified) {
   const Shape fine = test::sphere(1, 4);
   write_off(at("fine.off"), fine);
-  ASSERT_EQ(view("'" + at("fine.off") + "' --max-faces 500 --no-parts --field cone_sdf").status, 0);
+  ASSERT_EQ(view("@fine.off --max-faces 500 --no-parts --field cone_sdf").status, 0);
   const ordered_json shape = page()["shapes"][0];
   EXPECT_LE(shape["triangles"]["count"], 500);
   EXPECT_GE(shape["triangles"]["count"], 250);
@@ -131,8 +123,7 @@ TEST_F(ViewCommand, AMeshOfMoreFacesIsMeasuredWholeAndShownSimplified) {
 TEST_F(ViewCommand, ABadShapeIsNamedAndTheOthersAreShown) {
   write_text(at("broken.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n");
   write_text(at("cloud.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n");
-  const Outcome outcome = view(
-      fmt::format("'{}' '{}' '{}' --title Three --offset 0.4", at("broken.off"), at("capsule.off"), at("cloud.xyz")));
+  const Outcome outcome = view("@broken.off @capsule.off @cloud.xyz --title Three --offset 0.4");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("broken.off"));
   EXPECT_EQ(page()["title"], "Three");
@@ -142,15 +133,15 @@ TEST_F(ViewCommand, ABadShapeIsNamedAndTheOthersAreShown) {
 }
 
 TEST_F(ViewCommand, WritesTheSamePageToStandardOutput) {
-  const std::string call = fmt::format("'{0}' '{0}' --offset 0.05", at("capsule.off"));
+  const std::string call = "@capsule.off @capsule.off --offset 0.05";
   ASSERT_EQ(view(call).status, 0);
-  EXPECT_TRUE(run_executable("view " + call + " -o -").output == text_of(at("page.html")));
+  EXPECT_TRUE(run("view " + call + " -o -").output == text_of(at("page.html")));
 }
 
 TEST_F(ViewCommand, ThePageOfASingleShapeHasItsName) {
-  const test_command_line::WorkingFolder here(std::filesystem::path(at("")));
+  const WorkingFolder here(at(""));
   ASSERT_EQ(view("capsule.off").status, 0);
-  const Outcome outcome = run_executable("view capsule.off");
+  const Outcome outcome = run("view capsule.off");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(outcome.errors, HasSubstr("page: capsule.html\n"));
   EXPECT_EQ(text_of(at("capsule.html")), text_of(at("page.html")));
@@ -158,11 +149,11 @@ TEST_F(ViewCommand, ThePageOfASingleShapeHasItsName) {
 
 TEST_F(ViewCommand, UnusableInputIsOneClearLine) {
   write_text(at("cloud.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
-  const std::string good = "view '" + at("capsule.off") + "' ";
-  const std::string out = " -o '" + at("x.html") + "' ";
+  const std::string good = "view " + quoted("capsule.off") + " ";
+  const std::string out = " -o " + quoted("x.html") + " ";
   const std::vector<UnusableCall> cases{
       {"view /nowhere.off" + out, "/nowhere.off"},
-      {good + "'" + at("cloud.xyz") + "'", "--output is required"},
+      {good + quoted("cloud.xyz"), "--output is required"},
       {good + "-o x.png", "must end in .html"},
       {good + "--field cone" + out, "--field cone"},
       {good + "--field offset_sdf,ofset=0.1" + out, "offset"},
@@ -172,10 +163,10 @@ TEST_F(ViewCommand, UnusableInputIsOneClearLine) {
       {good + "--field cone_sdf --offset 0.1" + out, "--offset requires"},
       {good + "--parts 3 --no-parts" + out, "--no-parts"},
       {good + "--max-faces 3" + out, "--max-faces"},
-      {"view '" + at("cloud.xyz") + "' --field cone_sdf" + out, "cloud.xyz: the conventional SDF needs triangles"}};
+      {"view " + quoted("cloud.xyz") + " --field cone_sdf" + out, "cloud.xyz: the conventional SDF needs triangles"}};
   expect_error_lines(cases);
 }
 
 }  // namespace
 
-}  // namespace shapegauge
+}  // namespace shapegauge::test_command_line

@@ -5,11 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/io/gltf.h"
-#include "shapegauge/core/io/obj.h"
-#include "shapegauge/core/io/off.h"
-#include "shapegauge/core/io/ply.h"
-#include "shapegauge/core/io/stl.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"

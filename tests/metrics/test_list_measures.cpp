@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 #include <gmock/gmock.h>
-#include <limits>
 #include <map>
 #include <random>
 #include <rapidcheck/gtest.h>

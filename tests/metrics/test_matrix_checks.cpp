@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <rapidcheck/gtest.h>
-#include <utility>
 
 #include "shapegauge/metrics/matrix_checks.h"
 

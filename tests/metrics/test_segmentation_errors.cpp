@@ -3,10 +3,8 @@
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
-#include <map>
 #include <rapidcheck/gtest.h>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/render/splats.h"
 #include "tests/pages/sample_segmentation.h"
 #include "tests/pages/sample_views.h"

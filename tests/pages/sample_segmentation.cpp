@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/pages/sample_segmentation.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/pages/sample_views.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <cstdint>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -9,7 +8,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/render/splats.h"
 #include "shapegauge/pages/html_page.h"
 #include "tests/pages/sample_views.h"

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <rapidcheck/gtest.h>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <tbb/task_arena.h>
 #include <vector>

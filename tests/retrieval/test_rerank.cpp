@@ -2,7 +2,6 @@
 #include <cstring>
 #include <gtest/gtest.h>
 #include <limits>
-#include <stdexcept>
 #include <string_view>
 #include <tbb/task_arena.h>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <unistd.h>
@@ -56,6 +57,21 @@ std::string text_of(const fs::path& path) {
 void write_text(const fs::path& path, const std::string& text) {
   if (path.has_parent_path()) fs::create_directories(path.parent_path());
   std::ofstream(path, std::ios::binary) << text;
+}
+
+std::map<std::string, std::string> results_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().lexically_relative(folder).string();
+    const std::string file = entry.path().filename().string();
+    if (!entry.is_regular_file() || file == "shape_seconds.csv" || file == "timings.csv") continue;
+    files[name] = text_of(entry.path());
+    if (file != "manifest.json") continue;
+    nlohmann::json manifest = nlohmann::json::parse(files.at(name));
+    manifest.erase("execution");
+    files[name] = manifest.dump();
+  }
+  return files;
 }
 
 OrdinaryUser::OrdinaryUser() : before_(::geteuid()) {

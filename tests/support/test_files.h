@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <map>
 #include <string>
 #include <string_view>
 #include <sys/types.h>
@@ -33,11 +34,22 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// A test with a folder of its own.
+class FolderTest : public testing::Test {
+ protected:
+  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
+
+  TemporaryFolder folder_;
+};
+
 /// Returns the bytes of a file; fails the test if it cannot be read.
 std::string bytes_of(const std::filesystem::path& path);
 
 /// Returns the bytes of a file; empty if it cannot be read.
 std::string text_of(const std::filesystem::path& path);
+
+/// Returns the bytes of a folder's result files by name, without run times.
+std::map<std::string, std::string> results_in(const std::filesystem::path& folder);
 
 /// Writes a file; creates its folder if absent.
 void write_text(const std::filesystem::path& path, const std::string& text);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
-#include <stdexcept>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"

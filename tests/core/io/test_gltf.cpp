@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/gltf.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/support/test_files.h"
 
@@ -48,20 +48,18 @@ std::string with_change(std::string text, const std::string& from, const std::st
   return text.replace(place, from.size(), to);
 }
 
-class Gltf : public testing::Test {
+class Gltf : public test::FolderTest {
  protected:
-  void SetUp() override { test::write_text(folder_.path() / "tetrahedron.bin", tetrahedron_bytes()); }
+  void SetUp() override { test::write_text(at("tetrahedron.bin"), tetrahedron_bytes()); }
 
   Shape read(const std::string& json) const {
-    test::write_text(folder_.path() / "shape.gltf", json);
-    return read_shape(folder_.path() / "shape.gltf");
+    test::write_text(at("shape.gltf"), json);
+    return read_shape(at("shape.gltf"));
   }
 
   std::string error_of(const std::string& json) const {
     return test::input_error_of([&] { read(json); });
   }
-
-  test::TemporaryFolder folder_;
 };
 
 double volume_of(const Shape& shape) {
@@ -81,8 +79,7 @@ TEST_F(Gltf, ReadsAMeshWhoseBufferIsBesideIt) {
   EXPECT_EQ(shape.vertices.row(3), Eigen::RowVector3d(0, 0, 1));
   EXPECT_EQ(shape.triangles.row(1), (Eigen::RowVector3i(0, 1, 3)));
   EXPECT_DOUBLE_EQ(volume_of(shape), 1.0 / 6);
-  EXPECT_THAT(gltf_neighbours(read_shape_source(folder_.path() / "shape.gltf")),
-              testing::ElementsAre("tetrahedron.bin"));
+  EXPECT_THAT(gltf_neighbours(read_shape_source(at("shape.gltf"))), testing::ElementsAre("tetrahedron.bin"));
 }
 
 TEST_F(Gltf, NodesPlaceTheirMeshes) {
@@ -135,9 +132,9 @@ TEST_F(Gltf, ReadsStripsFansAndPoints) {
 
 TEST_F(Gltf, NormalisedWholeNumbersAreFractions) {
   // The tetrahedron in bytes, of which 127 is 1; -127 and -128 are both -1.
-  test::write_text(folder_.path() / "tetrahedron.bin",
-                   bytes_of<std::int8_t>({0, 0, 0, 127, 0, -128, 0, 127, -127, 0, 0, 127}) + std::string(36, '\0') +
-                       bytes_of<std::uint16_t>({0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
+  test::write_text(at("tetrahedron.bin"), bytes_of<std::int8_t>({0, 0, 0, 127, 0, -128, 0, 127, -127, 0, 0, 127}) +
+                                              std::string(36, '\0') +
+                                              bytes_of<std::uint16_t>({0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
   const Shape shape = read(with_change(document(R"({"mesh": 0})"), R"("componentType": 5126, )",
                                        R"("componentType": 5120, "normalized": true, )"));
   ASSERT_EQ(shape.vertices.rows(), 4);
@@ -148,7 +145,7 @@ TEST_F(Gltf, NormalisedWholeNumbersAreFractions) {
 
 TEST_F(Gltf, SparseAccessorsReplacePositions) {
   // Vertex 2 moves to (7, 8, 9): an index and a position behind the tetrahedron.
-  test::write_text(folder_.path() / "tetrahedron.bin",
+  test::write_text(at("tetrahedron.bin"),
                    tetrahedron_bytes() + bytes_of<std::uint32_t>({2}) + bytes_of<float>({7, 8, 9}));
   std::string json = with_change(document(R"({"mesh": 0})"), R"("type": "VEC3")",
                                  R"("type": "VEC3", "sparse": {"count": 1,
@@ -184,9 +181,8 @@ TEST_F(Gltf, RefusesWhatDoesNotFit) {
               HasSubstr("EXT_mesh_gpu_instancing"));
   EXPECT_EQ(
       read(document(R"({"mesh": 0})", uri, R"("extensionsRequired": ["KHR_materials_unlit"], )")).triangles.rows(), 4);
-  test::write_text(
-      folder_.path() / "tetrahedron.bin",
-      with_change(tetrahedron_bytes(), bytes_of<std::uint16_t>({1, 2, 3}), bytes_of<std::uint16_t>({1, 2, 4})));
+  test::write_text(at("tetrahedron.bin"), with_change(tetrahedron_bytes(), bytes_of<std::uint16_t>({1, 2, 3}),
+                                                      bytes_of<std::uint16_t>({1, 2, 4})));
   EXPECT_THAT(error_of(whole), HasSubstr("vertex 4"));
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/obj.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/support/test_files.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/support/test_files.h"
 

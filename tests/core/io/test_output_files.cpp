@@ -17,10 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class CheckedOutputFiles : public testing::Test {
+class CheckedOutputFiles : public test::FolderTest {
  protected:
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
-
   /// Returns the message of the check, with in.off and other.off as inputs; empty if it passes.
   [[nodiscard]] std::string refusal(const std::vector<OutputFile>& outputs, bool replace = false) const {
     try {
@@ -30,8 +28,6 @@ class CheckedOutputFiles : public testing::Test {
     }
     return {};
   }
-
-  test::TemporaryFolder folder_;
   fs::path in_ = folder_.file("in.off", "OFF\n");
   fs::path other_ = folder_.file("other.off", "OFF\n");
 };

@@ -11,7 +11,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/little_endian.h"
-#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
 #include "tests/core/io/encoded_shapes.h"

@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/io/obj.h"
-#include "shapegauge/core/io/off.h"
-#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/triangulate_polygon.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/core/shape/shape.h"

@@ -8,11 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/io/obj.h"
-#include "shapegauge/core/io/off.h"
-#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/core/io/stl.h"
 #include "shapegauge/core/render/image.h"
 #include "tests/core/io/random_shapes.h"
 #include "tests/support/test_files.h"

@@ -15,17 +15,15 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
-class ReadNeighbour : public testing::Test {
+class ReadNeighbour : public test::FolderTest {
  protected:
   ReadNeighbour() {
-    test::write_text(folder_.path() / "set/shape.x", "shape");
-    test::write_text(folder_.path() / "set/parts/one.bin", "one of the parts");
-    test::write_text(folder_.path() / "outside.bin", "not to be read");
+    test::write_text(at("set/shape.x"), "shape");
+    test::write_text(at("set/parts/one.bin"), "one of the parts");
+    test::write_text(at("outside.bin"), "not to be read");
   }
 
-  [[nodiscard]] ShapeSource source() const { return read_shape_source(folder_.path() / "set/shape.x"); }
-
-  test::TemporaryFolder folder_;
+  [[nodiscard]] ShapeSource source() const { return read_shape_source(at("set/shape.x")); }
 };
 
 TEST_F(ReadNeighbour, FindsFilesInTheFolderAndBelow) {
@@ -36,19 +34,19 @@ TEST_F(ReadNeighbour, FindsFilesInTheFolderAndBelow) {
 }
 
 TEST_F(ReadNeighbour, FollowsLinks) {
-  std::filesystem::create_symlink("../../outside.bin", folder_.path() / "set/parts/link.bin");
+  std::filesystem::create_symlink("../../outside.bin", at("set/parts/link.bin"));
   EXPECT_EQ(source().read_neighbour("parts/link.bin"), "not to be read");
 }
 
 TEST_F(ReadNeighbour, FilesOfTheWorkingFolder) {
   const std::filesystem::path before = std::filesystem::current_path();
-  std::filesystem::current_path(folder_.path() / "set");
+  std::filesystem::current_path(at("set"));
   EXPECT_EQ(read_shape_source("shape.x").read_neighbour("parts/one.bin"), "one of the parts");
   std::filesystem::current_path(before);
 }
 
 TEST_F(ReadNeighbour, NothingOutsideOfTheFolder) {
-  const std::string absolute = (folder_.path() / "outside.bin").string();
+  const std::string absolute = at("outside.bin").string();
   for (const std::string& file :
        {std::string("../outside.bin"), std::string("parts/../../outside.bin"), std::string("parts/.."), absolute,
         "file://" + absolute, std::string("https://x/y.bin"), std::string(""),
@@ -71,7 +69,7 @@ TEST_F(ReadNeighbour, NoneWhereTheBytesAreNoFile) {
 }
 
 TEST_F(ReadNeighbour, RefusesFoldersAndEmptyFiles) {
-  test::write_text(folder_.path() / "set/empty.bin", "");
+  test::write_text(at("set/empty.bin"), "");
   EXPECT_THROW(static_cast<void>(source().read_neighbour("parts")), InputError);
   EXPECT_THROW(static_cast<void>(source().read_neighbour("empty.bin")), InputError);
 }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/stl.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/support/test_files.h"
 

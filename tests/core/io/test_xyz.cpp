@@ -3,7 +3,7 @@
 #include <string>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/xyz.h"
+#include "shapegauge/core/io/formats.h"
 
 namespace shapegauge {
 

@@ -3,7 +3,6 @@
 
 #include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
-#include "shapegauge/core/shape/point_cloud.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {

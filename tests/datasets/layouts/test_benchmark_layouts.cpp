@@ -18,9 +18,9 @@ using testing::UnorderedElementsAre;
 const std::string triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 /// Folders with the layouts of published data sets and few models.
-class BenchmarkLayouts : public testing::Test {
+class BenchmarkLayouts : public test::FolderTest {
  protected:
-  [[nodiscard]] fs::path root() const { return folder_.path() / "data"; }
+  [[nodiscard]] fs::path root() const { return at("data"); }
   void add(const std::string& name, const std::string& text = triangle) const { test::write_text(root() / name, text); }
 
   /// Layout recognized for the folder, then models with their classes.
@@ -42,8 +42,6 @@ class BenchmarkLayouts : public testing::Test {
                                       .classification = root() / dataset_layouts().at(layout).usual_classification}));
     });
   }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(BenchmarkLayouts, Shrec07HasItsClassesFromTheNumbers) {
@@ -96,7 +94,7 @@ TEST_F(BenchmarkLayouts, ATreeHasAClassForEachFolderWithModels) {
 TEST_F(BenchmarkLayouts, FoldersOfATreeAreVisitedOnce) {
   for (const char* name : {"Flat/Clips/a.off", "Flat/Plates/a.off", "Round/Bolts/c.off"}) add(name);
   const std::vector<std::string> models = recognised();
-  const fs::path outside = folder_.path() / "outside";
+  const fs::path outside = at("outside");
   test::write_text(outside / "d.off", triangle);
   fs::create_symlink("loop", root() / "Flat/Clips/loop");
   fs::create_symlink("..", root() / "Flat/Clips/up");

@@ -28,7 +28,7 @@ TEST(ModelFile, IsByItsNameAlone) {
   }
 }
 
-class FolderOfModels : public testing::Test {
+class FolderOfModels : public test::FolderTest {
  protected:
   void SetUp() override {
     for (const char* name : {"b10.off", "b9.off", "B1.ply", "notes.txt", ".hidden.off", "inner/c.off", "inner/x.md",
@@ -41,7 +41,7 @@ class FolderOfModels : public testing::Test {
     std::filesystem::create_symlink("circle", root() / "circle");
   }
 
-  [[nodiscard]] std::filesystem::path root() const { return folder_.path() / "models"; }
+  [[nodiscard]] std::filesystem::path root() const { return at("models"); }
   [[nodiscard]] static std::vector<std::string> names(const std::vector<std::filesystem::path>& paths) {
     std::vector<std::string> names;
     for (const std::filesystem::path& path : paths) names.push_back(path.filename().string());
@@ -53,8 +53,6 @@ class FolderOfModels : public testing::Test {
     for (const std::string& file : files) models.push_back({.id = file, .file = root() / file});
     return skipped_entries(root(), models);
   }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(FolderOfModels, HasItsModelsInNaturalOrder) {

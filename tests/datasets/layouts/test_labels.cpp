@@ -14,16 +14,13 @@ using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class ModelLabelsTest : public testing::Test {
+class ModelLabelsTest : public test::FolderTest {
  protected:
   std::filesystem::path file(const std::string& name, const std::string& text) {
-    write_text(folder_.path() / name, text);
-    return folder_.path() / name;
+    write_text(at(name), text);
+    return at(name);
   }
   [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 const char* const hierarchy = "PSB 1\n4 3\nanimal 0 0\nbiped animal 0\nhuman biped 2\n1 2\nlamp 0 1\n3\n";

@@ -18,9 +18,9 @@ using testing::HasSubstr;
 
 const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-class Layouts : public testing::Test {
+class Layouts : public test::FolderTest {
  protected:
-  [[nodiscard]] fs::path root() const { return folder_.path() / "data"; }
+  [[nodiscard]] fs::path root() const { return at("data"); }
   void write(const std::string& name, const std::string& text = off) const { write_text(root() / name, text); }
 
   [[nodiscard]] Dataset find(const std::string& layout, const std::string& split = "all") const {
@@ -32,9 +32,6 @@ class Layouts : public testing::Test {
   [[nodiscard]] std::string error(const std::string& layout, const std::string& split = "all") const {
     return test::input_error_of([&] { static_cast<void>(find(layout, split)); });
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 std::vector<std::string> ids(const Dataset& dataset) {

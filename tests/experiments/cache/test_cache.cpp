@@ -68,9 +68,9 @@ using testing::IsEmpty;
 
 const std::string entry_key(64, '0');
 
-class CacheTest : public testing::Test {
+class CacheTest : public test::FolderTest {
  protected:
-  [[nodiscard]] fs::path folder() const { return folder_.path() / "cache"; }
+  [[nodiscard]] fs::path folder() const { return at("cache"); }
   [[nodiscard]] fs::path entry() const { return entry_path(folder(), EntryKind::field, entry_key); }
   void keep(const std::string& value) const { Cache(folder()).put(EntryKind::field, entry_key, value); }
   static std::optional<std::string> found(Cache& cache) { return cache.find<std::string>(EntryKind::field, entry_key); }
@@ -78,9 +78,6 @@ class CacheTest : public testing::Test {
     Cache cache(folder());
     return found(cache);
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(CacheTest, AnotherRunFindsWhatOneHasKept) {

@@ -88,18 +88,15 @@ namespace fs = std::filesystem;
 using test::write_text;
 using testing::HasSubstr;
 
-class CacheContentsTest : public testing::Test {
+class CacheContentsTest : public test::FolderTest {
  protected:
-  [[nodiscard]] fs::path folder() const { return folder_.path() / "cache"; }
+  [[nodiscard]] fs::path folder() const { return at("cache"); }
   /// Stores a value, last used the given number of hours ago.
   void keep(EntryKind kind, char digit, std::size_t size, int hours = 0) const {
     const std::string key(64, digit);
     Cache(folder()).put(kind, key, std::string(size, 'x'));
     fs::last_write_time(entry_path(folder(), kind, key), fs::file_time_type::clock::now() - std::chrono::hours(hours));
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(CacheContentsTest, EntriesAreCountedByKind) {

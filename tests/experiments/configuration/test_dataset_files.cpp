@@ -22,23 +22,19 @@ namespace {
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-class DatasetFiles : public testing::Test {
+class DatasetFiles : public test::FolderTest {
  protected:
   void SetUp() override {
     test::write_text(at("sets/animals.json"),
                      R"({"description": "Animals.", "layout": "folders", "root": "../animals", "split": "test"})");
     test::write_text(at("sets/named.json"), R"({"name": "The named", "layout": "shrec11", "root": "${NAMED_ROOT}"})");
   }
-  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
   Json read(Json document) const {
     read_dataset_files(document, "x.json", folder_.path(), places_);
     return document;
   }
 
   std::vector<std::string> places_{"/dataset", "/datasets/*"};
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(DatasetFiles, StandForWhatTheyHold) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/engine/part.h"
 #include "tests/support/test_files.h"
 

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
-#include <set>
 
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "tests/support/test_files.h"
@@ -113,7 +112,7 @@ TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {
 }
 
 /// Folder with results of an earlier run and a file of the user.
-class StagedResultsTest : public testing::Test {
+class StagedResultsTest : public test::FolderTest {
  protected:
   void SetUp() override {
     write_text(at("summary.csv"), "old");
@@ -122,9 +121,6 @@ class StagedResultsTest : public testing::Test {
     write_text(at("notes.txt"), "mine");
     write_text(at("manifest.json"), R"({"files": ["summary.csv", "distances/a.npy", "distances/b.npy"]})");
   }
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(StagedResultsTest, TakeThePlaceOfEarlierOnes) {

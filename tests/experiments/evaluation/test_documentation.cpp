@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <gmock/gmock.h>
-#include <map>
 
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
@@ -53,12 +51,12 @@ std::vector<std::vector<std::string>> table_after(const std::string& heading) {
   return rows;
 }
 
-class FiveShapes : public testing::Test {
+class FiveShapes : public test::FolderTest {
  protected:
   FiveShapes() {
-    test::write_text(folder_.path() / "five.csv", block_after("`five.csv`"));
-    test::write_text(folder_.path() / "classes.csv", block_after("`classes.csv`"));
-    input = open_evaluation_files({.matrix = folder_.path() / "five.csv", .labels = folder_.path() / "classes.csv"});
+    test::write_text(at("five.csv"), block_after("`five.csv`"));
+    test::write_text(at("classes.csv"), block_after("`classes.csv`"));
+    input = open_evaluation_files({.matrix = at("five.csv"), .labels = at("classes.csv")});
   }
 
   // The measure of the query a1.
@@ -72,9 +70,6 @@ class FiveShapes : public testing::Test {
   }
 
   EvaluationData input;
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 void expect_printed(const std::string& printed, double value, const std::string& what) {

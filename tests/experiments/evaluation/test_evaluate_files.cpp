@@ -36,7 +36,7 @@ DistanceMatrix many_features(Eigen::Index models) {
   return features;
 }
 
-class EvaluateFiles : public testing::Test {
+class EvaluateFiles : public test::FolderTest {
  protected:
   static constexpr Eigen::Index models = 270;
 
@@ -52,8 +52,6 @@ class EvaluateFiles : public testing::Test {
     test::write_text(at("labels.csv"), labels);
     test::write_text(at("sets.csv"), sets);
   }
-
-  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
 
   // All scores and warnings as text with full precision.
   [[nodiscard]] static std::string all_output(const EvaluatedFiles& evaluated) {
@@ -83,9 +81,6 @@ class EvaluateFiles : public testing::Test {
           << distance << " " << labels << " " << name;
     }
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteForEveryDistance) {
@@ -162,19 +157,13 @@ TEST_F(EvaluateFiles, IdsThatAreGivenAreThoseOfTheMatrix) {
 }
 
 /// Warnings for a matrix of four models in two classes.
-class MatrixWarnings : public testing::Test {
+class MatrixWarnings : public test::FolderTest {
  protected:
   [[nodiscard]] std::vector<std::string> warnings_of(const std::string& matrix, bool similarity = false) const {
-    test::write_text(folder_.path() / "labels.csv", "id,class\na,x\nb,x\nc,y\nd,y\n");
-    test::write_text(folder_.path() / "m.txt", matrix);
-    return evaluate_files(
-               {.matrix = folder_.path() / "m.txt", .labels = folder_.path() / "labels.csv", .similarity = similarity},
-               {})
-        .warnings;
+    test::write_text(at("labels.csv"), "id,class\na,x\nb,x\nc,y\nd,y\n");
+    test::write_text(at("m.txt"), matrix);
+    return evaluate_files({.matrix = at("m.txt"), .labels = at("labels.csv"), .similarity = similarity}, {}).warnings;
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(MatrixWarnings, NothingOddIsNoWarning) {

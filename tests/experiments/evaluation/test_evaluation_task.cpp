@@ -17,17 +17,13 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class EvaluationTaskTest : public testing::Test {
+class EvaluationTaskTest : public test::FolderTest {
  protected:
   std::filesystem::path file(const std::string& name, const std::string& text) {
-    write_text(folder_.path() / name, text);
-    return folder_.path() / name;
+    write_text(at(name), text);
+    return at(name);
   }
-  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
   std::filesystem::path two_classes() { return file("labels.csv", "id,class\n1,ant\n2,ant\n10,bee\n11,bee\n"); }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 double measure(const EvaluationData& input, const std::string& name, Protocol protocol = Protocol::trec) {

@@ -16,18 +16,15 @@ const std::string table =
     "method,protocol,id,class,NN,FT\n"
     "a,psb,1,ant,100.0000,50.0000\na,psb,2,ant,0,25\nb,psb,2,ant,100,75\nb,psb,1,ant,0,100\n";
 
-class MethodScoresTest : public testing::Test {
+class MethodScoresTest : public test::FolderTest {
  protected:
   std::vector<MethodScores> read(const std::string& text, const std::string& name = "per_query.csv") {
-    test::write_text(folder_.path() / name, text);
-    return read_method_scores(folder_.path() / name);
+    test::write_text(at(name), text);
+    return read_method_scores(at(name));
   }
   std::string error_of(const std::string& text) {
     return test::input_error_of([&] { read(text); });
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(MethodScoresTest, AreReadByMethodAndAlignedByQuery) {

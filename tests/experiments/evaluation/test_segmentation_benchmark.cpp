@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "tests/support/test_files.h"
@@ -19,18 +19,16 @@ namespace {
 
 using Labels = std::vector<std::int32_t>;
 
-class SegmentationBenchmarkFolder : public testing::Test {
+class SegmentationBenchmarkFolder : public test::FolderTest {
  protected:
   void add(const std::string& id, int people) const {
-    std::filesystem::create_directories(folder_.path() / "off");
+    std::filesystem::create_directories(at("off"));
     std::filesystem::create_directories(folder_.path() / "seg" / id);
     write_off(folder_.path() / "off" / (id + ".off"), test::sphere(1, 0));
     for (int k = 0; k < people; ++k) {
       std::ofstream(folder_.path() / "seg" / id / (id + "_" + std::to_string(k) + ".seg")) << "0\n";
     }
   }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(SegmentationBenchmarkFolder, IsFoundInNaturalOrderWithItsClasses) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
 #include "shapegauge/segmentation/seg_file.h"
 #include "tests/support/test_files.h"
@@ -120,7 +120,7 @@ TEST(SegmentationTables, NoComparisonWhereItMeansNothing) {
 }
 
 /// A benchmark of three meshes with segmentations at random by two or three people, and two methods.
-class ScoredFolder : public testing::Test {
+class ScoredFolder : public test::FolderTest {
  protected:
   void SetUp() override {
     RandomNumbers random(1);
@@ -146,13 +146,10 @@ class ScoredFolder : public testing::Test {
     }
   }
 
-  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] SegmentationScores scores() const {
     return score_segmentations(find_segmentation_benchmark(folder_.path()), {at("mine"), at("theirs/")},
                                {.cuts = false});
   }
-
-  test::TemporaryFolder folder_;
   std::array<std::vector<std::vector<std::int32_t>>, 3> people_;
   std::array<std::vector<std::int32_t>, 3> mine_, theirs_;
 };

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,13 +8,12 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/engine/replay.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
-#include "shapegauge/segmentation/seg_file.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -30,14 +28,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// One small experiment of each kind.
-class ExperimentKinds : public testing::Test {
+class ExperimentKinds : public test::FolderTest {
  protected:
   void SetUp() override {
     test::write_small_dataset(at("data"));
     for (const char* name : {"a.off", "b.off"}) write_off(at(name), test::sphere(1, 2));
   }
-
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
 
   [[nodiscard]] Json retrieval() const { return test::small_configuration(at("data")); }
 
@@ -76,20 +72,12 @@ class ExperimentKinds : public testing::Test {
                                const RunControl& control = {.threads = 1}) const {
     return run_into_folder(read_experiment(document, "test.json", folder_.path()), at(output), false, control, cache);
   }
-
-  /// Result files without run times, by name; of the manifest only what is reproducible.
-  [[nodiscard]] std::map<std::string, std::string> results(const std::string& output) const {
-    Json manifest = Json::parse(test::text_of(at(output) / manifest_name));
-    manifest.erase("execution");
-    std::map<std::string, std::string> files{{"manifest", manifest.dump()}};
-    for (const std::string name : manifest.at("files")) {
-      if (!holds_timings(name)) files[name] = test::text_of(at(output) / name);
-    }
-    return files;
-  }
-
- private:
-  test::TemporaryFolder folder_;
+};
+for (const std::string name : manifest.at("files")) {
+  if (!holds_timings(name)) files[name] = test::text_of(at(output) / name);
+}
+return files;
+}
 };
 
 TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
@@ -225,7 +213,7 @@ TEST_F(ExperimentKinds, GiveTheSameBytesInParts) {
         all += use.hits;
       }
       EXPECT_GT(all, 0U);
-      EXPECT_EQ(results(together), results(alone));
+      EXPECT_EQ(test::results_in(at(together)), test::results_in(at(alone)));
     }
   }
 }
@@ -261,7 +249,7 @@ TEST_F(ExperimentKinds, GoOnFromTheCacheAfterAnInterruption) {
     std::size_t hits = 0;
     for (const CacheUse& use : outcome.cache.uses) hits += use.hits;
     EXPECT_GT(hits, 0U);
-    EXPECT_EQ(results(place + "/resumed"), results(place + "/alone"));
+    EXPECT_EQ(test::results_in(at(place + "/resumed")), test::results_in(at(place + "/alone")));
   }
 }
 

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// Data sets "s", "t" and "u", each with the methods "good" and "poor".
-class SubmittedDatasets : public testing::Test {
+class SubmittedDatasets : public test::FolderTest {
  protected:
   SubmittedDatasets() {
     for (const char* name : {"s", "t", "u"}) {
@@ -28,7 +28,6 @@ class SubmittedDatasets : public testing::Test {
       add(fmt::format("{}/poor.csv", name), small_matrix(3));
     }
   }
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
   void add(const std::string& name, const std::string& text) const { test::write_text(at(name), text); }
   [[nodiscard]] std::vector<fs::path> all() const { return {at("s"), at("t"), at("u")}; }
   static JudgingOptions options() {
@@ -43,9 +42,6 @@ class SubmittedDatasets : public testing::Test {
   [[nodiscard]] std::string refusal(const std::vector<fs::path>& folders) const {
     return test::input_error_of([&] { find_submitted_datasets(folders, {}); });
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(SubmittedDatasets, HaveTheirLabelsInTheirFolders) {

@@ -11,16 +11,12 @@ namespace {
 
 using testing::HasSubstr;
 
-class SubmissionFolder : public testing::Test {
+class SubmissionFolder : public test::FolderTest {
  protected:
-  void add(const std::string& name, const std::string& text = "0") { test::write_text(folder_.path() / name, text); }
+  void add(const std::string& name, const std::string& text = "0") { test::write_text(at(name), text); }
   FoundSubmissions find(const std::vector<std::filesystem::path>& others = {}) {
     return find_submissions(std::vector{folder_.path()}, others);
   }
-  std::filesystem::path at(const std::string& name) { return folder_.path() / name; }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(SubmissionFolder, HaveRepetitionsWithOneDescription) {

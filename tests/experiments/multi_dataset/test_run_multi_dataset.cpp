@@ -22,15 +22,13 @@ using testing::Contains;
 using testing::HasSubstr;
 
 /// Two data sets on disk, the second with two classes only.
-class RunMultiDataset : public testing::Test {
+class RunMultiDataset : public test::FolderTest {
  protected:
   void SetUp() override {
     test::write_small_dataset(at("first"));
     test::write_small_dataset(at("second"));
     test::write_text(at("second/test.cla"), "PSB 1\n2 6\n\nsphere 0 3\n0\n3\n6\n\nbox 0 3\n1\n4\n7\n");
   }
-
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
 
   [[nodiscard]] Json document() const {
     Json json = test::small_configuration("first");
@@ -49,9 +47,6 @@ class RunMultiDataset : public testing::Test {
   }
 
   [[nodiscard]] Json json_in(const std::string& file) const { return Json::parse(test::text_of(at(file))); }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(RunMultiDataset, GivesEachDataSetTheResultsOfAnExperimentOfItsOwn) {

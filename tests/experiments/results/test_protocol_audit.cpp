@@ -14,14 +14,13 @@ namespace {
 using testing::ElementsAre;
 
 // Two queries of a class and four targets, two of them relevant. `good` finds these first, `late` at ranks 1 and 4.
-class ProtocolAuditTest : public testing::Test {
+class ProtocolAuditTest : public test::FolderTest {
  protected:
   [[nodiscard]] ProtocolAudit audit() const {
     return audit_protocols(std::vector{late_, good_}, files_, {.resampling = {.resamples = 20}});
   }
 
  private:
-  test::TemporaryFolder folder_;
   std::filesystem::path good_ = folder_.file("good.txt", "1 2 3 4\n4 3 2 1\n");
   std::filesystem::path late_ = folder_.file("late.txt", "1 4 2 3\n3 2 4 1\n");
   EvaluationFiles files_{.matrix = {},

@@ -3,18 +3,16 @@
 #include <limits>
 #include <map>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
-#include "shapegauge/experiments/retrieval/write_results.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
 #include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/fusion.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
-#include "tests/support/run_alone.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
@@ -28,11 +26,11 @@ using test::text_of;
 
 /// Runs over the small data set with descriptors of each kind: of the shape (d2), of fields (joint), of fields and all
 /// that the data set has (bag), and what is made of their distances.
-class DescriptorRuns : public testing::Test {
+class DescriptorRuns : public test::FolderTest {
  protected:
   void SetUp() override { test::write_small_dataset(data()); }
 
-  [[nodiscard]] fs::path data() const { return folder_.path() / "data"; }
+  [[nodiscard]] fs::path data() const { return at("data"); }
 
   [[nodiscard]] Json document() const {
     Json document = test::small_configuration(data());
@@ -50,29 +48,19 @@ class DescriptorRuns : public testing::Test {
   }
 
   ExperimentResults run(const Json& document, bool cached, int threads = 2) const {
-    Cache cache(cached ? folder_.path() / "cache" : fs::path());
-    const auto work = [&](const RunContext& context) {
-      return run_experiment(configuration_from_json(document, "test.json", "."), context, {});
-    };
-    ExperimentResults results = test::run_alone({.threads = threads}, cache, folder_.path() / "generated", work);
+    Cache cache(cached ? at("cache") : fs::path());
+    ExperimentResults results =
+        run_experiment(configuration_from_json(document, "test.json", "."),
+                       {.control = {.threads = threads}, .cache = cache, .generated = at("generated")}, {});
     EXPECT_THAT(cache.warnings(), testing::IsEmpty());
     return results;
   }
 
-  /// Result files by name, without timings.
   [[nodiscard]] std::map<std::string, std::string> files_of(const ExperimentResults& results) const {
-    fs::remove_all(folder_.path() / "out");
-    test::publish(folder_.path() / "out", results);
-    std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / "out")) {
-      const std::string name = entry.path().lexically_relative(folder_.path() / "out").string();
-      if (!entry.is_regular_file() || name == "shape_seconds.csv" || name == "manifest.json") continue;
-      files[name] = text_of(entry.path());
-    }
-    return files;
+    fs::remove_all(at("out"));
+    test::publish(at("out"), results);
+    return test::results_in(at("out"));
   }
-
-  test::TemporaryFolder folder_;
 };
 
 const MethodResults& method_named(const ExperimentResults& results, const std::string& name) {

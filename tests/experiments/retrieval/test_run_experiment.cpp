@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <map>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
@@ -13,7 +13,6 @@
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
-#include "shapegauge/experiments/retrieval/write_results.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/page_text.h"
 #include "tests/support/small_dataset.h"
@@ -31,12 +30,11 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-class RunExperiment : public testing::Test {
+class RunExperiment : public test::FolderTest {
  protected:
   void SetUp() override { test::write_small_dataset(data()); }
 
-  [[nodiscard]] fs::path data() const { return folder_.path() / "data"; }
-  [[nodiscard]] fs::path folder(const std::string& name) const { return folder_.path() / name; }
+  [[nodiscard]] fs::path data() const { return at("data"); }
 
   [[nodiscard]] Configuration configuration(const Json& changes = Json::object()) const {
     Json document = test::small_configuration(data());
@@ -44,11 +42,8 @@ class RunExperiment : public testing::Test {
     return configuration_from_json(document, "test.json", folder_.path());
   }
   [[nodiscard]] ExperimentResults run(const Json& changes = Json::object(), int threads = 2) const {
-    return run_experiment(configuration(changes), folder("generated"), {.threads = threads});
+    return run_experiment(configuration(changes), at("generated"), {.threads = threads});
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(RunExperiment, ClassesThatLookDifferentAreRetrievedPerfectly) {
@@ -115,7 +110,7 @@ TEST_F(RunExperiment, TheRangeOfTheDataSetIsThatOfAllShapes) {
   Json document = test::small_configuration(data());
   document["signatures"][0]["histogram"]["range"]["fixed"] = {range.low, range.high};
   const ExperimentResults fixed =
-      run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"), {.threads = 1});
+      run_experiment(configuration_from_json(document, "test.json", "."), at("generated"), {.threads = 1});
   EXPECT_TRUE(fixed.methods[0].distances.isApprox(results.methods[2].distances, 0.02));
 }
 
@@ -128,17 +123,17 @@ TEST_F(RunExperiment, AFieldThatSeveralSignaturesUseIsComputedOnce) {
 }
 
 TEST_F(RunExperiment, TheSameBytesForAnyNumberOfThreads) {
-  for (const int threads : {1, 3}) test::publish(folder(std::to_string(threads)), run(Json::object(), threads));
+  for (const int threads : {1, 3}) test::publish(at(std::to_string(threads)), run(Json::object(), threads));
   for (const char* file : {"summary.csv", "summary.json", "summary.md", "summary.tex", "per_class.csv", "per_query.csv",
                            "pr_curves.csv", "report.html", "shapes.csv", "distances/fixed.npy",
                            "distances/per_shape.npy", "distances/data_set.npy", "distances/both.npy"}) {
-    const std::string bytes = text_of(folder("1") / file);
+    const std::string bytes = text_of(at("1") / file);
     EXPECT_FALSE(bytes.empty()) << file;
-    EXPECT_TRUE(bytes == text_of(folder("3") / file)) << file;
+    EXPECT_TRUE(bytes == text_of(at("3") / file)) << file;
   }
-  EXPECT_THAT(text_of(folder("1") / "summary.tex"), testing::Not(HasSubstr("average"))) << "both are equal in all rows";
-  Json one = Json::parse(text_of(folder("1") / "manifest.json"));
-  Json three = Json::parse(text_of(folder("3") / "manifest.json"));
+  EXPECT_THAT(text_of(at("1") / "summary.tex"), testing::Not(HasSubstr("average"))) << "both are equal in all rows";
+  Json one = Json::parse(text_of(at("1") / "manifest.json"));
+  Json three = Json::parse(text_of(at("3") / "manifest.json"));
   EXPECT_EQ(one["execution"]["threads"], 1);
   EXPECT_EQ(three["execution"]["threads"], 3);
   one.erase("execution");
@@ -151,10 +146,10 @@ TEST_F(RunExperiment, TheReportHasIntervalsDistancesAndSettings) {
   document["signatures"].push_back({{"name", "d2"}, {"descriptor", {{"type", "d2"}}}});
   document["signatures"].push_back({{"name", "Sum"}, {"sum", {{{"of", "d2"}, {"weight", 0.5}}, {{"of", "both"}}}}});
   document["perturbations"] = {{{"type", "motion"}}};
-  test::publish(folder("out"), run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"),
-                                              {.threads = 1}));
-  const Json report(test::data_in(text_of(folder("out") / "report.html")));
-  const Json row = Json::parse(text_of(folder("out") / "summary.json")).at("rows")[1];
+  test::publish(at("out"),
+                run_experiment(configuration_from_json(document, "test.json", "."), at("generated"), {.threads = 1}));
+  const Json report(test::data_in(text_of(at("out") / "report.html")));
+  const Json row = Json::parse(text_of(at("out") / "summary.json")).at("rows")[1];
   ASSERT_EQ(row["average"], "macro");
   const Json& evaluation = report["methods"][0]["evaluations"][0];
   for (std::size_t k = 0; k < evaluation["measures"].size(); ++k) {
@@ -186,12 +181,12 @@ TEST_F(RunExperiment, TiesAreCountedAndReported) {
   Json document = test::small_configuration(data());
   document["signatures"].push_back(one_bin);
   const ExperimentResults results =
-      run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"), {.threads = 1});
+      run_experiment(configuration_from_json(document, "test.json", "."), at("generated"), {.threads = 1});
   EXPECT_THAT(run_warnings(results),
               ElementsAre(AllOf(HasSubstr("\"one bin\": 9 of 9 queries"), HasSubstr("0.0 to 100.0 (psb)"),
                                 HasSubstr("33.3 to 100.0 (paper)"))));
-  test::publish(folder("out"), results);
-  const Json tied = Json::parse(text_of(folder("out") / "summary.json")).at("tied");
+  test::publish(at("out"), results);
+  const Json tied = Json::parse(text_of(at("out") / "summary.json")).at("tied");
   ASSERT_EQ(tied.size(), 10U) << "five methods under two protocols";
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(tied[i]["queries_with_ties"], 0) << tied[i];
   EXPECT_EQ(tied[8], (Json{{"method", "one bin"},
@@ -201,7 +196,7 @@ TEST_F(RunExperiment, TiesAreCountedAndReported) {
                            {"FT_pessimistic", 0.0},
                            {"FT_optimistic", 100.0}}));
   EXPECT_EQ(tied[9]["queries_with_ties"], 9);
-  EXPECT_THAT(text_of(folder("out") / "report.html"), HasSubstr("9 of 9 queries"));
+  EXPECT_THAT(text_of(at("out") / "report.html"), HasSubstr("9 of 9 queries"));
 }
 
 TEST_F(RunExperiment, ABadModelStopsTheRunAndIsNamed) {
@@ -226,8 +221,8 @@ TEST_F(RunExperiment, EveryKindOfBadModelIsSkippedIfAskedFor) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(results.failures[i].id, std::to_string(i + 1));
   EXPECT_THAT(results.failures[2].message, HasSubstr("area"));
   EXPECT_THAT(results.failures[4].message, HasSubstr("T5.off"));
-  test::publish(folder("out"), results);
-  EXPECT_EQ(Json::parse(text_of(folder("out") / "manifest.json"))["failed_models"].size(), 5U);
+  test::publish(at("out"), results);
+  EXPECT_EQ(Json::parse(text_of(at("out") / "manifest.json"))["failed_models"].size(), 5U);
 }
 
 TEST_F(RunExperiment, WhatIsPlainlyWrongStopsBeforeAnythingIsComputed) {
@@ -235,8 +230,7 @@ TEST_F(RunExperiment, WhatIsPlainlyWrongStopsBeforeAnythingIsComputed) {
   bool began = false;
   RunControl control;
   control.progress = [&](std::string_view, std::size_t, std::size_t) { began = true; };
-  const std::string message =
-      test::input_error_of([&] { run_experiment(configuration(), folder("generated"), control); });
+  const std::string message = test::input_error_of([&] { run_experiment(configuration(), at("generated"), control); });
   EXPECT_THAT(message, HasSubstr("model 8: "));
   EXPECT_FALSE(began);
 }
@@ -264,21 +258,20 @@ TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
   control.threads = 1;
   control.interrupted = [&] { return ++asked > 2; };
   control.progress = [&](std::string_view, std::size_t done, std::size_t) { most_done = std::max(most_done, done); };
-  EXPECT_THROW(run_experiment(configuration(), folder("generated"), control), Interrupted);
+  EXPECT_THROW(run_experiment(configuration(), at("generated"), control), Interrupted);
   EXPECT_LE(most_done, 2U);
 }
 
 TEST_F(RunExperiment, FilesOfAnEarlierRunAreClearedAwayWithItsManifestOnly) {
-  test::publish(folder("out"), run());
-  write_text(folder("out") / "distances/mine.npy", "x");
+  test::publish(at("out"), run());
+  write_text(at("out") / "distances/mine.npy", "x");
   Json document = test::small_configuration(data());
   document["signatures"].erase(1);
   document["signatures"][2]["concatenate"] = {"fixed"};
-  test::publish(folder("out"),
-                run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"), {}));
-  EXPECT_FALSE(fs::exists(folder("out") / "distances/per_shape.npy"));
-  EXPECT_TRUE(fs::exists(folder("out") / "distances/fixed.npy"));
-  EXPECT_TRUE(fs::exists(folder("out") / "distances/mine.npy"));
+  test::publish(at("out"), run_experiment(configuration_from_json(document, "test.json", "."), at("generated"), {}));
+  EXPECT_FALSE(fs::exists(at("out") / "distances/per_shape.npy"));
+  EXPECT_TRUE(fs::exists(at("out") / "distances/fixed.npy"));
+  EXPECT_TRUE(fs::exists(at("out") / "distances/mine.npy"));
 }
 
 TEST_F(RunExperiment, PerturbationsChangeEveryModelTheSameForAnyNumberOfThreads) {
@@ -306,7 +299,7 @@ TEST_F(RunExperiment, APerturbationThatFailsIsThatModelsFailure) {
 TEST_F(RunExperiment, NotesModelsThatAreNotPerturbedAsRequested) {
   const Json changes = Json::parse(R"({"perturbations": [
     {"type": "one_of", "assign": "in_turn", "choices": [[], [{"type": "decimate", "faces": 1}], []]}]})");
-  const auto notes_of = [&](const Json& with) { return test::publish(folder("notes"), run(with)).notes; };
+  const auto notes_of = [&](const Json& with) { return test::publish(at("notes"), run(with)).notes; };
   EXPECT_THAT(notes_of(changes), testing::ElementsAre(testing::MatchesRegex(
                                      "3 of 9 models were not perturbed as requested; the first, 1: decimated to "
                                      "[0-9]+ faces instead of 1: no valid collapse is left")));
@@ -316,8 +309,8 @@ TEST_F(RunExperiment, NotesModelsThatAreNotPerturbedAsRequested) {
 TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {
   const Json changes = Json::parse(R"({"perturbations": [
     {"type": "one_of", "assign": "in_turn", "choices": [[], [{"type": "remove_faces", "fraction": 0.1}]]}]})");
-  test::publish(folder("out"), run(changes));
-  const std::vector<CsvRow> rows = parse_csv(text_of(folder("out") / "shapes.csv"), "shapes.csv");
+  test::publish(at("out"), run(changes));
+  const std::vector<CsvRow> rows = parse_csv(text_of(at("out") / "shapes.csv"), "shapes.csv");
   ASSERT_EQ(rows.size(), 10U);
   const auto cell = [&](std::size_t row, const std::string& column) {
     const auto found = std::ranges::find(rows[0].cells, column);
@@ -332,12 +325,12 @@ TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {
         cell(i + 1, "cone_sdf at=faces engine=embree opening_angle_degrees=60.0 postprocess=false rays=25: total"),
         cell(i + 1, "triangles"));
   }
-  EXPECT_EQ(parse_csv(text_of(folder("out") / "shape_seconds.csv"), "shape_seconds.csv").size(), 10U);
+  EXPECT_EQ(parse_csv(text_of(at("out") / "shape_seconds.csv"), "shape_seconds.csv").size(), 10U);
 }
 
 TEST_F(RunExperiment, TheManifestSaysWhatWasRun) {
-  test::publish(folder("out"), run({{"seed", 5}}));
-  const Json manifest = Json::parse(text_of(folder("out") / "manifest.json"));
+  test::publish(at("out"), run({{"seed", 5}}));
+  const Json manifest = Json::parse(text_of(at("out") / "manifest.json"));
   for (const char* key : {"shapegauge", "commit", "compiler", "libraries", "configuration", "seed", "inputs"}) {
     EXPECT_TRUE(manifest.contains(key)) << key;
   }
@@ -346,7 +339,7 @@ TEST_F(RunExperiment, TheManifestSaysWhatWasRun) {
   EXPECT_EQ(manifest["configuration"]["signatures"][0]["field"]["rays"], 25);
   EXPECT_EQ(manifest["inputs"]["models"].size(), 9U);
   EXPECT_EQ(manifest["inputs"]["models"]["0"].get<std::string>().size(), 64U);
-  for (const auto& file : manifest["files"]) EXPECT_TRUE(fs::exists(folder("out") / file.get<std::string>())) << file;
+  for (const auto& file : manifest["files"]) EXPECT_TRUE(fs::exists(at("out") / file.get<std::string>())) << file;
 }
 
 }  // namespace

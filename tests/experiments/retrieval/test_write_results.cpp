@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/retrieval/write_results.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
 #include "tests/support/csv_records.h"
@@ -23,11 +21,11 @@ using testing::Pointwise;
 
 /// Results made by hand: models on a line at 0, 1, 2.5 (class a) and 4.2, 9 (class b), under "line" by their distances,
 /// of which NN is 1, 1, 1, 0, 1 and FT 1, 1, 1/2, 0, 1, and under "perfect/2", a descriptor, by their classes.
-class WriteResults : public testing::Test {
+class WriteResults : public test::FolderTest {
  protected:
   WriteResults() {
-    for (const std::string& name : names_) write_off(path("T" + name + ".off"), test::box({1, 1, 1}, 1));
-    test::write_text(path("test.cla"), "PSB 1\n2 5\na 0 3\n0\n1\n2\nb 0 2\n3\n4\n");
+    for (const std::string& name : names_) write_off(at("T" + name + ".off"), test::box({1, 1, 1}, 1));
+    test::write_text(at("test.cla"), "PSB 1\n2 5\na 0 3\n0\n1\n2\nb 0 2\n3\n4\n");
     results_.configuration =
         configuration_from_json({{"name", "by hand"},
                                  {"dataset", {{"layout", "shrec11"}, {"root", folder_.path().string()}}},
@@ -46,7 +44,7 @@ class WriteResults : public testing::Test {
       for (int j = 0; j < 5; ++j) perfect(i, j) = i == j ? 0 : labels_[i] == labels_[j] ? 1 + i + j : 100 + i + j;
     }
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      results_.models.push_back({.id = names_[i], .file = path("T" + names_[i] + ".off"), .label = labels_[i]});
+      results_.models.push_back({.id = names_[i], .file = at("T" + names_[i] + ".off"), .label = labels_[i]});
       ModelDescription& shape = results_.shapes.emplace_back();
       shape.area = 2.0 + static_cast<double>(i);
       shape.features = {{}, {.features = {}, .seconds = 0.25 * static_cast<double>(i)}};
@@ -64,11 +62,8 @@ class WriteResults : public testing::Test {
     method.distances = distances;
     method.evaluations = {evaluate(distances, labels_, options)};
   }
-  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] std::filesystem::path out(const std::string& name) const { return folder_.path() / "out" / name; }
-  void write() const { test::publish(folder_.path() / "out", results_); }
-
-  test::TemporaryFolder folder_;
+  void write() const { test::publish(at("out"), results_); }
   std::vector<std::string> names_{"0", "1", "2", "3", "4"};
   std::vector<int> labels_{0, 0, 0, 1, 1};
   DistanceMatrix line_;
@@ -141,7 +136,7 @@ TEST_F(WriteResults, DistancesThatAreNotKeptAreNoFiles) {
 }
 
 TEST_F(WriteResults, ShapesHaveTheirClassAreaAndSeconds) {
-  results_.failures.push_back({.id = "7", .message = "it is broken", .file = path("absent.off")});
+  results_.failures.push_back({.id = "7", .message = "it is broken", .file = at("absent.off")});
   write();
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const auto shape = test::csv_record(out("shapes.csv"), {{"id", names_[i]}});

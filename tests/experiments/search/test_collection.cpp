@@ -21,7 +21,7 @@ std::vector<std::string> ids_of(const Collection& collection) {
   return ids;
 }
 
-class CollectionOf : public testing::Test {
+class CollectionOf : public test::FolderTest {
  protected:
   CollectionOf() {
     for (const char* name : {"a10.off", "a9.OBJ", "deep/er/b.stl", ".hidden/c.off", "notes.txt", ".d.off"}) {
@@ -33,9 +33,6 @@ class CollectionOf : public testing::Test {
     test::write_text(at(name), text);
     return at(name);
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(CollectionOf, AFolderIsAllShapesInItAndBelow) {

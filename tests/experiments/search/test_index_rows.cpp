@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
-#include <string>
 #include <vector>
 
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/experiments/search/index_rows.h"
-#include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "tests/experiments/search/searched_folder.h"
 
 namespace shapegauge {

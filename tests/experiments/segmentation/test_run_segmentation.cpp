@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
@@ -17,7 +16,6 @@
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/configuration/json_document.h"
-#include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/replay.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"
@@ -27,7 +25,6 @@
 #include "shapegauge/segmentation/seg_file.h"
 #include "shapegauge/segmentation/segment_shape.h"
 #include "tests/experiments/segmentation/published_segmentation.h"
-#include "tests/support/run_alone.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
@@ -47,11 +44,10 @@ Shape two_balls(int subdivisions = 2) {
 
 SegmentationResults cut(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
                         const RunControl& control, Cache& cache) {
-  return test::run_alone(control, cache, generated,
-                         [&](const RunContext& context) { return run_segmentation(experiment, context); });
+  return run_segmentation(experiment, {.control = control, .cache = cache, .generated = generated});
 }
 
-class SegmentationRun : public testing::Test {
+class SegmentationRun : public test::FolderTest {
  protected:
   void SetUp() override {
     std::vector<std::int32_t> two(640, 0);
@@ -65,7 +61,7 @@ class SegmentationRun : public testing::Test {
     }
   }
 
-  [[nodiscard]] std::filesystem::path root() const { return folder_.path() / "psb"; }
+  [[nodiscard]] std::filesystem::path root() const { return at("psb"); }
 
   [[nodiscard]] SegmentationExperiment experiment() const {
     return segmentation_from_json(
@@ -74,13 +70,11 @@ class SegmentationRun : public testing::Test {
          {"segmentation", {{{"name", "best"}}, {{"name", "the paper"}, {"method", "paper"}}}}},
         "x.json", folder_.path());
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
   Cache cache;
-  const SegmentationResults results = cut(experiment(), folder_.path() / "none", {}, cache);
+  const SegmentationResults results = cut(experiment(), at("none"), {}, cache);
   EXPECT_THAT(results.scores.methods, testing::ElementsAre("best", "the paper", "people"));
   EXPECT_THAT(results.scores.classes, testing::ElementsAre("human", "cup"));
   // Of 640 triangles in two halves, pairs across are 320 * 320.
@@ -89,16 +83,16 @@ TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
   EXPECT_DOUBLE_EQ(results.scores.errors[0][2].rand_index, apart / 2);
   EXPECT_DOUBLE_EQ(results.scores.errors[2][2].rand_index, apart);
   EXPECT_DOUBLE_EQ(results.scores.mean(2, &SegmentationErrors::rand_index, 1), apart / 2);
-  EXPECT_THAT(test::publish(folder_.path() / "results", results).summary, HasSubstr("the paper"));
+  EXPECT_THAT(test::publish(at("results"), results).summary, HasSubstr("the paper"));
 }
 
 TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
   SegmentationExperiment same = experiment();
   same.methods.resize(1);
-  const std::filesystem::path place = folder_.path() / "cache";
+  const std::filesystem::path place = at("cache");
   const auto use_of = [&](const SegmentationExperiment& run) {
     Cache cache(place);
-    const auto results = cut(run, folder_.path() / "none", {.threads = 1}, cache);
+    const auto results = cut(run, at("none"), {.threads = 1}, cache);
     return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation));
   };
   EXPECT_EQ(use_of(same).computed, 1U);  // the three files have equal contents, described once
@@ -156,7 +150,7 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
          {{"name", "points"}, {"perturbations", {{{"type", "sample_points"}, {"points", 500}}}}}}}},
       "x.json", folder_.path());
   Cache cache;
-  const SegmentationResults results = cut(run, folder_.path() / "none", {}, cache);
+  const SegmentationResults results = cut(run, at("none"), {}, cache);
   const SegmentedShape& shape = results.shapes[0];
   for (const auto& labels : shape.labels) ASSERT_EQ(labels.size(), 640U);
   EXPECT_TRUE(std::isnan(shape.moved[0]));
@@ -170,7 +164,7 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
   EXPECT_EQ(table.rows[1][0], "turned");
 
   run.seed = 2;
-  EXPECT_NE(cut(run, folder_.path() / "none", {}, cache).shapes[0].labels[1], shape.labels[1]);
+  EXPECT_NE(cut(run, at("none"), {}, cache).shapes[0].labels[1], shape.labels[1]);
 }
 
 TEST_F(SegmentationRun, TakesDamagedShapesFromTheCacheWhereNothingOfTheDamageHasChanged) {
@@ -180,8 +174,8 @@ TEST_F(SegmentationRun, TakesDamagedShapesFromTheCacheWhereNothingOfTheDamageHas
        {"segmentation", {{{"name", "noise"}, {"perturbations", {{{"type", "vertex_noise"}, {"amplitude", 0.01}}}}}}}},
       "x.json", folder_.path());
   const auto computed = [&] {
-    Cache cache(folder_.path() / "cache");
-    const auto results = cut(run, folder_.path() / "none", {.threads = 1}, cache);
+    Cache cache(at("cache"));
+    const auto results = cut(run, at("none"), {.threads = 1}, cache);
     return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation)).computed;
   };
   EXPECT_EQ(computed(),
@@ -192,26 +186,26 @@ TEST_F(SegmentationRun, TakesDamagedShapesFromTheCacheWhereNothingOfTheDamageHas
 }
 
 TEST_F(SegmentationRun, OfShapesThatNobodyCutSaysHowAlikeTheirPartsAre) {
-  std::filesystem::create_directories(folder_.path() / "shapes/ball");
-  std::filesystem::create_directories(folder_.path() / "shapes/balls");
-  write_off(folder_.path() / "shapes/ball/a.off", test::sphere(1, 2));
-  write_off(folder_.path() / "shapes/ball/b.off", test::sphere(2, 3));
-  write_off(folder_.path() / "shapes/balls/c.off", two_balls());
+  std::filesystem::create_directories(at("shapes/ball"));
+  std::filesystem::create_directories(at("shapes/balls"));
+  write_off(at("shapes/ball/a.off"), test::sphere(1, 2));
+  write_off(at("shapes/ball/b.off"), test::sphere(2, 3));
+  write_off(at("shapes/balls/c.off"), two_balls());
   const SegmentationExperiment run = segmentation_from_json({{"name", "poses"},
                                                              {"dataset", {{"layout", "folders"}, {"root", "shapes"}}},
                                                              {"segmentation", {{{"name", "best"}}}}},
                                                             "x.json", folder_.path());
   Cache cache;
-  const SegmentationResults results = cut(run, folder_.path() / "none", {}, cache);
+  const SegmentationResults results = cut(run, at("none"), {}, cache);
   using Row = std::vector<std::string>;
   EXPECT_THAT(consistency_table(results).rows,
               testing::ElementsAre(Row{"best", "ball", "1.000", "1.000", "0.000", "0.500"},
                                    Row{"best", "balls", "2.000", "-", "-", "0.500"},
                                    Row{"best", "mean", "1.500", "1.000", "0.000", "0.500"}));
-  test::publish(folder_.path() / "results", results);
-  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "results/consistency.csv"));
-  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "results/errors.csv"));
-  const std::string page = bytes_of(folder_.path() / "results/report.html");
+  test::publish(at("results"), results);
+  EXPECT_TRUE(std::filesystem::exists(at("results/consistency.csv")));
+  EXPECT_FALSE(std::filesystem::exists(at("results/errors.csv")));
+  const std::string page = bytes_of(at("results/report.html"));
   EXPECT_THAT(page, HasSubstr("\"errors\":null")) << "there is nothing to compare with";
 }
 
@@ -226,7 +220,7 @@ TEST_F(SegmentationRun, HasARowForEachPolygonOfTheFile) {
     test::write_text(root() / "seg/22" / (std::string(person) + ".seg"), "0\n0\n0\n0\n0\n1\n");
   }
   Cache cache;
-  const SegmentationResults results = cut(experiment(), folder_.path() / "none", {}, cache);
+  const SegmentationResults results = cut(experiment(), at("none"), {}, cache);
   EXPECT_EQ(results.shapes[0].labels[0].size(), 640U);
   EXPECT_FALSE(results.shapes[0].has_polygons);
   EXPECT_EQ(results.shapes[2].labels[0].size(), 6U);
@@ -237,9 +231,9 @@ TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {
   write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(7, 0));
   Cache cache;
   SegmentationExperiment run = experiment();
-  EXPECT_THAT(test::input_error_of([&] { cut(run, folder_.path() / "none", {}, cache); }), HasSubstr("shape 21: "));
+  EXPECT_THAT(test::input_error_of([&] { cut(run, at("none"), {}, cache); }), HasSubstr("shape 21: "));
   run.on_error = OnError::skip;
-  const SegmentationResults results = cut(run, folder_.path() / "none", {}, cache);
+  const SegmentationResults results = cut(run, at("none"), {}, cache);
   ASSERT_EQ(results.failures.size(), 1U);
   EXPECT_EQ(results.failures[0].id, "21");
   EXPECT_THAT(results.scores.ids, testing::ElementsAre("1", "22"));
@@ -248,8 +242,8 @@ TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {
 TEST_F(SegmentationRun, SegmentsPreparedShapesAndCarriesThePartsBackToTheFile) {
   RandomNumbers random(1);
   const Shape noisy = vertex_noise(two_balls(3), {.amplitude = 0.008}, random);
-  std::filesystem::create_directories(folder_.path() / "shapes/ball");
-  write_off(folder_.path() / "shapes/ball/a.off", noisy);
+  std::filesystem::create_directories(at("shapes/ball"));
+  write_off(at("shapes/ball/a.off"), noisy);
   const nlohmann::json motion{{"type", "motion"}, {"scale", 3}};
   nlohmann::json document{{"name", "noisy"},
                           {"dataset", {{"layout", "folders"}, {"root", "shapes"}}},
@@ -259,10 +253,10 @@ TEST_F(SegmentationRun, SegmentsPreparedShapesAndCarriesThePartsBackToTheFile) {
   const auto labels_with = [&](const nlohmann::json& preparation, Cache& cache) {
     if (!preparation.is_null()) document["preparation"] = preparation;
     const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder_.path());
-    return cut(experiment, folder_.path() / "none", {}, cache).shapes.at(0).labels;
+    return cut(experiment, at("none"), {}, cache).shapes.at(0).labels;
   };
-  Cache cache(folder_.path() / "cache");
-  const Shape mesh = read_shape(folder_.path() / "shapes/ball/a.off");
+  Cache cache(at("cache"));
+  const Shape mesh = read_shape(at("shapes/ball/a.off"));
   const SegmentationOptions paper{.method = SegmentationAlgorithm::paper};
   const auto as_it_is = labels_with(nullptr, cache);
   EXPECT_EQ(as_it_is[0], segment_shape(mesh, paper));
@@ -281,9 +275,9 @@ TEST_F(SegmentationRun, NotesShapesThatAreNotPerturbedAsRequestedFromTheCacheToo
        {"segmentation", {{{"name", "coarse"}, {"perturbations", {{{"type", "decimate"}, {"faces", 1}}}}}}}},
       "x.json", folder_.path());
   for (const char* const again : {"computed", "cached"}) {
-    Cache cache(folder_.path() / "cache");
-    const SegmentationResults results = cut(run, folder_.path() / "none", {.threads = 1}, cache);
-    EXPECT_THAT(test::publish(folder_.path() / "results", results).notes,
+    Cache cache(at("cache"));
+    const SegmentationResults results = cut(run, at("none"), {.threads = 1}, cache);
+    EXPECT_THAT(test::publish(at("results"), results).notes,
                 testing::ElementsAre(testing::StartsWith(
                     "3 of 3 shapes were not perturbed as requested; the first, 1: coarse: decimated to ")))
         << again;
@@ -298,7 +292,7 @@ TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
   write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(7, 0));  // which fails
   const Experiment experiment = segmentation_kind().read(document, "x.json", folder_.path());
   Cache none;
-  (void)run_into_folder(experiment, folder_.path() / "results", false, {.threads = 1}, none);
+  (void)run_into_folder(experiment, at("results"), false, {.threads = 1}, none);
   nlohmann::json recorded = read_json(folder_.path() / "results" / manifest_name);
   EXPECT_EQ(recorded.at("inputs").at("models").size(), 9U);
   EXPECT_THAT(changed_inputs(recorded, experiment.inputs(1)), testing::IsEmpty());
@@ -317,25 +311,25 @@ TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
 }
 
 TEST_F(SegmentationRun, RecordsTheFileOfClasses) {
-  test::write_text(folder_.path() / "shapes/test.cla", "PSB 1\n1 1\n\nballs 0 1\n0\n");
-  write_off(folder_.path() / "shapes/T0.off", two_balls());
+  test::write_text(at("shapes/test.cla"), "PSB 1\n1 1\n\nballs 0 1\n0\n");
+  write_off(at("shapes/T0.off"), two_balls());
   const auto experiment_on = [&](const nlohmann::json& dataset) {
     return segmentation_kind().read({{"name", "x"}, {"dataset", dataset}, {"segmentation", {{{"name", "best"}}}}},
                                     "x.json", folder_.path());
   };
   const auto inputs = experiment_on({{"layout", "shrec11"}, {"root", "shapes"}}).inputs(1);
-  EXPECT_EQ(inputs.at("classification"), sha256_of_file(folder_.path() / "shapes/test.cla"));
+  EXPECT_EQ(inputs.at("classification"), sha256_of_file(at("shapes/test.cla")));
   EXPECT_EQ(inputs.at("models").size(), 1U);
   EXPECT_FALSE(experiment_on({{"generate", nlohmann::json::object()}}).inputs) << "known after the run only";
 
   RunControl control{.threads = 1};
   control.progress = [&](std::string_view, std::size_t, std::size_t) {
-    std::filesystem::remove(folder_.path() / "shapes/test.cla");
+    std::filesystem::remove(at("shapes/test.cla"));
   };
   Cache none;
-  (void)run_into_folder(experiment_on({{"layout", "shrec11"}, {"root", "shapes"}}), folder_.path() / "results", false,
-                        control, none);
-  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "shapes/test.cla"));
+  (void)run_into_folder(experiment_on({{"layout", "shrec11"}, {"root", "shapes"}}), at("results"), false, control,
+                        none);
+  EXPECT_FALSE(std::filesystem::exists(at("shapes/test.cla")));
   EXPECT_EQ(read_json(folder_.path() / "results" / manifest_name).at("inputs"), inputs) << "as read by the run";
 }
 

@@ -3,9 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
-#include "shapegauge/experiments/segmentation/write_segmentation.h"
 #include "tests/experiments/segmentation/published_segmentation.h"
 #include "tests/support/test_files.h"
 

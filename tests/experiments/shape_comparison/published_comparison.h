@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/formats.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
@@ -46,17 +46,6 @@ inline nlohmann::json three_spheres() {
 inline RunOutcome publish(const std::filesystem::path& destination, const ShapeComparisonResults& results) {
   return publish_results(destination, to_json(results.comparison),
                          [&](const RunResults& to) { return write_shape_comparison(to, results); });
-}
-
-/// Returns the published files by name, without run times; of the manifest only what is reproducible.
-inline std::map<std::string, std::string> reproducible_results(const std::filesystem::path& folder) {
-  nlohmann::json manifest = nlohmann::json::parse(text_of(folder / manifest_name));
-  manifest.erase("execution");
-  std::map<std::string, std::string> files{{"manifest", manifest.dump()}};
-  for (const std::string name : manifest.at("files")) {
-    if (!holds_timings(name)) files[name] = text_of(folder / name);
-  }
-  return files;
 }
 
 }  // namespace shapegauge::test

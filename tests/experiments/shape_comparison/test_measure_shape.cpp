@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
-#include <fmt/format.h>
-#include <functional>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "tests/experiments/shape_comparison/published_comparison.h"
-#include "tests/support/run_alone.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {
@@ -19,7 +16,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// A cache with the shapes of a comparison: a reference in a file of its own, a copy of another file, and a noisy one.
-class MeasureThroughCache : public testing::Test {
+class MeasureThroughCache : public test::FolderTest {
  protected:
   void SetUp() override {
     test::write_sphere(at("sphere.off"));
@@ -29,16 +26,13 @@ class MeasureThroughCache : public testing::Test {
     EXPECT_EQ(misses(), 0U);
   }
 
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
-
   /// Runs the comparison through the cache, and without one for the expected results; returns how many of the shapes
   /// were computed.
   std::size_t misses(int threads = 1) {
     const ShapeComparison comparison = comparison_from_json(document, "test.json", folder_.path());
     const RunControl control{.threads = threads};
     const auto run = [&](Cache& cache) {
-      return test::run_alone(control, cache, "",
-                             [&](const RunContext& context) { return run_shape_comparison(comparison, context); });
+      return run_shape_comparison(comparison, {.control = control, .cache = cache});
     };
     Cache none;
     test::publish(at("expected"), run(none));
@@ -46,7 +40,7 @@ class MeasureThroughCache : public testing::Test {
     const ShapeComparisonResults results = run(cache);
     warnings = cache.warnings();
     test::publish(at("results"), results);
-    EXPECT_EQ(test::reproducible_results(at("results")), test::reproducible_results(at("expected")));
+    EXPECT_EQ(test::results_in(at("results")), test::results_in(at("expected")));
     const CacheUse use = results.cache.uses.at(static_cast<std::size_t>(EntryKind::comparison));
     EXPECT_EQ(use.hits + use.computed, results.shapes.size());
     return use.computed;
@@ -54,9 +48,6 @@ class MeasureThroughCache : public testing::Test {
 
   Json document = test::three_spheres();
   std::vector<std::string> warnings;
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(MeasureThroughCache, APerturbedShapeDependsOnTheSeedAndOnItsNameAndPlace) {

@@ -6,9 +6,7 @@
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
-#include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
 #include "tests/experiments/shape_comparison/published_comparison.h"
-#include "tests/support/run_alone.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
@@ -23,32 +21,27 @@ using testing::HasSubstr;
 using Json = nlohmann::json;
 
 /// A sphere, a copy of its file under another name, and a noisy sphere.
-class RunComparison : public testing::Test {
+class RunComparison : public test::FolderTest {
  protected:
-  void SetUp() override { test::write_sphere(path("sphere.off")); }
-  [[nodiscard]] fs::path path(const std::string& name) const { return folder_.path() / name; }
+  void SetUp() override { test::write_sphere(at("sphere.off")); }
   [[nodiscard]] static Json document() { return test::three_spheres(); }
   [[nodiscard]] ShapeComparisonResults run(const Json& changed = document(), const RunControl& control = {}) const {
     Cache none;
     return run(changed, control, none);
   }
   [[nodiscard]] ShapeComparisonResults run(const Json& changed, const RunControl& control, Cache& cache) const {
-    return test::run_alone(control, cache, "", [&](const RunContext& context) {
-      return run_shape_comparison(comparison_from_json(changed, "test.json", folder_.path()), context);
-    });
+    return run_shape_comparison(comparison_from_json(changed, "test.json", folder_.path()),
+                                {.control = control, .cache = cache});
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(RunComparison, NotesShapesThatAreNotPerturbedAsRequested) {
   Json changed = document();
   changed["shapes"][2]["perturbations"] = {{{"type", "decimate"}, {"faces", 1}}};
-  EXPECT_THAT(test::publish(path("notes"), run(changed)).notes,
+  EXPECT_THAT(test::publish(at("notes"), run(changed)).notes,
               testing::ElementsAre(testing::StartsWith(
                   "1 of 3 shapes were not perturbed as requested; the first, again: decimated to ")));
-  EXPECT_THAT(test::publish(path("notes"), run()).notes, testing::IsEmpty());
+  EXPECT_THAT(test::publish(at("notes"), run()).notes, testing::IsEmpty());
 }
 
 TEST_F(RunComparison, AShapeIsNoDistanceFromItself) {
@@ -109,15 +102,15 @@ TEST_F(RunComparison, TheSameBytesForAnyNumberOfThreads) {
   for (const int threads : {1, 3}) {
     RunControl control;
     control.threads = threads;
-    test::publish(path(std::to_string(threads)), run(document(), control));
+    test::publish(at(std::to_string(threads)), run(document(), control));
   }
   for (const char* file :
        {"summary.md", "histograms.csv", "distances.csv", "errors.csv", "normals.csv", "shapes.csv"}) {
-    EXPECT_NE(text_of(path("1") / file), "") << file;
-    EXPECT_TRUE(text_of(path("1") / file) == text_of(path("3") / file)) << file;
+    EXPECT_NE(text_of(at("1") / file), "") << file;
+    EXPECT_TRUE(text_of(at("1") / file) == text_of(at("3") / file)) << file;
   }
-  Json one = Json::parse(text_of(path("1") / "manifest.json"));
-  Json three = Json::parse(text_of(path("3") / "manifest.json"));
+  Json one = Json::parse(text_of(at("1") / "manifest.json"));
+  Json three = Json::parse(text_of(at("3") / "manifest.json"));
   one.erase("execution");
   three.erase("execution");
   EXPECT_EQ(one, three);
@@ -131,15 +124,15 @@ TEST_F(RunComparison, ShapesOfOtherPosesAndShapesWithoutAReferenceHaveNoErrors) 
   EXPECT_EQ(run(poses).signatures[0].distances.size(), 3U);
   Json alone = document();
   alone.erase("reference");
-  test::publish(path("out"), run());
-  test::publish(path("out"), run(alone));
-  EXPECT_FALSE(fs::exists(path("out") / "errors.csv")) << "of the earlier run";
-  EXPECT_FALSE(fs::exists(path("out") / "distances.csv"));
-  EXPECT_TRUE(fs::exists(path("out") / "timings.csv"));
+  test::publish(at("out"), run());
+  test::publish(at("out"), run(alone));
+  EXPECT_FALSE(fs::exists(at("out") / "errors.csv")) << "of the earlier run";
+  EXPECT_FALSE(fs::exists(at("out") / "distances.csv"));
+  EXPECT_TRUE(fs::exists(at("out") / "timings.csv"));
 }
 
 TEST_F(RunComparison, ABadShapeStopsItOrIsLeftOut) {
-  write_text(path("flat.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  write_text(at("flat.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   Json changed = document();
   changed["shapes"][2]["file"] = "flat.off";
   changed["shapes"].push_back({{"name", "absent"}, {"file", "absent.off"}});
@@ -156,24 +149,24 @@ TEST_F(RunComparison, ABadShapeStopsItOrIsLeftOut) {
 }
 
 TEST_F(RunComparison, ASecondRunMeasuresNothing) {
-  Cache first(path("cache"));
-  test::publish(path("first"), run(document(), {.threads = 2}, first));
-  Cache second(path("cache"));
+  Cache first(at("cache"));
+  test::publish(at("first"), run(document(), {.threads = 2}, first));
+  Cache second(at("cache"));
   const ShapeComparisonResults results = run(document(), {.threads = 2}, second);
-  test::publish(path("second"), results);
+  test::publish(at("second"), results);
   const CacheUse use = results.cache.uses.at(static_cast<std::size_t>(EntryKind::comparison));
   EXPECT_EQ(use.hits, 3U);
   EXPECT_EQ(use.computed, 0U);
-  Json one = Json::parse(text_of(path("first") / "manifest.json"));
-  Json two = Json::parse(text_of(path("second") / "manifest.json"));
+  Json one = Json::parse(text_of(at("first") / "manifest.json"));
+  Json two = Json::parse(text_of(at("second") / "manifest.json"));
   EXPECT_EQ(two["execution"]["cache"], (Json{{"comparison", {{"from_cache", 3}, {"computed", 0}}}}));
   EXPECT_EQ(two["execution"]["field_seconds"], one["execution"]["field_seconds"]);
   one.erase("execution");
   two.erase("execution");
   EXPECT_EQ(one, two);
   for (const std::string file : one.at("files")) {  // timings.csv, too
-    EXPECT_NE(text_of(path("first") / file), "") << file;
-    EXPECT_TRUE(text_of(path("first") / file) == text_of(path("second") / file)) << file;
+    EXPECT_NE(text_of(at("first") / file), "") << file;
+    EXPECT_TRUE(text_of(at("first") / file) == text_of(at("second") / file)) << file;
   }
 }
 
@@ -186,16 +179,16 @@ TEST_F(RunComparison, AnInterruptedOneGoesOnFromTheCache) {
   control.progress = [&](std::string_view stage, std::size_t done, std::size_t) {
     interrupted = stage == "shapes" && done == 1;
   };
-  Cache first(path("cache"));
+  Cache first(at("cache"));
   EXPECT_THROW(static_cast<void>(run(longer, control, first)), Interrupted);
-  Cache second(path("cache"));
+  Cache second(at("cache"));
   const ShapeComparisonResults results = run(longer, {}, second);
   const CacheUse use = results.cache.uses.at(static_cast<std::size_t>(EntryKind::comparison));
   EXPECT_EQ(use.hits, 2U) << "the reference and the first of the others";
   EXPECT_EQ(use.computed, 2U);
-  test::publish(path("continued"), results);
-  test::publish(path("alone"), run(longer));
-  EXPECT_EQ(test::reproducible_results(path("continued")), test::reproducible_results(path("alone")));
+  test::publish(at("continued"), results);
+  test::publish(at("alone"), run(longer));
+  EXPECT_EQ(test::results_in(at("continued")), test::results_in(at("alone")));
 }
 
 TEST_F(RunComparison, AnInterruptionStopsIt) {
@@ -233,9 +226,8 @@ TEST(GeneratedComparison, RunsWithoutData) {
   document["shapes"].erase(document["shapes"].begin() + 2, document["shapes"].end());
   for (Json& shape : document["shapes"]) shape["generate"] = {{"class", "snake"}, {"faces", 1000}};
   Cache none;
-  const ShapeComparisonResults results = test::run_alone({}, none, "", [&](const RunContext& context) {
-    return run_shape_comparison(comparison_from_json(document, file.string(), ""), context);
-  });
+  const ShapeComparisonResults results =
+      run_shape_comparison(comparison_from_json(document, file.string(), ""), {.control = {}, .cache = none});
   EXPECT_EQ(results.shapes.size(), 2U);
   EXPECT_TRUE(results.failures.empty());
   EXPECT_EQ(results.signatures[0].distances[0], 0);

@@ -2,9 +2,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/core/io/off.h"
-#include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
+#include "shapegauge/core/io/formats.h"
 #include "tests/experiments/shape_comparison/published_comparison.h"
 #include "tests/support/csv_records.h"
 #include "tests/support/test_files.h"
@@ -17,10 +15,10 @@ namespace {
 using testing::ElementsAre;
 
 /// Results made by hand: a reference and another shape, a field with normals and errors, and one without.
-class WriteShapeComparison : public testing::Test {
+class WriteShapeComparison : public test::FolderTest {
  protected:
   WriteShapeComparison() {
-    for (const char* file : {"true.off", "other.off"}) write_off(folder_.path() / file, test::box({1, 1, 1}, 1));
+    for (const char* file : {"true.off", "other.off"}) write_off(at(file), test::box({1, 1, 1}, 1));
     results_.comparison = comparison_from_json(
         {{"name", "by hand"},
          {"shapes", {{{"name", "true"}, {"file", "true.off"}}, {{"name", "other"}, {"file", "other.off"}}}},
@@ -58,12 +56,10 @@ class WriteShapeComparison : public testing::Test {
                            {.field = 0, .histograms = second, .ranges = {{0, 1}, {0, 8}}, .distances = {0, 2.25}}};
   }
   [[nodiscard]] std::filesystem::path out(const std::string& name) const { return folder_.path() / "out" / name; }
-  void write() const { test::publish(folder_.path() / "out", results_); }
+  void write() const { test::publish(at("out"), results_); }
   [[nodiscard]] auto row(const char* file, const char* signature, const char* shape) const {
     return test::csv_record(out(file), {{"signature", signature}, {"shape", shape}});
   }
-
-  test::TemporaryFolder folder_;
   ShapeComparisonResults results_;
 };
 

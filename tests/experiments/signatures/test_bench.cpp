@@ -6,7 +6,6 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "tests/experiments/retrieval/published_retrieval.h"
-#include "tests/support/run_alone.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
@@ -36,13 +35,12 @@ Uses uses_of(const ExperimentResults& results) {
 
 /// Runs over the small data set with two more fields: one of the offset surface that chooses its offset, at places of
 /// the surface, and a conventional one at vertices. In all: 9 shapes, 3 fields each, 6 distance matrices.
-class DescribeThroughCache : public testing::Test {
+class DescribeThroughCache : public test::FolderTest {
  protected:
   void SetUp() override { test::write_small_dataset(data()); }
 
-  [[nodiscard]] fs::path data() const { return folder_.path() / "data"; }
-  [[nodiscard]] fs::path folder(const std::string& name) const { return folder_.path() / name; }
-  [[nodiscard]] fs::path cache() const { return folder("cache"); }
+  [[nodiscard]] fs::path data() const { return at("data"); }
+  [[nodiscard]] fs::path cache() const { return at("cache"); }
 
   [[nodiscard]] Json document() const {
     Json document = test::small_configuration(data());
@@ -55,9 +53,8 @@ class DescribeThroughCache : public testing::Test {
     return document;
   }
   ExperimentResults run(const Json& document, Cache& cache, int threads = 2) const {
-    return test::run_alone({.threads = threads}, cache, folder("generated"), [&](const RunContext& context) {
-      return run_experiment(configuration_from_json(document, "test.json", "."), context, {});
-    });
+    return run_experiment(configuration_from_json(document, "test.json", "."),
+                          {.control = {.threads = threads}, .cache = cache, .generated = at("generated")}, {});
   }
   ExperimentResults run(const Json& document, int threads = 2) const {
     Cache used(cache());
@@ -66,28 +63,17 @@ class DescribeThroughCache : public testing::Test {
     return results;
   }
 
-  /// Result files by name, without timings; those of the manifest are removed.
   [[nodiscard]] std::map<std::string, std::string> files_of(const ExperimentResults& results) const {
-    fs::remove_all(folder("out"));
-    test::publish(folder("out"), results);
-    std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder("out"))) {
-      const std::string name = entry.path().lexically_relative(folder("out")).string();
-      if (entry.is_regular_file() && name != "shape_seconds.csv") files[name] = text_of(entry.path());
-    }
-    Json manifest = Json::parse(files.at("manifest.json"));
-    manifest.erase("execution");
-    files["manifest.json"] = manifest.dump();
-    return files;
+    fs::remove_all(at("out"));
+    test::publish(at("out"), results);
+    return test::results_in(at("out"));
   }
+
   /// Results of a run without cache.
   [[nodiscard]] std::map<std::string, std::string> fresh_files(const Json& document) const {
     Cache none;
     return files_of(run(document, none));
   }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 const Uses all_computed{{"shape", {0, 9}}, {"field", {0, 27}}, {"distances", {0, 6}}};

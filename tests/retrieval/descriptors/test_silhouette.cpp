@@ -3,7 +3,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <stdexcept>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "shapegauge/retrieval/descriptors/surface_moments.h"

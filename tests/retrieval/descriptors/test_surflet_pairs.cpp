@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <numbers>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/fields/proxy_source.h"
