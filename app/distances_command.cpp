@@ -63,7 +63,9 @@ void add_distances_command(CLI::App& app, int& status) {
   command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)")->required();
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Method");
-  command->add_option("--distance", arguments->distance, "Distance, or descriptor that defines it")
+  command
+      ->add_option("--distance", arguments->distance,
+                   "Read features, one row per model, and compare them by this distance or by that of a descriptor")
       ->check(one_of(feature_distance_names()))
       ->required();
   add_threads_option(*command, arguments->threads);

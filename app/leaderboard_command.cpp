@@ -208,7 +208,7 @@ void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments)
                      "Measure that determines the ranks (default: mAP, or the first measure)");
   command.add_flag("--hide-classes", arguments.hide_classes,
                    "Omit classes, scores per class and pages of methods, for a challenge that is still running");
-  add_score_format_options(command, arguments.printed, "Format of the printed table");
+  add_score_format_options(command, arguments.printed, "Format of the printed result");
   add_cache_option(command, arguments.cache);
   add_replace_option(command, arguments.replace);
 }

@@ -243,7 +243,7 @@ void add_search_command(CLI::App& app, int& status) {
       ->check(within<std::size_t>(parameter_named("count", search_table).bounds))
       ->capture_default_str();
   command->add_flag("--rerank", arguments->rerank, "Re-rank by diffusion over the collection");
-  add_format_option(*command, arguments->format, "Format of the results");
+  add_format_option(*command, arguments->format, "Format of the printed result");
   command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures and 3D views of the results");
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Index and method");
