@@ -15,7 +15,7 @@ using test_command_line::run_executable;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
+TEST(CacheCommand, PrintsTheFolderAndContents) {
   const test::TemporaryFolder folder;
   const std::string cache = (folder.path() / "cache").string();
   Cache(cache).put(EntryKind::field, std::string(64, '1'), std::string(1'500'000, 'x'));
@@ -27,7 +27,7 @@ TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
   EXPECT_THAT(outcome.output, ContainsRegex("\nall +1 +1\\.5 MB\n"));
 }
 
-TEST(CacheCommand, ClearsItAndAnEmptyOneToo) {
+TEST(CacheCommand, ClearsFullAndEmptyCaches) {
   const test::TemporaryFolder folder;
   const std::string cache = (folder.path() / "cache").string();
   Cache(cache).put(EntryKind::field, std::string(64, '1'), 1);
@@ -39,7 +39,7 @@ TEST(CacheCommand, ClearsItAndAnEmptyOneToo) {
   EXPECT_THAT(again.output, HasSubstr("0 entries"));
 }
 
-TEST(CacheCommand, UnusableArgumentsAreOneClearLine) {
+TEST(CacheCommand, RejectsInvalidArgumentsWithOneLine) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / "file", "x");
   expect_error_lines({{"cache", "subcommand is required"},

@@ -70,7 +70,7 @@ TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {
         "--distance"}});
 }
 
-TEST_F(DescribeCommand, WritesARowAShape) {
+TEST_F(DescribeCommand, WritesOneRowPerShape) {
   const std::string output = at("x.npy").string();
   const Outcome outcome = describe(fmt::format("--descriptor d2 --set bins=8 --set points=64 -o '{}'", output));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
@@ -91,7 +91,7 @@ TEST_F(DescribeCommand, LearnsFromAllShapesAndNamesThemInCsv) {
   for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(table.numbers.row(i).sum(), 1, 1e-5);
 }
 
-TEST_F(DescribeCommand, IdsTellFilesOfOneNameApart) {
+TEST_F(DescribeCommand, GivesFilesOfEqualNamesDifferentIds) {
   std::filesystem::create_directory(at("a"));
   std::filesystem::create_directory(at("b"));
   write_off(at("a/x.off"), test::small_shape("box", 0));
@@ -109,7 +109,7 @@ TEST_F(DescribeCommand, IdsTellFilesOfOneNameApart) {
   expect_error_lines({{fmt::format("describe {} {} --descriptor d2 -o x.csv", a, a), "twice"}});
 }
 
-TEST_F(DescribeCommand, AShapeThatFailsHasNoRow) {
+TEST_F(DescribeCommand, OmitsTheRowsOfFailedShapes) {
   test::write_text(at("box.off"), "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
   const std::string output = at("x.npy").string();
   const Outcome outcome = describe(fmt::format("--descriptor shape_dna -o '{}'", output));
@@ -118,7 +118,7 @@ TEST_F(DescribeCommand, AShapeThatFailsHasNoRow) {
   EXPECT_EQ(read_matrix(output, TableShape::any).numbers.rows(), 2);
 }
 
-TEST_F(DescribeCommand, TellsWhatIsWrongInALine) {
+TEST_F(DescribeCommand, RejectsInvalidInputWithOneLine) {
   const std::string output = fmt::format("-o '{}'", at("x.npy").string());
   expect_error_lines({{fmt::format("describe {} {}", shapes(), output), "--descriptor"},
                       {fmt::format("describe {} {} --descriptor d3", shapes(), output), "d3"},
@@ -158,7 +158,7 @@ DistanceMatrix line() {
   return distances;
 }
 
-TEST_F(DescribeCommand, AnInterruptionSaysThatNothingIsWritten) {
+TEST_F(DescribeCommand, ReportsThatAnInterruptionWritesNothing) {
   write_off(at("ball.off"), test::sphere(1, 5));
   std::vector<std::string> call{"describe"};
   for (int i = 0; i < 200; ++i) {  // enough for many seconds
@@ -175,7 +175,7 @@ TEST_F(DescribeCommand, AnInterruptionSaysThatNothingIsWritten) {
   EXPECT_EQ(test::text_of(at("errors")), "shapegauge: error: interrupted; no results were written\n");
 }
 
-TEST(RerankCommand, GivesWhatTheLibraryGives) {
+TEST(RerankCommand, MatchesTheLibrary) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
   write_npy(at("d.npy"), line());
@@ -204,7 +204,7 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-TEST(RerankCommand, TheSparseResultTakesItsPlaceWhenItIsComplete) {
+TEST(RerankCommand, SparseResultsLeaveOtherFilesUnchanged) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
   write_npy(at("d.npy"), line());
@@ -232,7 +232,7 @@ TEST(RerankCommand, AnInterruptionLeavesNoFile) {
   EXPECT_EQ(test::text_of(messages.path() / "errors"), "shapegauge: error: interrupted; no results were written\n");
 }
 
-TEST(RerankCommand, IdsOfACsvStay) {
+TEST(RerankCommand, KeepsTheIdsOfCsvFiles) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
   test::write_text(at("d.csv"), "id,x,y,z\nx,0,1,3\ny,1,0,2\nz,3,2,0\n");
@@ -244,7 +244,7 @@ TEST(RerankCommand, IdsOfACsvStay) {
   EXPECT_EQ(found.numbers, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
 }
 
-TEST(RerankCommand, InfiniteDistancesStayUsable) {
+TEST(RerankCommand, AcceptsInfiniteDistances) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
   DistanceMatrix distances = line();
@@ -267,7 +267,7 @@ TEST(RerankCommand, InfiniteDistancesStayUsable) {
   }
 }
 
-TEST(RerankCommand, RemarksOnAnAsymmetricMatrixInOneLine) {
+TEST(RerankCommand, WarnsOfAsymmetricMatrices) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
   DistanceMatrix distances = line();
@@ -280,7 +280,7 @@ TEST(RerankCommand, RemarksOnAnAsymmetricMatrixInOneLine) {
                                                     "2;[^\n]*\n"));
 }
 
-TEST(RerankCommand, TellsWhatIsWrongInALine) {
+TEST(RerankCommand, RejectsInvalidInputWithOneLine) {
   const test::TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
   write_npy(at("d.npy"), line());

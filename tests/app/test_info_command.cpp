@@ -15,7 +15,7 @@ using test_command_line::Outcome;
 using test_command_line::run_executable;
 using testing::HasSubstr;
 
-TEST(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
+TEST(InfoCommand, PrintsTextAndJson) {
   const test::TemporaryFolder folder;
   const std::string file = (folder.path() / "box.off").string();
   Shape box = test::box({1, 1, 1}, 1);
@@ -34,7 +34,7 @@ TEST(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
   EXPECT_DOUBLE_EQ(found["boundary_fraction"], (2 + std::sqrt(2)) / std::sqrt(3));
 }
 
-TEST(InfoCommand, NumbersAreShortAndHaveNoExponent) {
+TEST(InfoCommand, PrintsShortNumbersWithoutExponents) {
   const test::TemporaryFolder folder;
   const std::string file = (folder.path() / "box.off").string();
   Shape box = test::box({1, 1, 1}, 1);
@@ -43,7 +43,7 @@ TEST(InfoCommand, NumbersAreShortAndHaveNoExponent) {
   EXPECT_THAT(run_executable("info '" + file + "'").output, HasSubstr("area                    9143940\n"));
 }
 
-TEST(InfoCommand, AVolumeThatIsTooLargeIsSaidToBe) {
+TEST(InfoCommand, ReportsAVolumeThatOverflows) {
   const test::TemporaryFolder folder;
   const std::string file = (folder.path() / "huge.off").string();
   Shape box = test::box({1, 1, 1}, 1);

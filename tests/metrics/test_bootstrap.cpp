@@ -34,7 +34,7 @@ TEST(UnitValues, ContributionsHaveTheAverageAsTheirMean) {
   EXPECT_DOUBLE_EQ(contributions(units.values.col(0), units.weights).mean(), 4);
 }
 
-TEST(UnitValues, HaveTheirNamesBothWays) {
+TEST(UnitValues, ConvertToAndFromNames) {
   for (const std::string& name : list_of_words<ResamplingUnit>())
     EXPECT_EQ(name_of(value_of_word<ResamplingUnit>(name).value()), name);
   for (const std::string& name : list_of_words<Average>())
@@ -43,7 +43,7 @@ TEST(UnitValues, HaveTheirNamesBothWays) {
   EXPECT_FALSE(value_of_word<Average>("mean"));
 }
 
-TEST(UnitValues, RefuseWhatDoesNotFit) {
+TEST(UnitValues, RejectInputsOfDifferentSizes) {
   EXPECT_THROW(units_of(values, std::vector<int>{1}, ResamplingUnit::classes, Average::micro), ArgumentError);
   EXPECT_THROW(units_of(Eigen::MatrixXd(0, 1), {}, ResamplingUnit::classes, Average::micro), ArgumentError);
 }

@@ -204,7 +204,7 @@ RC_GTEST_PROP(Evaluation, OnlyTheOrderOfDistancesMatters, ()) {
   RC_ASSERT(same_results(scores_of(data), scores_of(transformed)));
 }
 
-RC_GTEST_PROP(Evaluation, TheDiagonalPlaysNoPart, ()) {
+RC_GTEST_PROP(Evaluation, IgnoresTheDiagonal, ()) {
   const EvaluationCase data = *cases_with_ties();
   EvaluationCase changed = data;
   changed.distances.diagonal().setConstant(std::numeric_limits<double>::infinity());
@@ -266,7 +266,7 @@ TEST(Evaluation, NanNamesItsRowAndColumn) {
   EXPECT_THAT(error_of(distances, {0, 0, 1, 1}, {}), HasSubstr("row 2, column 1"));
 }
 
-TEST(Evaluation, RefusesWhatDoesNotFit) {
+TEST(Evaluation, RejectsInputsOfDifferentSizes) {
   EXPECT_THAT(error_of(naive::Matrix::Ones(2, 3), {0, 0}, {}), HasSubstr("square, not 2 x 3"));
   EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 0}, {}), HasSubstr("3 models, but 2"));
   EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 1, 2}, {}), HasSubstr("no class has 2"));

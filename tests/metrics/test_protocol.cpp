@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(Protocol, HasItsNamesBothWays) {
+TEST(Protocol, ConvertsToAndFromNames) {
   EXPECT_THAT(list_of_words<Protocol>(), testing::ElementsAre("psb", "paper", "trec"));
   for (const std::string& name : list_of_words<Protocol>()) {
     const auto protocol = value_of_word<Protocol>(name);
@@ -58,7 +58,7 @@ std::vector<Eigen::RowVectorXd> all_orders(const EvaluationCase& data, Eigen::In
   return values;
 }
 
-TEST(Ties, HaveTheirNamesBothWays) {
+TEST(Ties, ConvertToAndFromNames) {
   EXPECT_THAT(list_of_words<Ties>(), testing::ElementsAre("index", "optimistic", "pessimistic", "expected"));
   for (const std::string& name : list_of_words<Ties>()) EXPECT_EQ(name_of(value_of_word<Ties>(name).value()), name);
   EXPECT_FALSE(value_of_word<Ties>("random"));

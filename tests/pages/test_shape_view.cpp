@@ -208,7 +208,7 @@ TEST(ShapeViewPicture, IsSquareAndSeeThroughAroundTheShape) {
   EXPECT_GT(dark, 10);
 }
 
-TEST(ViewPage, NoNameCanBreakIt) {
+TEST(ViewPage, EscapesNames) {
   const std::string html = view_page(test_view::page());
   EXPECT_EQ(test::occurrences(html, "</script>"), 3U) << "the libraries, the data, the scripts";
   EXPECT_THAT(html, HasSubstr("<title>Balls &amp; &lt;clouds&gt; "));
@@ -218,7 +218,7 @@ TEST(ViewPage, NoNameCanBreakIt) {
   EXPECT_EQ(data["missing"][0], "broken<i>.off");
 }
 
-TEST(ViewPage, AsksForNothingButItselfAndLeavesNoMarkOpen) {
+TEST(ViewPage, LoadsNoResourcesAndFillsEveryPlaceholder) {
   const std::string html = view_page(test_view::page());
   for (const char* word : {" src=\"http", " href=\"http", "@import", "{{title}}", "{{style}}", "{{main}}",
                            "{{libraries}}", "{{data}}", "{{script}}"}) {

@@ -97,7 +97,7 @@ DistanceMatrix averaged_reference(const DistanceMatrix& distances, const std::ve
   return with_original(similarities, distances, std::ranges::max(counts), tie);
 }
 
-TEST(Diffusion, IsWhatTheDefinitionSays) {
+TEST(Diffusion, MatchesTheDefinition) {
   const DistanceMatrix distances = distances_of(arcs(15, 3, 1));
   const DistanceMatrix expected = diffusion_reference(distances, 6, 0.9, 0.01);
   const DistanceMatrix found = diffused(distances, {.neighbours = 6, .damping = 0.9, .tie = 0.01});
@@ -118,7 +118,7 @@ TEST(Diffusion, InvertsToTheBitAsEigen) {
   }
 }
 
-TEST(Diffusion, OfInfiniteDistancesIsWhatTheDefinitionSays) {
+TEST(Diffusion, MatchesTheDefinitionWithInfiniteDistances) {
   const DistanceMatrix distances = with_gaps(distances_of(arcs(20, 3, 1)));
   const DistanceMatrix expected = diffusion_reference(distances, 6, 0.9, 0.01);
   const DiffusionOptions options{.neighbours = 6, .damping = 0.9, .tie = 0.01};
@@ -155,7 +155,7 @@ TEST(Diffusion, TiesKeepTheOriginalOrder) {
   }
 }
 
-TEST(AveragedDiffusion, IsWhatTheDefinitionSays) {
+TEST(AveragedDiffusion, MatchesTheDefinition) {
   const DistanceMatrix plain = distances_of(arcs(20, 3, 1));
   for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
     const DistanceMatrix expected = averaged_reference(distances, {4, 6, 11}, 0.9, 0.01);

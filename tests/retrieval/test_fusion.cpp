@@ -67,7 +67,7 @@ TEST(SumOfDistances, DoesNotDependOnTheScaleOfAMatrix) {
   EXPECT_EQ(sum_of_distances(plain, equal), sum_of_distances(scaled, equal));
 }
 
-TEST(FusionOfRanks, ReciprocalRanksAsTheDefinitionSays) {
+TEST(FusionOfRanks, ReciprocalRanksMatchTheDefinition) {
   const DistanceMatrix a = line_distances({0, 1, 3});
   const std::vector one = {a};
   const std::vector<double> weight = {1};
@@ -129,7 +129,7 @@ TEST(SumOfDistances, InfiniteStaysInfiniteAndScalesAreOfTheOthers) {
   }
 }
 
-TEST(SumOfDistances, HugeDistancesAreLikeOthers) {
+TEST(SumOfDistances, HandlesHugeDistances) {
   const DistanceMatrix a = random_distances(20, 1);
   const DistanceMatrix b = random_distances(20, 2);
   const std::vector plain = {a, b};
@@ -175,7 +175,7 @@ DistanceMatrix local_reference(const std::vector<DistanceMatrix>& matrices, cons
 
 const std::vector<double> unequal = {1, 0.25};
 
-TEST(LocalScale, IsWhatTheDefinitionSays) {
+TEST(LocalScale, MatchesTheDefinition) {
   const std::vector plain = {random_distances(40, 1), test::distances_of(test::arcs(20, 2, 2))};
   std::vector gaps = plain;
   gaps[1] = test::with_gaps(gaps[1]);
@@ -254,7 +254,7 @@ double common(const std::set<Eigen::Index>& a, const std::set<Eigen::Index>& b) 
   return static_cast<double>(std::ranges::count_if(a, [&](Eigen::Index model) { return b.contains(model); }));
 }
 
-TEST(SumWeights, AreWhatTheDefinitionSays) {
+TEST(SumWeights, MatchTheDefinition) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(1, 2), random_distances(30, 3)};
   const std::vector<double> given = {1, 0.5, 2};
   const std::vector<double> found = sum_weights(matrices, given, SumWeights::agreement);

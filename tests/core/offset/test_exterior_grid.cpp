@@ -36,7 +36,7 @@ struct Flooded {
   ExteriorGrid exterior;
 };
 
-TEST(ExteriorGrid, OfASphereIsBeyondTheOffset) {
+TEST(ExteriorGrid, OfASphereStartsBeyondTheOffset) {
   const double r = 0.2;
   const Flooded flooded(test::sphere(1, 4), r, 0.05);
   const std::vector<bool> cells = exterior_cells(flooded.exterior);

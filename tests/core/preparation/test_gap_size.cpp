@@ -52,7 +52,7 @@ TEST(GapSize, IsTheRadiusOfTheLargestCircleInAHole) {
   }
 }
 
-TEST(GapSize, TellsTheWidestFromTheWidestThatAnOffsetCloses) {
+TEST(GapSize, SeparatesTheWidestGapFromTheWidestClosableOne) {
   const Shape cube = cube_with_holes(1 / 8.0, 1 / 2.0);
   const GapSizes sizes = gap_sizes(cube);
   EXPECT_NEAR(sizes.widest, 1 / 2.0, half_cell(cube));
@@ -152,7 +152,7 @@ TEST(GapSize, OfFewPointsReachesTheLast) {
   EXPECT_EQ(gap_sizes({points.topRows(1), {}}).closable, 0);
 }
 
-TEST(GapSize, GoesWithTheShapeAndNotWithItsOrder) {
+TEST(GapSize, ScalesWithTheShapeAndIgnoresOrder) {
   const Shape cube = cube_with_holes(1 / 8.0, 0);
   const double gap = gap_sizes(cube).widest;
   EXPECT_EQ(gap_sizes(test::flipped(cube)).widest, gap);

@@ -102,7 +102,7 @@ TEST_F(ModelLabelsTest, DistinguishFilesOfOneNameByTheirExtensions) {
   EXPECT_EQ(both.subclasses.at("m1"), "z");
 }
 
-TEST_F(ModelLabelsTest, FaultsHaveTheirLine) {
+TEST_F(ModelLabelsTest, ErrorsNameTheLine) {
   test::expect_refused({{"id,kind\n1,a\n", "id and class"},
                         {"id,class\n1,a\nT1.off,b\n", "labels.csv:3: repeated model \"T1.off\""},
                         {"id,class\nm0.off,a\nm0.obj,b\nm0.off,b\n", "labels.csv:4: repeated model"},

@@ -148,7 +148,7 @@ TEST(Derived, ReadBackAsTheSame) {
   }
 }
 
-TEST(Derived, MistakesGiveThePlace) {
+TEST(Derived, ErrorsNameTheLocation) {
   const Json one_term{{{"of", "a"}}};
   const std::vector<std::pair<Json, const char*>> mistakes = {
       {{{"sum", {{{"of", "a"}}, {{"of", "bb"}}}}}, "signatures.2.sum.1.of: there is no signature \"bb\""},

@@ -48,13 +48,13 @@ TEST(MakeDescriptor, FieldsAndAxesAreFilledIn) {
   EXPECT_EQ(to_json(make_descriptor(to_json(choice))), to_json(choice));
 }
 
-TEST(DescriptorConfiguration, ReadsBackAsTheSame) {
+TEST(DescriptorConfiguration, SurvivesARoundTrip) {
   const Json filled = to_json(configuration_of_descriptor(joint_settings()));
   EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", ".")), filled);
   EXPECT_EQ(filled["signatures"][0]["descriptor"]["axes"].size(), 2U);
 }
 
-TEST(DescriptorConfiguration, MistakesGiveThePlace) {
+TEST(DescriptorConfiguration, ErrorsNameTheLocation) {
   EXPECT_THAT(descriptor_error_with({{"type", "d3"}}), HasSubstr("signatures.0.descriptor.type"));
   EXPECT_THAT(descriptor_error_with({{"type", "d2"}, {"bin", 3}}), HasSubstr("did you mean \"bins\"?"));
   EXPECT_THAT(descriptor_error_with({{"type", "d2"}, {"bins", 0}}), HasSubstr("signatures.0.descriptor.bins"));

@@ -115,7 +115,7 @@ TEST(Configuration, FillsInDefaults) {
   EXPECT_EQ(configuration.location->classification, "/configs/data/test.cla");
 }
 
-TEST(Configuration, AsJsonItReadsBackAsTheSame) {
+TEST(Configuration, SurvivesARoundTripThroughJson) {
   Json full = experiment_document();
   full["protocol"] = {"paper", "psb"};
   full["on_error"] = "skip";
@@ -153,7 +153,7 @@ TEST(Configuration, PartsAreComputedFirst) {
   EXPECT_EQ(computation_order(configuration.signatures), (std::vector<std::size_t>{0, 1, 3, 2}));
 }
 
-TEST(Configuration, MistakesGiveThePlace) {
+TEST(Configuration, ErrorsNameTheLocation) {
   unsetenv("SHAPEGAUGE_TEST_UNSET");
   const auto json = [](const char* text) { return Json::parse(text); };
   const std::vector<std::tuple<const char*, Json, const char*>> mistakes = {

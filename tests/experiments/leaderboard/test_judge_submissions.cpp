@@ -313,7 +313,7 @@ TEST(JudgeSubmissions, EqualScoresHaveOneRank) {
   }
 }
 
-TEST(JudgeSubmissions, TheCacheChangesNothing) {
+TEST(JudgeSubmissions, ResultsDoNotDependOnTheCache) {
   const SmallBoard small;
   const test::TemporaryFolder folder;
   Cache first(folder.path() / "cache");

@@ -130,7 +130,7 @@ TEST_F(DescriptorRuns, ClassesPlayNoPartInDistances) {
   }
 }
 
-TEST_F(DescriptorRuns, TheCacheChangesNoByte) {
+TEST_F(DescriptorRuns, ResultsDoNotDependOnTheCache) {
   const auto fresh = files_of(run(document(), false, 1));
   EXPECT_TRUE(fresh.contains("features/joint.npy"));
   EXPECT_FALSE(fresh.contains("features/sum.npy"));

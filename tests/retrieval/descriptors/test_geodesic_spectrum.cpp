@@ -70,7 +70,7 @@ TEST(GeodesicSpectrum, IsTheSameWithASharedProxy) {
             one.describe({.shape = shape, .fields = {}}, {}, settings));
 }
 
-TEST(GeodesicSpectrum, RefusesWhatHasNoArea) { EXPECT_THROW(spectrum_of(Shape{}), InputError); }
+TEST(GeodesicSpectrum, RejectsShapesWithoutArea) { EXPECT_THROW(spectrum_of(Shape{}), InputError); }
 
 TEST(ShapeDna, OnTheProxyIsAboutThatOnTheMesh) {
   const Shape shape = test::torus(1, 0.4, 40, 100);
