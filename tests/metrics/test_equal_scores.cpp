@@ -70,7 +70,7 @@ TEST(EqualScores, TieInFriedmansTestAndInCountsOfWins) {
   EXPECT_NEAR(comparison.friedman.chi_squared, 4 * 0.375 / (1 - 24.0 / 96), 1e-12);
 }
 
-TEST(EqualScores, DifferInNoComparison) {
+TEST(EqualScores, AreTiedInComparisons) {
   Eigen::MatrixXd scores(query_count, 2);
   for (Eigen::Index query = 0; query < query_count; ++query) scores.row(query) << (0.1 + 0.2) + 0.3, 0.1 + (0.2 + 0.3);
   for (const PairTest test : {PairTest::randomisation, PairTest::t, PairTest::bootstrap}) {

@@ -97,7 +97,7 @@ RC_GTEST_PROP(Evaluation, EachQueryAgreesWithTheLiteralFormulas, ()) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, RowByRowIsThatOfTheWholeMatrix, ()) {
+RC_GTEST_PROP(Evaluation, RowByRowMatchesTheWholeMatrix, ()) {
   const EvaluationCase random = *cases_with_ties(600);
   const EvaluationOptions options{.protocol = random.protocol, .ties = Ties::expected};
   const Evaluation whole = evaluate(random.distances, random.labels, options);
@@ -196,7 +196,7 @@ RC_GTEST_PROP(Evaluation, EverythingLiesBetweenZeroAndOne, ()) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, OnlyTheOrderOfDistancesMatters, ()) {
+RC_GTEST_PROP(Evaluation, DependsOnTheOrderOfDistancesOnly, ()) {
   const EvaluationCase data = *cases_with_ties();
   EvaluationCase transformed = data;
   // Distances are 0, 0.25, ... 7.25 and infinity; cubes of those are exact, so ties stay and nothing else becomes one.

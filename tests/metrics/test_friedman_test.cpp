@@ -121,7 +121,7 @@ TEST(RankComparison, EqualValuesShareTheMeanOfTheirRanks) {
   EXPECT_EQ(comparison.ranks, (Eigen::MatrixXd(1, 4) << 2.5, 1, 2.5, 4).finished());
 }
 
-TEST(RankComparison, OfDataSetsThatRankAlikeIsCertain) {
+TEST(RankComparison, OfEqualRankingsHasTheSmallestPValue) {
   Eigen::MatrixXd values(6, 3);
   for (Eigen::Index set = 0; set < 6; ++set) values.row(set) << 0.9, 0.5, 0.1;
   const FriedmanTest test = compare_by_ranks(values).friedman;
@@ -148,7 +148,7 @@ TEST(RankComparison, TestsNothingOnOneDataSetOrOfOneMethod) {
   EXPECT_TRUE(one_method.pairs.empty());
 }
 
-TEST(RankComparison, RefusesWhatCannotBeRanked) {
+TEST(RankComparison, RejectsNonFiniteValues) {
   EXPECT_THROW(compare_by_ranks(Eigen::MatrixXd(0, 3)), ArgumentError);
   EXPECT_THROW(compare_by_ranks(Eigen::MatrixXd::Constant(2, 2, std::nan(""))), ArgumentError);
   EXPECT_THROW(compare_by_ranks(Eigen::MatrixXd::Ones(2, 2), 1), ArgumentError);

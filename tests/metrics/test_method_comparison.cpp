@@ -72,7 +72,7 @@ TEST(MethodComparison, TheReferenceWithEachOther) {
   EXPECT_EQ(result.pairs[1].second, 2U);
 }
 
-TEST(MethodComparison, EachTestFindsTheConstantDifferenceAndNoOther) {
+TEST(MethodComparison, EachTestFindsOnlyTheConstantDifference) {
   const Example data;
   for (const std::string& name : list_of_words<PairTest>()) {
     const PairTest test = value_of_word<PairTest>(name).value();
@@ -96,7 +96,7 @@ TEST(MethodComparison, EqualMethodsAreTied) {
   }
 }
 
-TEST(MethodComparison, RefusesWhatCannotBeCompared) {
+TEST(MethodComparison, RejectsIncomparableMethods) {
   const Example data;
   EXPECT_THROW(compare_methods(data.per_query.leftCols(1), data.classes), ArgumentError);
   EXPECT_THROW(compare_methods(data.per_query, std::vector<int>(150, 4), {.blocks = ResamplingUnit::classes}),

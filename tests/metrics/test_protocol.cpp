@@ -25,7 +25,7 @@ TEST(Protocol, ConvertsToAndFromNames) {
   EXPECT_EQ(value_of_word<Protocol>("paper"), Protocol::paper);
 }
 
-TEST(Protocol, OtherNamesMeanNothing) {
+TEST(Protocol, RejectsOtherNames) {
   EXPECT_FALSE(value_of_word<Protocol>(""));
   EXPECT_FALSE(value_of_word<Protocol>("PSB"));
   EXPECT_FALSE(value_of_word<Protocol>("psb "));
@@ -92,7 +92,7 @@ RC_GTEST_PROP(Ties, ExpectedIsTheMeanOverAllOrdersAndTheOthersAreItsBounds, ()) 
   RC_ASSERT(expected.queries_with_ties == changed);
 }
 
-RC_GTEST_PROP(Ties, ThePlaceOfModelsChangesNoAverageUnderExpected, ()) {
+RC_GTEST_PROP(Ties, ExpectedAveragesDoNotDependOnTheOrderOfModels, ()) {
   const EvaluationCase data = *cases_with_ties();
   std::vector<Eigen::Index> order(data.labels.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});

@@ -80,7 +80,7 @@ Points corner_points(const Json& json) {
   return points;
 }
 
-TEST(ShapeViewJson, HoldsTheTrianglesInTheirOrderToASixtyThousandthOfTheSide) {
+TEST(ShapeViewJson, KeepsTheOrderOfTrianglesAndRoundsCoordinates) {
   const Shape mesh = test::permuted(test::torus(3, 1, 40, 20), 1).shape;
   const Json json = shape_view_json({.name = "torus", .shape = mesh});
   ASSERT_EQ(json["triangles"]["count"], mesh.triangles.rows());
@@ -135,7 +135,7 @@ TEST(ShapeViewJson, TheFirstPositionIsThatOfPictures) {
   EXPECT_GT(rows.row(1).dot(look.up), 0);
 }
 
-TEST(ShapeViewJson, PartsAndNormalsAreThereOrNot) {
+TEST(ShapeViewJson, PartsAndNormalsAreOptional) {
   const ShapeView view = test_view::balls();
   const Json json = shape_view_json(view);
   const std::vector<int> parts = shorts_of(json["parts"][0]["values"]);
@@ -177,7 +177,7 @@ TEST(ShapeViewJson, WithoutExtentThereIsNothingToShow) {
       InputError);
 }
 
-TEST(CentralRange, LeavesOutTwoPercentOfTheAreaOnEitherSide) {
+TEST(CentralRange, ExcludesTwoPercentOfTheAreaAtEachEnd) {
   ScalarField field{.values = Eigen::VectorXd::LinSpaced(101, 0, 100), .weights = Eigen::VectorXd::Ones(101)};
   field.values[50] = std::nan("");
   const Interval range = central_range(field).value();
@@ -187,7 +187,7 @@ TEST(CentralRange, LeavesOutTwoPercentOfTheAreaOnEitherSide) {
   EXPECT_FALSE(central_range(field).has_value());
 }
 
-TEST(ShapeViewPicture, IsSquareAndSeeThroughAroundTheShape) {
+TEST(ShapeViewPicture, IsSquareWithATransparentBackground) {
   const std::string png = shape_view_picture(test_view::balls(), 64);
   png_image header = {};
   header.version = PNG_IMAGE_VERSION;

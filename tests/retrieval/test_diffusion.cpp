@@ -104,7 +104,7 @@ TEST(Diffusion, MatchesTheDefinition) {
   EXPECT_LT(largest_difference(found, (expected + expected.transpose()) / 2), 1e-9);
 }
 
-TEST(Diffusion, InvertsToTheBitAsEigen) {
+TEST(Diffusion, InverseMatchesEigenToTheBit) {
   for (const Eigen::Index size : {1, 3, 31, 32, 65, 129, 300, 517}) {
     const DistanceMatrix distances = distances_of(arcs(size, 1, 1));
     const DiffusionOptions options{.neighbours = 5, .tie = 0};

@@ -79,7 +79,7 @@ TEST(FusionOfRanks, ReciprocalRanksMatchTheDefinition) {
   EXPECT_EQ(fused, DistanceMatrix(fused.transpose()));
 }
 
-TEST(FusionOfRanks, BordaCountsThoseBehind) {
+TEST(FusionOfRanks, BordaCountsLowerRankedModels) {
   const DistanceMatrix a = line_distances({0, 1, 3});
   const DistanceMatrix b = line_distances({0, 3, 1});
   const std::vector both = {a, b};
@@ -100,7 +100,7 @@ TEST(FusionOfRanks, OnlyOrdersMatter) {
   }
 }
 
-TEST(FusionOfRanks, AWeightOfZeroLeavesAMatrixOut) {
+TEST(FusionOfRanks, AWeightOfZeroExcludesAMatrix) {
   const DistanceMatrix a = random_distances(30, 1);
   const DistanceMatrix b = random_distances(30, 2);
   const std::vector both = {a, b};
@@ -301,7 +301,7 @@ TEST(SumWeights, OfPermutedModelsAreTheSameWithEqualDistancesToo) {
   EXPECT_LT(test::largest_difference(found, sum(order, order)), 1e-12);
 }
 
-TEST(SumWeights, AreAsGivenWhereNothingIsFound) {
+TEST(SumWeights, FallBackToTheGivenWeights) {
   const std::vector<DistanceMatrix> constant = {DistanceMatrix::Constant(20, 20, 1),
                                                 DistanceMatrix::Constant(20, 20, 2)};
   const std::vector<DistanceMatrix> one = {DistanceMatrix::Zero(1, 1), DistanceMatrix::Zero(1, 1)};
@@ -344,7 +344,7 @@ TEST(Fusion, SameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(std::memcmp(one.data(), on(4).data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
-TEST(FusionOfRanks, WhatNobodyRanksStaysInfinite) {
+TEST(FusionOfRanks, UnrankedModelsStayInfinite) {
   DistanceMatrix a = line_distances({0, 1, 3, 4});
   const DistanceMatrix b = a;
   for (const Eigen::Index i : {0, 1, 2}) a(i, 3) = a(3, i) = unreachable;
@@ -361,7 +361,7 @@ TEST(FusionOfRanks, WhatNobodyRanksStaysInfinite) {
   }
 }
 
-TEST(Fusion, RefusesWhatCannotBeAdded) {
+TEST(Fusion, RejectsIncompatibleMatrices) {
   const DistanceMatrix a = random_distances(5, 1);
   DistanceMatrix broken = a;
   broken(1, 2) = std::numeric_limits<double>::quiet_NaN();

@@ -95,7 +95,7 @@ DistanceMatrix with_isolated_model(const DistanceMatrix& distances) {
   return result;
 }
 
-TEST_P(Reranking, AModelWithoutNeighboursStaysSoAndChangesNothingForTheOthers) {
+TEST_P(Reranking, IsolatedModelsDoNotAffectOthers) {
   const DistanceMatrix distances = distances_of(arcs(25, 3, 5));
   const DistanceMatrix expected = with_isolated_model(GetParam().rerank(distances));
   expect_near(GetParam().rerank(with_isolated_model(distances)), expected, 2e-6);
@@ -155,7 +155,7 @@ TEST_P(Reranking, RejectsInvalidDistances) {
   EXPECT_THROW(GetParam().rerank(distances), ArgumentError);
 }
 
-TEST(NearestModels, AreInOrderAndTheLesserIndexFirst) {
+TEST(NearestModels, AreSortedWithTiesByIndex) {
   DistanceMatrix distances(4, 4);
   distances << 0, 2, 1, 2, 2, 0, 3, 1, 1, 3, 0, 3, 2, 1, 3, 0;
   const NearestModels nearest = nearest_models(4, 2, rows_of(distances));

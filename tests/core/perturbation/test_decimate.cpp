@@ -38,7 +38,7 @@ TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
   }
 }
 
-TEST(Decimate, KeepsTheVolumeOfABox) {
+TEST(Decimate, KeepsVolumeAndAreaOfABox) {
   const Shape box = test::box({1, 2, 3}, 8);
   const Shape coarse = decimate(box, 40);
   expect_valid(coarse);

@@ -210,7 +210,7 @@ TEST(RenderShape, PointsOfACloudHaveTheirColours) {
   EXPECT_GT(pixel(image, 80, 45)[1], 100);
 }
 
-TEST(RenderShape, RejectsShapesWithoutExtent) {
+TEST(RenderShape, RejectsInvalidInput) {
   const Shape sphere = test::sphere(1, 1);
   EXPECT_THROW(render(Shape{}, {}), InputError);
   EXPECT_THROW(render(test::box({0, 0, 0}, 1), {}), InputError);

@@ -141,7 +141,7 @@ TEST(Closedness, IgnoresDegenerateTriangles) {
 
 TEST(Closedness, WeldsVertices) { EXPECT_TRUE(is_closed(test::soup(test::sphere(1, 1)))); }
 
-TEST(Closedness, NeedsMoreThanDegenerateTriangles) {
+TEST(Closedness, IgnoresTrianglesWithARepeatedCorner) {
   Shape sphere = test::sphere(1, 1);
   sphere.triangles.conservativeResize(sphere.triangles.rows() + 1, Eigen::NoChange);
   sphere.triangles.bottomRows(1) << 0, 0, 1;

@@ -27,7 +27,7 @@ TEST(DistinctTriangles, AreTheFirstOfThoseWithTheSameCorners) {
   EXPECT_EQ(found.vertex_of, (Indices{0, 1, 2, 3, 0, 1, 6})) << "vertex 6 no triangle uses";
 }
 
-TEST(DistinctTriangles, KeepDoublesWhoseVerticesAreShared) {
+TEST(DistinctTriangles, KeepVerticesThatOtherTrianglesUse) {
   const Shape shape{places(), Triangles{{0, 1, 2}, {4, 5, 2}, {4, 3, 2}}};
   EXPECT_EQ(distinct_triangles(shape).vertex_of, (Indices{0, 1, 2, 3, 4, 1, 6}));
 }

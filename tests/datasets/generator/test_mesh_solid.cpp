@@ -38,7 +38,7 @@ TEST(MeshSolid, ClosesAroundACylinderOfTwoParts) {
   }
 }
 
-TEST(MeshSolid, FindsNothingForWhatIsInPieces) {
+TEST(MeshSolid, RejectsDisconnectedSolids) {
   SolidObject object;
   object.parts = {{0, rounded_box({-0.6, 0, 0}, {0.4, 0.4, 0.4}, 0.1)},
                   {1, rounded_box({0.6, 0, 0}, {0.4, 0.4, 0.4}, 0.1)}};

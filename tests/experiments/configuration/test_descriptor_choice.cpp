@@ -32,7 +32,7 @@ std::string descriptor_error_with(const Json& descriptor) {
   return test::input_error_of([&] { configuration_of_descriptor(descriptor); });
 }
 
-TEST(MakeDescriptor, IsTheRegisteredOneWithItsSettings) {
+TEST(MakeDescriptor, AppliesSettingsToTheRegisteredDescriptor) {
   const DescriptorChoice choice = make_descriptor({{"type", "d2"}, {"bins", 10}});
   EXPECT_EQ(to_json(choice), (Json{{"type", "d2"}, {"bins", 10}, {"points", 1024}, {"longest", 3.0}}));
   const Shape shape = test::sphere(1, 2);
@@ -73,7 +73,7 @@ TEST(DescriptorConfiguration, ErrorsNameTheLocation) {
   EXPECT_THAT(descriptor_error_with(wrong), HasSubstr("signatures.0.descriptor"));
 }
 
-TEST(OffsetWarnings, AreOfGapsAndHollowShapesForFieldsWithAnOffset) {
+TEST(OffsetWarnings, WarnOfGapsAndHollowShapes) {
   const auto warnings = [](const Json& offset, const Shape& shape) {
     const Json fields{{{"type", "offset_sdf"}, {"offset", offset}}, {{"type", "offset_sdf"}, {"offset", offset}}};
     FieldSource source(shape);

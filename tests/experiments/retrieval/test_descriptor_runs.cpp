@@ -83,7 +83,7 @@ CacheUse uses_of_kind(const ExperimentResults& results, EntryKind kind) {
   return results.cache.uses.at(static_cast<std::size_t>(kind));
 }
 
-TEST_F(DescriptorRuns, FeaturesAreThoseOfThePreparedShapes) {
+TEST_F(DescriptorRuns, DescribePreparedShapes) {
   const ExperimentResults results = run(document(), false);
   for (Eigen::Index i = 0; i < 9; ++i) {
     const Shape shape = prepare_shape(read_shape(results.models[static_cast<std::size_t>(i)].file), {}).shape;
@@ -111,7 +111,7 @@ TEST_F(DescriptorRuns, DerivedDistancesAreMadeOfTheOthers) {
   EXPECT_EQ(method_named(results, "again").evaluations.size(), 2U);
 }
 
-TEST_F(DescriptorRuns, ClassesPlayNoPartInDistances) {
+TEST_F(DescriptorRuns, DistancesDoNotDependOnClasses) {
   Json all = document();
   const Json more = Json::parse(R"([
     {"name": "ranks", "fuse_ranks": ["d2", "joint"]},
@@ -155,7 +155,7 @@ TEST_F(DescriptorRuns, FeaturesOfFieldsInTheCacheAreComputedFromThem) {
   EXPECT_EQ(files_of(results), fresh);
 }
 
-TEST_F(DescriptorRuns, WhatIsLearntDependsOnEveryModel) {
+TEST_F(DescriptorRuns, LearntFeaturesDependOnEveryModel) {
   run(document(), true);
   write_off(data() / "T8.off", test::small_shape("box", 9));
   const auto fresh = files_of(run(document(), false));
@@ -166,7 +166,7 @@ TEST_F(DescriptorRuns, WhatIsLearntDependsOnEveryModel) {
   EXPECT_EQ(files_of(results), fresh);
 }
 
-TEST_F(DescriptorRuns, AModelThatCannotBeDescribedIsAFailureOfItsOwn) {
+TEST_F(DescriptorRuns, ReportModelsThatCannotBeDescribed) {
   // A point cloud: ShapeDNA needs triangles.
   std::string cloud = "OFF\n30 0 0\n";
   for (int i = 0; i < 30; ++i)
@@ -188,7 +188,7 @@ DistanceMatrix without_4(const DistanceMatrix& distances) {
   return distances(others, others);
 }
 
-TEST_F(DescriptorRuns, AMethodThatCannotTakeAModelLeavesItToTheOthers) {
+TEST_F(DescriptorRuns, OtherMethodsKeepModelsThatOneCannotProcess) {
   Json document = this->document();
   document["on_error"] = "skip";
   const ExperimentResults before = run(document, false);
@@ -231,7 +231,7 @@ TEST_F(DescriptorRuns, AMethodThatCannotTakeAModelLeavesItToTheOthers) {
   }
 }
 
-TEST_F(DescriptorRuns, ModelsThatAMethodCannotTakeAreInItsRow) {
+TEST_F(DescriptorRuns, SummaryCountsModelsThatAMethodCannotProcess) {
   test::make_cloud(data() / "T4.off");
   Json document = this->document();
   document["on_error"] = "skip";
@@ -252,7 +252,7 @@ TEST_F(DescriptorRuns, ModelsThatAMethodCannotTakeAreInItsRow) {
   EXPECT_EQ(files_of(run(document, true)), files) << "from the cache";
 }
 
-TEST_F(DescriptorRuns, AMethodThatCanTakeNoModelStopsTheRun) {
+TEST_F(DescriptorRuns, AMethodThatSupportsNoModelStopsTheRun) {
   for (int i = 0; i < 9; ++i) test::make_cloud(data() / ("T" + std::to_string(i) + ".off"));
   Json document = this->document();
   document["on_error"] = "skip";
@@ -260,7 +260,7 @@ TEST_F(DescriptorRuns, AMethodThatCanTakeNoModelStopsTheRun) {
               testing::HasSubstr("signature \"fixed\": none of 9 models can be used; the first is 0: "));
 }
 
-TEST_F(DescriptorRuns, WithoutAnyFieldThereIsAReportWithoutPictures) {
+TEST_F(DescriptorRuns, WithoutFieldsTheReportHasNoPictures) {
   Json document = test::small_configuration(data());
   document["signatures"] = {{{"name", "d2"}, {"descriptor", {{"type", "d2"}}}},
                             {{"name", "again"}, {"rerank", {{"of", "d2"}, {"method", "k_reciprocal"}}}}};

@@ -95,7 +95,7 @@ TEST_F(RunExperiment, DistancesAreThoseOfTheStepsDoneByHand) {
   EXPECT_GT(expected, 0.5);
 }
 
-TEST_F(RunExperiment, AConcatenationIsTheMeanOfItsPartsDistances) {
+TEST_F(RunExperiment, ConcatenationsHaveTheMeanDistance) {
   const ExperimentResults results = run();
   const auto& both = results.methods[3].distances;
   const DistanceMatrix expected = (results.methods[0].distances + results.methods[1].distances) / 2;
@@ -230,7 +230,7 @@ TEST_F(RunExperiment, EveryKindOfBadModelIsSkippedIfAskedFor) {
   EXPECT_EQ(Json::parse(text_of(folder("out") / "manifest.json"))["failed_models"].size(), 5U);
 }
 
-TEST_F(RunExperiment, WhatIsPlainlyWrongStopsBeforeAnythingIsComputed) {
+TEST_F(RunExperiment, InvalidConfigurationsStopBeforeComputing) {
   fs::remove(data() / "T8.off");
   bool began = false;
   RunControl control;
@@ -241,7 +241,7 @@ TEST_F(RunExperiment, WhatIsPlainlyWrongStopsBeforeAnythingIsComputed) {
   EXPECT_FALSE(began);
 }
 
-TEST_F(RunExperiment, WithoutAnyModelLeftEvenSkippingStops) {
+TEST_F(RunExperiment, StopsIfAllModelsAreSkipped) {
   for (int i = 0; i < 9; ++i) fs::remove(data() / ("T" + std::to_string(i) + ".off"));
   EXPECT_THAT(test::input_error_of([&] {
                 static_cast<void>(run({{"on_error", "skip"}}));
@@ -257,7 +257,7 @@ TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
   EXPECT_EQ(results.methods[0].distances.rows(), 4);
 }
 
-TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
+TEST_F(RunExperiment, AnInterruptionStopsSoon) {
   std::atomic<int> asked = 0;
   std::size_t most_done = 0;
   RunControl control;
@@ -268,7 +268,7 @@ TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
   EXPECT_LE(most_done, 2U);
 }
 
-TEST_F(RunExperiment, FilesOfAnEarlierRunAreClearedAwayWithItsManifestOnly) {
+TEST_F(RunExperiment, RemovesFilesOfAnEarlierRunByItsManifest) {
   test::publish(folder("out"), run());
   write_text(folder("out") / "distances/mine.npy", "x");
   Json document = test::small_configuration(data());
@@ -335,7 +335,7 @@ TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {
   EXPECT_EQ(parse_csv(text_of(folder("out") / "shape_seconds.csv"), "shape_seconds.csv").size(), 10U);
 }
 
-TEST_F(RunExperiment, TheManifestSaysWhatWasRun) {
+TEST_F(RunExperiment, ManifestDescribesTheRun) {
   test::publish(folder("out"), run({{"seed", 5}}));
   const Json manifest = Json::parse(text_of(folder("out") / "manifest.json"));
   for (const char* key : {"shapegauge", "commit", "compiler", "libraries", "configuration", "seed", "inputs"}) {

@@ -96,7 +96,7 @@ TEST_F(WriteResults, SummariesHaveTheAveragesOfEachMethodInPercent) {
   EXPECT_GT(interval[1], 70);
 }
 
-TEST_F(WriteResults, TablesByClassAndQueryHaveTheirScores) {
+TEST_F(WriteResults, WritesScoresPerClassAndQuery) {
   write();
   const auto of_class = test::csv_record(out("per_class.csv"), {{"method", "line"}, {"class", "a"}});
   EXPECT_EQ(of_class.at("queries"), "3");
@@ -129,7 +129,7 @@ TEST_F(WriteResults, DistancesAndFeaturesAreThoseOfTheMethods) {
     EXPECT_EQ(test::text_of(out(ids)), "0\n1\n2\n3\n4\n");
 }
 
-TEST_F(WriteResults, DistancesThatAreNotKeptAreNoFiles) {
+TEST_F(WriteResults, WritesNoDistancesIfDisabled) {
   results_.configuration.keep_distances = false;
   write();
   EXPECT_FALSE(std::filesystem::exists(out("distances")));

@@ -54,7 +54,7 @@ void expect_sum_of(const CollectionSum& sum, const OpenIndex& index, const Dista
   }
 }
 
-TEST(IndexRows, DistancesByTermAreThoseOfEachPair) {
+TEST(IndexRows, DistancesPerTermMatchEachPair) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "median", "bag"}) {
     const OpenIndex index = folder.open(signature);
@@ -73,7 +73,7 @@ TEST(IndexRows, DistancesByTermAreThoseOfEachPair) {
   }
 }
 
-TEST(IndexRows, TheSumIsThatOfWholeMatrices) {
+TEST(IndexRows, SumMatchesWholeMatrices) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "median", "mutual ranks", "d2"}) {
     SCOPED_TRACE(signature);
@@ -82,7 +82,7 @@ TEST(IndexRows, TheSumIsThatOfWholeMatrices) {
   }
 }
 
-TEST(IndexRows, NearestModelsAreThoseBySum) {
+TEST(IndexRows, NearestModelsFollowTheSum) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "d2"}) {
     const OpenIndex index = folder.open(signature);

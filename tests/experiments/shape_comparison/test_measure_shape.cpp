@@ -110,7 +110,7 @@ TEST_F(MeasureThroughCache, RunTimesAreThoseOfAsManyThreads) {
   EXPECT_EQ(misses(2), 0U);
 }
 
-TEST_F(MeasureThroughCache, WhatIsComputedLaterChangesNothing) {
+TEST_F(MeasureThroughCache, LaterComputationsChangeNothing) {
   document["name"] = "other";
   document["signatures"][0]["name"] = "other";
   document["shapes"][2]["name"] = "other";

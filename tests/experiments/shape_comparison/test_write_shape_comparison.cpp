@@ -120,7 +120,7 @@ TEST_F(WriteShapeComparison, ShapesOfOtherPlacesHaveNoErrors) {
   EXPECT_FALSE(std::filesystem::exists(out("normals.csv")));
 }
 
-TEST_F(WriteShapeComparison, TheManifestHasWhatWasReadAndWhatFailed) {
+TEST_F(WriteShapeComparison, ManifestHasInputsAndFailures) {
   results_.failures = {{.id = "gone", .message = "it is broken"}};
   write();
   const auto manifest = nlohmann::json::parse(test::text_of(out("manifest.json")));

@@ -78,7 +78,7 @@ TEST_P(FieldVersions, ChangeWithTheValues) {
 }
 
 /// Between crossing arms many samples are covered by other parts of the offset solid; on the shapes above hardly any.
-TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
+TEST(OffsetSdfVersion, ChangesWithTheValuesOfCoveredSamples) {
   const Shape arm = test::capsule(0.2, 2, 16, 6);
   const Shape crossing = test::joined({arm, test::transformed(arm, 1, test::rotation(3), {0, 0, 0})});
   const PreparedShape prepared = prepare_shape(crossing, {});
@@ -165,7 +165,7 @@ void expect_records(const std::vector<std::string>& names, const Records& record
 
 INSTANTIATE_TEST_SUITE_P(Each, FieldVersions, testing::ValuesIn(field_records));
 
-TEST(FieldRecords, AreThereForEachType) { expect_records(field_types().names(), field_records); }
+TEST(FieldRecords, ExistForEachType) { expect_records(field_types().names(), field_records); }
 
 /// Statistics of a descriptor on the three shapes: per shape, the sum of features and the sum weighted by position,
 /// counted from 1, over their number; and the distances between the first shape and the others.
@@ -263,9 +263,9 @@ const std::vector<RecordedDescriptor> descriptor_records{
 
 INSTANTIATE_TEST_SUITE_P(Each, DescriptorVersions, testing::ValuesIn(descriptor_records));
 
-TEST(DescriptorRecords, AreThereForEachDescriptor) { expect_records(descriptors().names(), descriptor_records); }
+TEST(DescriptorRecords, ExistForEachDescriptor) { expect_records(descriptors().names(), descriptor_records); }
 
-TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {
+TEST(HistogramVersion, ChangesWithTheHistograms) {
   const ScalarField field{.values = Eigen::VectorXd::LinSpaced(40, 0.1, 1.3).array().square(),
                           .weights = Eigen::VectorXd::LinSpaced(40, 1, 2)};
   EXPECT_EQ(histogram_version, 2);
@@ -327,7 +327,7 @@ TEST(MeasureVersions, ChangeWithTheValues) {
   }
 }
 
-TEST(DistancesVersion, WithOtherDistancesComesAnotherVersion) {
+TEST(DistancesVersion, ChangesWithTheDistances) {
   Signatures signatures(3, 37);
   for (Eigen::Index i = 0; i < signatures.size(); ++i) signatures.data()[i] = 1.0F / static_cast<float>(i + 3);
   EXPECT_EQ(distances_version, 2);

@@ -39,7 +39,7 @@ std::string picture_of(const Shape& shape, SampleSite site, double value) {
   return model_picture(shape, samples, Eigen::VectorXd::Constant(samples.points.rows(), value), {});
 }
 
-TEST(ModelPicture, HasTheSizeAskedForAndSeesThroughAroundTheShape) {
+TEST(ModelPicture, HasTheRequestedSizeAndATransparentBackground) {
   const Image image = decoded(picture_of(test::sphere(1, 3), SampleSite::faces, 0.3));
   const PictureOptions options;
   EXPECT_EQ(image.width, options.width);
@@ -75,7 +75,7 @@ TEST(ModelPicture, LargeValuesAreYellowSmallOnesPurpleAndNoneGrey) {
   EXPECT_NEAR(none[0], none[2], 1e-9);
 }
 
-TEST(ModelPicture, OfACloudToo) {
+TEST(ModelPicture, ShowsClouds) {
   const Shape cloud = test::random_points(test::sphere(1, 4), 800, 1);
   EXPECT_GT(mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.56)), 0), 100);
 }

@@ -16,7 +16,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(Descriptors, HaveNamesOfTheirOwnAndDefaultsWithinTheirBounds) {
+TEST(Descriptors, HaveUniqueNamesAndValidDefaults) {
   std::set<std::string_view> names;
   for (const Descriptor& one : descriptors().entries()) {
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
@@ -62,7 +62,7 @@ TEST(Descriptors, FeaturesThatAreNoFiniteNumbersAreAnError) {
   EXPECT_THROW(features(), InputError);
 }
 
-TEST(Descriptors, SettingsChangeWhatTheySay) {
+TEST(Descriptors, SettingsHaveAnEffect) {
   const Shape shape = test::sphere(1, 2);
   const Descriptor& one = descriptors().at("d2");
   DescriptorSettings settings = default_settings(one);
@@ -70,14 +70,14 @@ TEST(Descriptors, SettingsChangeWhatTheySay) {
   EXPECT_EQ(one.describe({shape, {}}, {}, settings), d2(shape, {.bins = 10}));
 }
 
-TEST(Descriptors, RefuseOptionsAndNamesThatAreNone) {
+TEST(Descriptors, RejectUnknownOptionsAndNames) {
   const Shape shape = test::sphere(1, 1);
   EXPECT_THROW(d2(shape, {.bins = 0}), InputError);
   EXPECT_THROW(d2(shape, {.longest = std::nan("")}), InputError);
   EXPECT_EQ(descriptors().find("d3"), nullptr);
 }
 
-TEST(Descriptors, AreRegisteredOnlyWhole) {
+TEST(Descriptors, RejectIncompleteEntries) {
   Descriptor one = descriptors().at("d2");
   one.name = "test_without_distance";
   one.distance = nullptr;
@@ -109,7 +109,7 @@ TEST(DescriptorDistances, AreThoseOfAllPairs) {
   EXPECT_THROW(descriptor_distances(descriptors().at("d2"), features), InputError);
 }
 
-TEST(FeatureDistance, IsADistanceOrADescriptorsOwn) {
+TEST(FeatureDistance, IsADistanceOrThatOfADescriptor) {
   EXPECT_EQ(feature_distance("chi2").function, distances().at("chi2").function);
   for (const Descriptor& one : descriptors().entries())
     EXPECT_EQ(feature_distance(std::string(one.name)).function, one.distance);
