@@ -247,7 +247,7 @@ void add_search_command(CLI::App& app, int& status) {
   command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures and 3D views of the results");
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Index and method");
-  command->add_option("--index", arguments->index, "Index file (default: NAME.search-index beside the collection)");
+  command->add_option("--index", arguments->index, "Index file (default: NAME.search-index next to the collection)");
   command->add_flag("--no-update", arguments->no_update, "Use the index as it is, without checking the files");
   CLI::Option* articulated =
       command->add_flag("--articulated", arguments->articulated,

@@ -47,7 +47,7 @@ struct ReportMethod {
 
 /// Pictures of the models, all rendered alike.
 struct ReportPictures {
-  std::vector<std::string> png;  ///< one a model, the bytes of a PNG file; empty without pictures
+  std::vector<std::string> png;  ///< one per model, the bytes of a PNG file; empty without pictures
   Interval range;                ///< values at the ends of the colour map
   std::string field;             ///< field that the colours show
 };
@@ -63,7 +63,7 @@ struct ViewedField {
 struct ReportViews {
   std::vector<ViewedField> fields;  ///< of every view, in order
   std::vector<std::string>
-      shapes;  ///< one a model, as shape_view_json() returns them, without names; empty without views
+      shapes;  ///< one per model, as shape_view_json() returns them, without names; empty without views
 };
 
 /// Shape with gaps that are wider than the offset of a field. Sizes are fractions of the bounding box diagonal.

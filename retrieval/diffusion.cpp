@@ -89,7 +89,7 @@ std::vector<Eigen::Index> counted_from(Eigen::Index first, Eigen::Index count) {
   return indices;
 }
 
-/// Returns, by model, the least model connected to it by the edges of any of the graphs.
+/// Returns per model the least model connected to it by the edges of any of the graphs.
 std::vector<std::int32_t> components_of(const std::vector<WalkGraph>& graphs, std::size_t models) {
   DisjointSets components;
   components.grow_to(models);

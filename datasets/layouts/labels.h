@@ -24,7 +24,7 @@ struct ModelLabels {
   std::unordered_map<std::string, std::string> subclasses{};  ///< by key; models without one are absent
   bool separate_sets = false;                                 ///< some models are only queries or only targets
   bool split = false;                                         ///< because a column `split` of the file says so
-  bool listed = false;       ///< the file is a list of models, one a line, without groups
+  bool listed = false;       ///< the file is a list of models, one per line, without groups
   bool without_ids = false;  ///< the file has no ids: models are 0, 1, ... in its order
   std::string source;        ///< prefixes error messages
   ModelKeys keys{};          ///< for comparing ids with those of the models

@@ -32,9 +32,9 @@ struct SegmentationScores {
 /// Makes scores without errors.
 SegmentationScores empty_scores(const SegmentationBenchmark& benchmark, std::vector<std::string> methods);
 
-/// Scores the segmentations in folders, one a method, named after the folder, with a file `ID.seg` for each mesh of the
-/// benchmark; last those between people. The same for any number of threads. Throws InputError for the first unusable
-/// mesh or segmentation.
+/// Scores the segmentations in folders, one per method, named after the folder, with a file `ID.seg` for each mesh of
+/// the benchmark; last those between people. The same for any number of threads. Throws InputError for the first
+/// unusable mesh or segmentation.
 SegmentationScores score_segmentations(const SegmentationBenchmark& benchmark,
                                        const std::vector<std::filesystem::path>& folders,
                                        const SegmentationScoring& scoring);

@@ -37,9 +37,9 @@ struct ExperimentResults {
   Configuration configuration;
   std::vector<std::string> classes;      ///< names, by label
   std::vector<Model> models;             ///< models with signatures
-  std::vector<ModelDescription> shapes;  ///< by model, without_values()
-  std::vector<std::string> pictures;     ///< by model, as PNG files; empty if not configured
-  std::vector<std::string> views;        ///< by model, interactive 3D views (model_view()); empty if not configured
+  std::vector<ModelDescription> shapes;  ///< per model, without_values()
+  std::vector<std::string> pictures;     ///< per model, as PNG files; empty if not configured
+  std::vector<std::string> views;        ///< per model, interactive 3D views (model_view()); empty if not configured
   std::vector<ViewedField> viewed;       ///< fields of the views
   std::vector<LeftOutShape> failures;
   SkippedEntries skipped;  ///< in the folder of the data set

@@ -46,7 +46,7 @@ struct ShapeIndex {
   std::string collection;              ///< collection_location() when the index was written
   std::vector<IndexedFile> models;     ///< described files, in natural order of ids
   std::vector<IndexedFile> failures;   ///< the other files
-  std::vector<IndexTable> tables;      ///< by term of the method: row i is of models[i]
+  std::vector<IndexTable> tables;      ///< per term of the method: row i is of models[i]
   std::vector<LearntFeatures> learnt;  ///< by signature of the method's configuration
   std::vector<Interval> field_ranges;  ///< by planned field, over the collection
   CollectionSum sum;
