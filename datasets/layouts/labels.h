@@ -38,7 +38,7 @@ std::vector<std::string> missing_class_warnings(const ModelLabels& labels);
 
 /// Reads labels from one of these:
 /// - a `.cla` file;
-/// - a folder with one folder of models a class; ids are paths below it without extensions;
+/// - a folder with one folder of models per class; ids are paths below it without extensions;
 /// - a table (any other file) separated by commas, semicolons or tabs, whose first row names the columns, ignoring
 ///   case: id (name, model, file), class (label, category) and optionally subclass (subcategory) and split: query
 ///   (test, probe), target (train, gallery), both, or empty. Without such a row the two columns are id and class;
@@ -55,8 +55,8 @@ ModelLabels read_labels(const std::filesystem::path& path, std::size_t level = 0
 /// Labels of the queries and targets of an evaluation: of one set of models, or of two with ids of their own, which
 /// have the same classes in the same order.
 struct TaskLabels {
-  ModelLabels queries;                   ///< of all models if they are one set
-  std::optional<ModelLabels> targets{};  ///< of the other set
+  ModelLabels queries;                   ///< labels of the queries; of all models if they are one set
+  std::optional<ModelLabels> targets{};  ///< labels of the targets, if these are another set
 
   [[nodiscard]] const ModelLabels& of_targets() const { return targets ? *targets : queries; }
 };

@@ -29,7 +29,7 @@ struct AuditedScore {
 struct ProtocolAudit {
   std::vector<std::string> methods;
   std::vector<AuditedScore> scores;  ///< those of shapegauge first
-  /// By score of shapegauge, per method: averages over queries with intervals of scores and ranks.
+  /// For each score of shapegauge, one entry per method: averages over queries with intervals of scores and ranks.
   std::vector<std::vector<MethodStanding>> standings;
   std::vector<std::string> warnings;  ///< one sentence each, with the file
 };

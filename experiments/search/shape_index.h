@@ -66,7 +66,7 @@ enum class IndexFault { none, damaged, other_method };
 /// Decodes an index, whose tables remain where the bytes are. Nothing if it is corrupt or of another method.
 std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::string& key, IndexFault& fault);
 
-/// Copies the tables, so that changes to the index file do not concern them.
+/// Copies the tables into memory, so that they do not depend on the index file.
 void keep_in_memory(ShapeIndex& index);
 
 }  // namespace shapegauge
