@@ -116,7 +116,7 @@ TEST_F(CompareCommand, WritesChartsAndAReport) {
   EXPECT_THAT(text_of(at("all.html")), AllOf(HasSubstr("ours"), HasSubstr("theirs")));
 }
 
-TEST_F(CompareCommand, CurvesOfAFolderAreThoseOfItsRun) {
+TEST_F(CompareCommand, CurvesOfAFolderMatchItsRun) {
   write_text(at("results/per_query.csv"),
              "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\n");
   write_text(at("results/pr_curves.csv"),

@@ -109,7 +109,7 @@ TEST_F(DatasetCommand, AMissingFolderIsAnError) {
   }
 }
 
-TEST_F(DatasetCommand, ReportsWhatAnInterruptedGenerationLeaves) {
+TEST_F(DatasetCommand, ReportsTheFilesOfAnInterruptedGeneration) {
   test_command_line::BackgroundRun run(
       {"dataset", "generate", at("made"), "--classes", "1", "--models-per-class", "500", "--threads", "1"},
       at("errors"));

@@ -77,7 +77,7 @@ TEST_F(PerturbCommand, WritesTheVerticesAsACloud) {
   EXPECT_EQ(read_shape(at("x.ply")).vertices, shape.vertices);
 }
 
-TEST_F(PerturbCommand, DefaultsAreThoseOfConfigurations) {
+TEST_F(PerturbCommand, DefaultsMatchConfigurations) {
   ASSERT_EQ(perturb("a.off", "--noise 0.01").status, 0);
   ASSERT_EQ(perturb("b.off", "--noise 0.01 --noise-distribution uniform").status, 0);
   ASSERT_EQ(perturb("c.off", "--noise 0.01 --noise-distribution gaussian").status, 0);

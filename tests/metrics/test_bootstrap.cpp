@@ -92,7 +92,7 @@ TEST(Bootstrap, DependsOnTheSeed) {
             bootstrap_averages(example(), {.resamples = 500, .seed = 10}));
 }
 
-TEST(Bootstrap, ResamplesScatterAsTheStandardErrorSays) {
+TEST(Bootstrap, ResamplesHaveTheStandardError) {
   const UnitValues units = example();
   const Eigen::MatrixXd averages = bootstrap_averages(units, {.resamples = 20000});
   const auto spread = [](const Eigen::VectorXd& v) { return std::sqrt((v.array() - v.mean()).square().mean()); };

@@ -47,7 +47,7 @@ TEST(EqualScores, FormGroupsInTheirOwnOrder) {
   EXPECT_THAT(groups_of_equal_scores(scores), ElementsAre(ElementsAre(1U), ElementsAre(3U), ElementsAre(0U, 2U, 4U)));
 }
 
-TEST(EqualScores, HaveOneRankWhateverQueriesTheyComeFrom) {
+TEST(EqualScores, ShareARank) {
   for (const ResamplingUnit blocks : {ResamplingUnit::classes, ResamplingUnit::queries}) {
     const auto standings =
         standings_of(equally_good_methods(200), classes_of_six(), {.blocks = blocks, .resampling = {.resamples = 10}});

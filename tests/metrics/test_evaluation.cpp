@@ -59,7 +59,7 @@ int class_size(const std::vector<int>& labels, int label) {
   return static_cast<int>(std::ranges::count(labels, label));
 }
 
-TEST(Evaluation, GradesAreThoseOfTheRow) {
+TEST(Evaluation, UsesTheGradesOfTheRow) {
   // All queries have the same order of models. To every other one what is highly relevant comes first, to the rest
   // last.
   constexpr Eigen::Index queries = 301;  // more than one block
@@ -132,7 +132,7 @@ RC_GTEST_PROP(Evaluation, QueriesAreTheModelsOfLargeEnoughClasses, ()) {
   RC_ASSERT(result.excluded_models == static_cast<Eigen::Index>(data.labels.size() - queries.size()));
 }
 
-RC_GTEST_PROP(Evaluation, AveragesAreThoseOfTheQueries, ()) {
+RC_GTEST_PROP(Evaluation, AveragesAreMeansOverQueriesAndClasses, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Evaluation result = scores_of(data);
   RC_ASSERT((result.micro - result.per_query.colwise().mean().transpose()).cwiseAbs().maxCoeff() <= rounding);

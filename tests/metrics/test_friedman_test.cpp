@@ -96,14 +96,14 @@ TEST(RankComparison, HasTheTiedStatisticOfScipy) {
   EXPECT_NEAR(comparison.critical_difference, 2.0976056585788982, 1e-6);
 }
 
-TEST(RankIntervals, AreThoseOfAllResamples) {
+TEST(RankIntervals, MatchAllResamples) {
   // In all 5^5 resamples the methods are at 1 to 2, 1 to 3, 2 to 4, and 2 (0.03 %) to 4. Of five data sets, 0.095 % are
   // cut off on each side (Student's t).
   const std::vector<RankInterval> intervals = rank_intervals(compare_by_ranks(five_sets()).ranks);
   EXPECT_THAT(intervals, ElementsAre(RankInterval{1, 2}, RankInterval{1, 3}, RankInterval{2, 4}, RankInterval{3, 4}));
 }
 
-TEST(RankIntervals, OfMethodsThatAlwaysRankAlikeAreOnePosition) {
+TEST(RankIntervals, OfConstantRanksHaveNoWidth) {
   const Eigen::MatrixXd ranks = Eigen::RowVector3d(3, 1, 2).replicate(8, 1);
   EXPECT_THAT(rank_intervals(ranks), ElementsAre(RankInterval{3, 3}, RankInterval{1, 1}, RankInterval{2, 2}));
   EXPECT_EQ(rank_intervals(Eigen::MatrixXd::Constant(8, 2, 1.5))[1], (RankInterval{1, 1})) << "ties share the better";
@@ -154,7 +154,7 @@ TEST(RankComparison, RejectsNonFiniteValues) {
   EXPECT_THROW(compare_by_ranks(Eigen::MatrixXd::Ones(2, 2), 1), ArgumentError);
 }
 
-RC_GTEST_PROP(RankComparison, GroupsAreThoseOfThePValues, ()) {
+RC_GTEST_PROP(RankComparison, GroupsFollowThePValues, ()) {
   const auto sets = *rc::gen::inRange<Eigen::Index>(2, 12);
   const auto methods = *rc::gen::inRange<Eigen::Index>(2, 8);
   Eigen::MatrixXd values(sets, methods);

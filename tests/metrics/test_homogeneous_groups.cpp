@@ -42,7 +42,7 @@ RC_GTEST_PROP(HomogeneousGroups, ContainExactlyThePairsThatDoNotDiffer, ()) {
   }
 }
 
-TEST(CompactLetters, AreSharedByWhatDoesNotDiffer) {
+TEST(CompactLetters, AreSharedByGroupsThatDoNotDiffer) {
   EXPECT_THAT(compact_letters(4, groups_of({9, 8, 7, 3}, 1.5)), ElementsAre("a", "ab", "b", "c"));
 }
 

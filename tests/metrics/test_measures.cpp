@@ -141,7 +141,7 @@ TEST(BullsEye, CountsTheQueryUnderEveryProtocol) {
   EXPECT_DOUBLE_EQ(value("BEP", list_of_hits({true, false, true, false, false, false, true}, true)), 2.0 / 3);
 }
 
-TEST(AreaUnderCurve, IsThatOfTrapezia) {
+TEST(AreaUnderCurve, IsTheSumOfTrapezia) {
   // Precision 1, 2/3, 1/2 at recall 1/3, 2/3, 1.
   const RankedList list = list_of_hits({true, false, true, false, false, true});
   EXPECT_DOUBLE_EQ(value("AUC-PR", list), (1 + (1 + 2.0 / 3) / 2 + (2.0 / 3 + 0.5) / 2) / 3);
@@ -219,7 +219,7 @@ TEST(MeasureRegistry, RefusesNamesAndFunctionsThatDoNotFit) {
   EXPECT_THAT(measure_error_of("X"), HasSubstr("no measure"));
 }
 
-TEST(MeasureRegistry, DefaultsOfSeveralProtocolsAreThoseOfAll) {
+TEST(MeasureRegistry, DefaultsOfSeveralProtocolsAreCombined) {
   std::vector<std::string> names;
   for (const Measure& measure :
        default_measures(std::vector<Protocol>{Protocol::psb, Protocol::paper, Protocol::trec})) {

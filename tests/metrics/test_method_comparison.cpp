@@ -118,7 +118,7 @@ TEST(MethodComparison, NoPValueIsBelowTheSmallestThatIsPossible) {
   EXPECT_NEAR(p, smallest_p_value({}, 3), 0.02);                                  // of 10,000 resamples
 }
 
-TEST(ClassPValue, IsThatOfTheTTestOfClassMeans) {
+TEST(ClassPValue, MatchesTheTTestOfClassMeans) {
   // Means 0.5, 0.1 and 0.3: t = 0.3 / (0.2 / sqrt(3)).
   const Eigen::VectorXd differences = (Eigen::VectorXd(5) << 0.4, 0.6, 0.1, 0.2, 0.4).finished();
   const std::vector<int> classes = {0, 0, 1, 2, 2};

@@ -129,7 +129,7 @@ RC_GTEST_PROP(Ties, IndexAndExpectedLieBetweenTheBounds, ()) {
   }
 }
 
-RC_GTEST_PROP(Ties, FirstTierBoundsAreThoseOfTheOrders, ()) {
+RC_GTEST_PROP(Ties, FirstTierBoundsMatchTheOrders, ()) {
   const EvaluationCase data = *cases_with_ties();
   const auto first_tier = [&](Ties ties) {
     return evaluate(data.distances, data.labels,

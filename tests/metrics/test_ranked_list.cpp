@@ -68,7 +68,7 @@ TEST(RankedList, UnderPsbIsWithoutTheQuery) {
   EXPECT_THAT(list.precision_at_hit, ElementsAre(1, 0.5));
 }
 
-TEST(RankedList, UnderPaperBeginsWithTheQueryWhateverItsDistance) {
+TEST(RankedList, UnderPaperBeginsWithTheQueryAtAnyDistance) {
   const RankedList list = ranked({0, 1, infinity, 3, 4}, alternating, Protocol::paper);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}, RankRun{1, 1}));
   EXPECT_EQ(list.relevant, 3U);

@@ -58,7 +58,7 @@ TEST(CoarseShape, KeepsTheLargestFacesWhereNoGridKeepsAny) {
   EXPECT_GT(surface_area(coarse), 0.2 * surface_area(needles));
 }
 
-TEST(CoarseShape, ASmallShapeStaysAsItIs) {
+TEST(CoarseShape, KeepsSmallShapes) {
   const Shape sphere = test::sphere(1, 2);
   EXPECT_EQ(coarse_shape(sphere, sphere.triangles.rows()).triangles, sphere.triangles);
 }
@@ -109,7 +109,7 @@ TEST(CarriedValues, MissingValuesAreIgnoredUnlessAllAreMissing) {
   EXPECT_TRUE(carried.means(values).array().isNaN().all());
 }
 
-TEST(CoarseView, KeepsWhatEachBallHas) {
+TEST(CoarseView, KeepsTheBallsOfValues) {
   const ShapeView fine = test_view::balls();
   const Samples samples = sample_shape(fine.shape, fine.site);
   const ShapeView coarse = coarse_view(fine, samples, 400);

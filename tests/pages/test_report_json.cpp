@@ -41,7 +41,7 @@ TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
   EXPECT_EQ(json["scale"], 4);
 }
 
-TEST(HeatMap, OfAnyOtherMatrixHasAllCellsAndTheDiagonalPlaysNoPart) {
+TEST(HeatMap, OfAnAsymmetricMatrixHasAllCells) {
   const DistanceMatrix distances{{9, 1}, {3, 9}};
   const auto json = heat_map(overview_of(distances, std::vector<int>{0, 0}));
   EXPECT_EQ(json["symmetric"], false);
@@ -128,7 +128,7 @@ TEST(ReportJson, HistogramsAreOfTheMethodOrOfItsParts) {
   EXPECT_EQ(methods[2]["parts"], (std::vector{0, 1}));
 }
 
-TEST(ReportJson, IntervalsSettingsAndLeaksAreThoseOfTheReport) {
+TEST(ReportJson, ContainsIntervalsSettingsAndLeaks) {
   const Report& report = test_report::hostile_report().report;
   const auto json = report_json(report);
   const auto& method = json["methods"][1];

@@ -121,7 +121,7 @@ TEST(ShapeViewJson, MissingValuesHaveALevelOfTheirOwn) {
   EXPECT_EQ(field["high"], 2);
 }
 
-TEST(ShapeViewJson, TheFirstPositionIsThatOfPictures) {
+TEST(ShapeViewJson, InitialViewMatchesPictures) {
   const ShapeView view = test_view::balls();
   const Json axes = shape_view_json(view)["axes"];
   Eigen::Matrix3d rows;
@@ -171,7 +171,7 @@ TEST(ShapeViewJson, ACloudIsItsPointsWithHexagonsAsPicturesHaveThem) {
   }
 }
 
-TEST(ShapeViewJson, WithoutExtentThereIsNothingToShow) {
+TEST(ShapeViewJson, RejectsShapesWithoutExtent) {
   EXPECT_THROW(
       shape_view_json({.name = "", .shape = {.vertices = Points::Ones(3, 3), .triangles = Triangles{{0, 1, 2}}}}),
       InputError);

@@ -129,7 +129,7 @@ TEST(Diffusion, MatchesTheDefinitionWithInfiniteDistances) {
   EXPECT_LT(infinite, (distances.array() == no_neighbour).count());  // walks connect some
 }
 
-TEST(Diffusion, RowsFromTheSparseSystemAreThoseOfTheDenseOne) {
+TEST(Diffusion, SparseRowsMatchTheDenseSolution) {
   const DistanceMatrix distances = distances_of(arcs(100, 3, 2));  // more than one block of rows
   const DistanceMatrix by_rows = diffused_by_rows(distances);
   const DistanceMatrix symmetric = (by_rows + by_rows.transpose()) / 2;
@@ -179,7 +179,7 @@ TEST(AveragedDiffusion, NeedsNoNumberOfNeighboursThatFitsTheClasses) {
   }
 }
 
-TEST(DiffusedDiagonal, IsThatOfTheInverse) {
+TEST(DiffusedDiagonal, MatchesTheInverse) {
   const DistanceMatrix distances = distances_of(arcs(40, 3, 5));
   for (const double damping : {0.0, 0.3, 0.95}) {
     const auto graph = diffusion_graph(nearest_models(120, 7, rows_of(distances)), 7);

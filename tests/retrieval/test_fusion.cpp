@@ -320,7 +320,7 @@ TEST(LocalSpread, IsTheSameAsRanks) {
             sum_of_distances(matrices, unequal, DistanceScale::ranks));
 }
 
-TEST(Disagreement, IsBetweenMatricesThatFindDifferentGroups) {
+TEST(Disagreement, FindsMatricesWithDifferentGroups) {
   const DistanceMatrix groups = test::distances_of(test::clusters(20, 6, 1));
   const std::vector<Eigen::Index> order = test::random_order(120, 5);
   const std::vector<DistanceMatrix> others = {groups, groups.cwiseAbs2(), groups(order, order)};

@@ -123,7 +123,7 @@ RC_GTEST_PROP(Histogram, SumsToOneAndDoesNotDependOnTheScaleOfWeights, ()) {
   RC_ASSERT(histogram(scaled, {0, 1}, options) == result);
 }
 
-TEST(ValueRange, IsThatOfFiniteValuesOfPositiveWeight) {
+TEST(ValueRange, EnclosesFiniteValuesOfPositiveWeight) {
   const auto range = value_range(field_of({3, nan, -infinity, infinity, -7, 5, 99}, {1, 1, 1, 1, 1, 2, 0}));
   ASSERT_TRUE(range);
   EXPECT_EQ(range->low, -7);

@@ -129,7 +129,7 @@ TEST(OptionParameters, ValuesOfOptionsMakeTheSameOptions) {
   EXPECT_THROW(values_of(sample_parameters, sample_table, {.count = 0}), InputError);
 }
 
-TEST(OptionParameters, BoundsHoldForOptionsToo) {
+TEST(OptionParameters, OptionsAreCheckedAgainstBounds) {
   EXPECT_NO_THROW(check_options("x", sample_table, SampleOptions{}));
   EXPECT_THROW(check_options("x", sample_table, {.count = 0}), InputError);
   EXPECT_THROW(check_options("x", sample_table, {.share = 1}), InputError);

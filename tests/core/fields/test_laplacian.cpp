@@ -48,7 +48,7 @@ TEST(Laplacian, EnergyOfALinearFunctionIsTheAreaTimesItsSquaredSlope) {
   EXPECT_NEAR(values.dot(laplacian.stiffness * values), 2 * 25, 1e-9);
 }
 
-TEST(Laplacian, EigenvaluesOfTheUnitSphereAreThoseOfSphericalHarmonics) {
+TEST(Laplacian, EigenvaluesOfTheUnitSphereMatchSphericalHarmonics) {
   const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), 25);
   Eigen::Index k = 0;
   for (int l = 0; l < 5; ++l) {
@@ -70,7 +70,7 @@ TEST(Laplacian, KeepsMultipleEigenvalues) {
   }
 }
 
-TEST(Laplacian, EigenvaluesOfARectangleAreThoseOfCosines) {
+TEST(Laplacian, EigenvaluesOfARectangleMatchCosines) {
   const Spectrum spectrum = laplacian_spectrum(rectangle(24), 6);
   const double unit = std::numbers::pi * std::numbers::pi;  // of pi^2 (i^2 / 4 + j^2)
   const std::vector<double> expected = {0, unit / 4, unit, unit, unit * 5 / 4, unit * 2};

@@ -62,7 +62,7 @@ TEST(TextScanner, SplitsWordsAtBlanksAndComments) {
   EXPECT_TRUE(scanned_words("# nothing").empty());
 }
 
-RC_GTEST_PROP(TextScanner, WordsMatchANaiveScanner, ()) {
+RC_GTEST_PROP(TextScanner, WordsMatchTheDefinition, ()) {
   const auto text = *rc::gen::container<std::string>(rc::gen::element('a', '1', '#', ' ', '\t', '\n', '\r'));
   RC_ASSERT(scanned_words(text) == literal_words(text));
 }

@@ -88,7 +88,7 @@ TEST(ReadShape, UnsupportedFormatsGiveAdvice) {
   EXPECT_FALSE(unsupported_format_advice("x.off"));
 }
 
-TEST(ReadShape, RefusesWhatIsNotAShapeFile) {
+TEST(ReadShape, RejectsFilesThatAreNoShapes) {
   const TemporaryFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
   std::filesystem::create_directory(folder.path() / "folder.off");

@@ -130,7 +130,7 @@ TEST(WriteStl, LossOfPrecisionIsAWarning) {
   EXPECT_EQ(precision_warning("x.ply", shape), std::nullopt);
 }
 
-TEST(WriteStl, RefusesWhatTheFormatCannotHold) {
+TEST(WriteStl, RejectsShapesThatTheFormatCannotStore) {
   const test::TemporaryFolder folder;
   EXPECT_THROW(write_stl(folder.path() / "t.stl", test::small_cloud()), InputError);
   Shape large = test::tetrahedron();

@@ -107,7 +107,7 @@ TEST(Decimate, IsInvariantToSizeAndPosition) {
   EXPECT_EQ(decimate(tiny, 500).triangles, decimate(torus, 500).triangles);
 }
 
-TEST(Decimate, ReturnsASmallMeshAsItIs) {
+TEST(Decimate, ReturnsSmallMeshesUnchanged) {
   const Shape box = test::box({1, 1, 1}, 2);
   EXPECT_EQ(decimate(box, 48).triangles, box.triangles);
 }

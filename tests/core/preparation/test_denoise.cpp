@@ -40,7 +40,7 @@ TEST(VertexNeighbours, OfATorusAreSixEach) {
   for (Eigen::Index v = 0; v < torus.vertices.rows(); ++v) EXPECT_EQ(neighbours.of(v).size(), 6U) << v;
 }
 
-TEST(VertexNeighbours, OfASoupAreThoseOfItsMesh) {
+TEST(VertexNeighbours, OfASoupMatchItsMesh) {
   const Shape torus = test::torus(2, 0.7, 8, 12);
   const Shape soup = test::soup(torus);
   const VertexNeighbours expected = vertex_neighbours(torus);

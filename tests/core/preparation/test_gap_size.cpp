@@ -70,7 +70,7 @@ TEST(GapSize, IsZeroWithoutAnInnerSpace) {
   for (const Shape& shape : {cup, sheet}) EXPECT_EQ(gap_sizes(shape).widest, 0);
 }
 
-TEST(GapSize, OfPatchesIsThatOfTheCracksBetweenThem) {
+TEST(GapSize, OfPatchesIsTheWidthOfTheCracks) {
   // The six sides of a cube, each moved outwards; only the widest crack is above the resolution of the grid.
   for (const double crack : {1e-6, 1e-4, 1e-2, 0.1}) {
     std::vector<Shape> sides;

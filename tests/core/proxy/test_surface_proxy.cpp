@@ -72,7 +72,7 @@ TEST(SurfaceProxy, LaplacianIsSymmetricWithConstantsInItsKernel) {
   EXPECT_EQ(Eigen::SparseMatrix<double>(proxy.stiffness.transpose()).toDense(), proxy.stiffness.toDense());
 }
 
-TEST(SurfaceProxy, EigenvaluesOfTheSphereAreThoseOfSphericalHarmonics) {
+TEST(SurfaceProxy, EigenvaluesOfTheSphereMatchSphericalHarmonics) {
   const Eigen::VectorXd found = eigenvalues_of(sphere(3, 5), 35) / (4 * pi);
   Eigen::Index k = 0;
   for (int l = 1; l <= 5; ++l) {
@@ -114,7 +114,7 @@ TEST(SurfaceProxy, DistancesAgreeWithExactOnesOnTheMesh) {
   }
 }
 
-TEST(SurfaceProxy, EigenvaluesOfARectangleAreThoseOfCosines) {
+TEST(SurfaceProxy, EigenvaluesOfARectangleMatchCosines) {
   const Eigen::VectorXd found = eigenvalues_of(test::rectangle(2, 1, 40, 20), 5) / 2;
   const Eigen::VectorXd expected = Eigen::Vector<double, 5>(0.25, 1, 1, 1.25, 2) * pi * pi;
   EXPECT_LT(largest_relative_difference(found, expected), 0.03);

@@ -219,7 +219,7 @@ TEST(SamplesOfTheSurface, AreUniformWithinATriangle) {
   EXPECT_NEAR((x * y).mean(), 1.0 / 12, error);
 }
 
-TEST(SamplesOfTheSurface, OfACloudAreSomeOfItsPointsWithTheWholeArea) {
+TEST(SamplesOfTheSurface, OfACloudAreASubsetWithTheTotalArea) {
   const Shape cloud{test::box({1, 1, 1}, 6).vertices, {}, {}};
   const Samples all = sample_shape(cloud, SampleSite::vertices);
   const Samples some = sample_surface(cloud, 50);

@@ -26,7 +26,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-RC_GTEST_PROP(OpenMatrix, BlocksAreThoseOfTheWholeMatrix, ()) {
+RC_GTEST_PROP(OpenMatrix, BlocksMatchTheWholeMatrix, ()) {
   const TemporaryFolder folder;
   const DistanceMatrix matrix = *square_matrices();
   write_npy(folder.path() / "m.npy", matrix);

@@ -100,7 +100,7 @@ TEST(MeshSolid, KeepsHolesAndThinWalls) {
   }
 }
 
-TEST(MeshSolid, LabelsAreThoseOfTheObjectAtTheCentroids) {
+TEST(MeshSolid, LabelsMatchTheObjectAtTheCentroids) {
   SolidObject object;
   object.parts = {{5, rounded_box({0, 0, 0}, {0.6, 0.6, 0.2}, 0.05)},
                   {1, rounded_box({0, 0, 0.5}, {0.2, 0.2, 0.5}, 0.05)}};

@@ -211,7 +211,7 @@ TEST_F(EvaluationTaskTest, MismatchesAreOneError) {
 
 // In Python, row i of the list refers to row i of the matrix. Rows of the CSV: 10 and 2 of one class, 1 of the
 // other.
-TEST_F(EvaluationTaskTest, RowsOfAMatrixAreThoseOfAListOfLabels) {
+TEST_F(EvaluationTaskTest, RowsOfAMatrixFollowAListOfLabels) {
   const auto labels = file("labels.csv", "id,class\n10,ant\n2,ant\n1,bee\n");
   const auto matrix = file("d.txt", "0 1 5\n1 0 4\n5 4 0\n");
   const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});

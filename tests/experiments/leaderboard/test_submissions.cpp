@@ -50,7 +50,7 @@ TEST_F(SubmissionFolder, AreAllFilesOfReadableFormatsInNaturalOrder) {
   EXPECT_TRUE(found.refused.empty());
 }
 
-TEST_F(SubmissionFolder, AreDescribedByTheJsonBesideThem) {
+TEST_F(SubmissionFolder, AreDescribedByAJsonFile) {
   add("x.csv.gz");
   add("x.json", R"({"name": "Ours", "authors": ["A", "B"], "paper": "P", "url": "https://e.org", "similarity": true,
                     "ids": "order.txt"})");

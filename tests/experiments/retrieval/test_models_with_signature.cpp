@@ -27,7 +27,7 @@ TEST(ModelsWithSignature, OtherModelsAreInfinitelyFar) {
   EXPECT_EQ(models.spread(between), with_infinite_second());
 }
 
-TEST(ModelsWithSignature, RowsOfAMatrixBecomeThoseOfTheWholeOne) {
+TEST(ModelsWithSignature, ExpandsRowsToTheWholeMatrix) {
   const ModelsWithSignature models(second_of_three(), 3);
   DistanceMatrix whole(3, 3);
   whole << 0, 1, 5, 2, 0, 3, 7, 4, 0;

@@ -82,7 +82,7 @@ TEST_F(RunExperiment, CloudsAreRetrievedToo) {
   EXPECT_EQ(results.methods.at(0).distances, results.methods.at(1).distances) << "points, whatever the site";
 }
 
-TEST_F(RunExperiment, DistancesAreThoseOfTheStepsDoneByHand) {
+TEST_F(RunExperiment, DistancesMatchTheSingleSteps) {
   const ExperimentResults results = run();
   const auto histogram_of = [&](const char* name) {
     const Shape shape = prepare_shape(read_shape(data() / name), {}).shape;
@@ -102,7 +102,7 @@ TEST_F(RunExperiment, ConcatenationsHaveTheMeanDistance) {
   EXPECT_TRUE(both.isApprox(expected, 1e-5));
 }
 
-TEST_F(RunExperiment, TheRangeOfTheDataSetIsThatOfAllShapes) {
+TEST_F(RunExperiment, RangeOfTheDataSetEnclosesAllShapes) {
   // With the range fixed to that of the data set, signatures agree to single precision.
   const ExperimentResults results = run();
   Interval range{.low = 1e9, .high = -1e9};

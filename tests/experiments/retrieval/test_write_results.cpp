@@ -117,7 +117,7 @@ TEST_F(WriteResults, WritesScoresPerClassAndQuery) {
   EXPECT_LT(std::stod(shown.at("low")), 75);
 }
 
-TEST_F(WriteResults, DistancesAndFeaturesAreThoseOfTheMethods) {
+TEST_F(WriteResults, WritesDistancesAndFeaturesOfTheMethods) {
   write();
   EXPECT_EQ(parse_npy(test::text_of(out("distances/line.npy")), "distances/line.npy", TableShape::square), line_);
   EXPECT_EQ(parse_npy(test::text_of(out("distances/perfect_2.npy")), "distances/perfect_2.npy", TableShape::square),

@@ -89,7 +89,7 @@ TEST_F(CollectionOf, ADataSetMayBeGivenByItsFile) {
               AllOf(HasSubstr("run.json: dataset: "), HasSubstr("absent.json: no such file")));
 }
 
-TEST_F(CollectionOf, AnInvalidDataSetIsAnErrorWithItsPlace) {
+TEST_F(CollectionOf, InvalidDataSetsAreErrorsWithTheirLocation) {
   for (const auto& [dataset, message] : {std::pair(R"({})", "run.json: dataset: "),
                                          {R"({"layout": "folders", "root": 3})", "run.json: dataset.root: "},
                                          {R"({"layout": "shrec07", "root": ".", "split": "test"})", "dataset.split: "},
@@ -110,7 +110,7 @@ TEST_F(CollectionOf, RejectsOtherFiles) {
   EXPECT_THAT(input_error_of([&] { find_collection(at("empty")); }), HasSubstr("has no shapes"));
 }
 
-TEST(UsualIndexPath, LiesBesideTheCollection) {
+TEST(UsualIndexPath, IsNextToTheCollection) {
   EXPECT_EQ(usual_index_path("/a/models"), "/a/models.search-index");
   EXPECT_EQ(usual_index_path("/a/models/"), "/a/models.search-index");
   EXPECT_EQ(usual_index_path("/a/list.txt", "b/own.json"), "/a/list.txt.own.search-index");

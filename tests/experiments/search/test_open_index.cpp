@@ -198,7 +198,7 @@ TEST(OpenIndex, WithoutUpdateNeedsNoModels) {
               HasSubstr("is damaged"));
 }
 
-TEST(OpenIndex, AnInterruptedDescriptionLeavesTheIndexAndGoesOnFromTheCache) {
+TEST(OpenIndex, AnInterruptedUpdateKeepsTheIndexAndContinuesFromTheCache) {
   const SearchedFolder folder;
   Cache cache(folder.at("cache"));
   std::atomic<int> asked = 0;

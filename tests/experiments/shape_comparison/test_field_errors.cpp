@@ -98,7 +98,7 @@ TEST(ValueErrors, AreNoneForTheReferenceItself) {
   EXPECT_EQ(errors.relative_percentile_90, 0);
 }
 
-TEST(ValueErrors, AreThoseFromTheNearestSample) {
+TEST(ValueErrors, CompareWithTheNearestSample) {
   PlacedValues moved = line();
   moved.points.col(0).array() += 0.3;
   moved.points.col(1).array() += 7;

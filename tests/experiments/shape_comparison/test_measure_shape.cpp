@@ -105,7 +105,7 @@ TEST_F(MeasureThroughCache, AllDependOnThePreparationFieldsAndHistograms) {
   EXPECT_EQ(misses(), 3U);
 }
 
-TEST_F(MeasureThroughCache, RunTimesAreThoseOfAsManyThreads) {
+TEST_F(MeasureThroughCache, RunTimesAreStoredPerNumberOfThreads) {
   EXPECT_EQ(misses(2), 3U);
   EXPECT_EQ(misses(2), 0U);
 }

@@ -111,7 +111,7 @@ TEST_F(WriteShapeComparison, TimesAreByShapeAndSample) {
               ElementsAre(1.5, 0.001, 0.003, 100));
 }
 
-TEST_F(WriteShapeComparison, ShapesOfOtherPlacesHaveNoErrors) {
+TEST_F(WriteShapeComparison, UnregisteredShapesHaveNoErrors) {
   write();
   results_.comparison.registered = false;
   write();

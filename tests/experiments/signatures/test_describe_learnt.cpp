@@ -150,7 +150,7 @@ TEST(DescribeLearnt, RejectsAnEmptyCollection) {
   EXPECT_THROW(described(all_fail, mean_configuration(OnError::skip)), InputError);
 }
 
-TEST(DescribeLearnt, TakesFromTheCacheWhatDependsOnTheSameModels) {
+TEST(DescribeLearnt, ReusesResultsOfTheSameModels) {
   const test::TemporaryFolder folder;
   const auto run = [&](const std::map<std::size_t, float>& values) {
     Cache cache(folder.path() / "cache");

@@ -48,7 +48,7 @@ TEST(ModelPicture, HasTheRequestedSizeAndATransparentBackground) {
   EXPECT_EQ(image.pixels[static_cast<std::size_t>(4 * (image.height / 2 * image.width + image.width / 2)) + 3], 255);
 }
 
-TEST(ModelPicture, TheSameValueHasTheSameColourWhereverItIsSampled) {
+TEST(ModelPicture, EqualValuesHaveEqualColoursForEverySampling) {
   const Shape sphere = test::sphere(1, 4);
   const Image faces = decoded(picture_of(sphere, SampleSite::faces, 0.1));
   for (const SampleSite site : {SampleSite::vertices, SampleSite::surface}) {

@@ -56,7 +56,7 @@ TEST(D2, DoesNotDependOnTheDensityOfACloud) {
   EXPECT_LT(distance_of_d2(d2(Shape{uneven, {}}, {.points = 1200, .bins = 12}), expected), 0.15);
 }
 
-TEST(D2, RefusesOptionsOutOfRangeAndSinglePlaces) {
+TEST(D2, RejectsOptionsOutOfRangeAndSinglePositions) {
   const Shape ball = test::sphere(1, 1);
   EXPECT_THROW(d2(ball, {.points = 1}), InputError);
   EXPECT_THROW(d2(ball, {.bins = 0}), InputError);

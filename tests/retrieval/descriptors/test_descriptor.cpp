@@ -100,7 +100,7 @@ TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
   EXPECT_THROW(joint.describe(input, {}, settings), InputError);
 }
 
-TEST(DescriptorDistances, AreThoseOfAllPairs) {
+TEST(DescriptorDistances, MatchEachPair) {
   Signatures features(3, 2);
   features << 0, 0, 1, 2, 4, 0;
   const DistanceMatrix matrix = descriptor_distances(descriptors().at("d2"), features);

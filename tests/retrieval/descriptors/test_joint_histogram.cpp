@@ -137,7 +137,7 @@ TEST(JointHistogram, OfAFieldThatIsConstantUpToRoundingHasOneBin) {
   EXPECT_EQ(compute_features(joint, {none, fields}, {}, settings), constant);
 }
 
-TEST(JointHistogram, OverADataSetOfOneValueItIsThatOfEachShapesOwnRange) {
+TEST(JointHistogram, OverADataSetOfOneValueUsesEachShapesRange) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   fields[0].values.setConstant(0.7);
   const Shape none;
