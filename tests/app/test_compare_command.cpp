@@ -163,7 +163,7 @@ TEST_F(CompareCommand, RejectsIncomparableInputsWithOneLine) {
       {compare("one.csv"), "two methods"},
       {compare("good.npy bad.npy"), "good.npy"},
       {compare("nowhere"), "nowhere"},
-      {compare("class.csv", "--blocks classes"), "needs at least two of them"},
+      {compare("class.csv", "--blocks classes"), "needs at least two classes"},
       {compare_matrices("good.npy bad.npy", "--reference god"), "did you mean \"good\"?"},
       {compare_matrices("good.npy bad.npy", "--measures FT,XX"), "no measure \"XX\""},
       {compare_matrices("good.npy bad.npy", "--test u"), "--test"}};

@@ -109,7 +109,7 @@ TEST(CarriedValues, MissingValuesAreIgnoredUnlessAllAreMissing) {
   EXPECT_TRUE(carried.means(values).array().isNaN().all());
 }
 
-TEST(CoarseView, KeepsTheBallsOfValues) {
+TEST(CoarseView, KeepsPartsAndValuesOfEachBall) {
   const ShapeView fine = test_view::balls();
   const Samples samples = sample_shape(fine.shape, fine.site);
   const ShapeView coarse = coarse_view(fine, samples, 400);

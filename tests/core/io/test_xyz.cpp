@@ -84,8 +84,8 @@ TEST(ReadXyz, NormalsOfAnySizeBecomeUnitVectors) {
 }
 
 TEST(ReadXyz, RefusesUnusableLines) {
-  test::expect_refused({{"0 0 0\n1 2\n0 0 0\n", "c.xyz:2: 2 of a point's three"},
-                        {"0 0 0\n\n7\n", "c.xyz:3: 1 of a point's three"},
+  test::expect_refused({{"0 0 0\n1 2\n0 0 0\n", "c.xyz:2: expected 3 coordinates of a point, found 2"},
+                        {"0 0 0\n\n7\n", "c.xyz:3: expected 3 coordinates of a point, found 1"},
                         {"x,y\n0,0,0\n", "c.xyz:1: expected a coordinate"},
                         {"0 0 0\n0 zero 0\n", "c.xyz:2: expected a coordinate"},
                         {"0 0 0\n0 0 -inf\n", "c.xyz:2: a coordinate is not a finite number"},
