@@ -16,7 +16,7 @@
 /// values and defaults.
 namespace shapegauge {
 
-/// Text given for a parameter.
+/// Text of an option for a parameter.
 struct ParameterText {
   std::string option;  ///< name of the option in messages
   std::string text;    ///< empty if not given

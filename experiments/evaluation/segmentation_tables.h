@@ -20,7 +20,7 @@ inline constexpr const char* people_name = "people";
 /// Errors of methods and, last, between people, on the meshes of a benchmark.
 struct SegmentationScores {
   std::vector<std::string> ids;      ///< of the meshes
-  std::vector<int> labels;           ///< by mesh: index of its class
+  std::vector<int> labels;           ///< per mesh: index of its class
   std::vector<std::string> classes;  ///< names
   std::vector<std::string> methods;
   std::vector<std::vector<SegmentationErrors>> errors;  ///< per method, then by mesh; NaN if undefined

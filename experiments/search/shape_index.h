@@ -47,7 +47,7 @@ struct ShapeIndex {
   std::vector<IndexedFile> models;     ///< described files, in natural order of ids
   std::vector<IndexedFile> failures;   ///< the other files
   std::vector<IndexTable> tables;      ///< per term of the method: row i is of models[i]
-  std::vector<LearntFeatures> learnt;  ///< by signature of the method's configuration
+  std::vector<LearntFeatures> learnt;  ///< per signature of the method's configuration
   std::vector<Interval> field_ranges;  ///< by planned field, over the collection
   CollectionSum sum;
   NearestModels nearest;  ///< of the models by the sum; empty before the first re-ranked search
