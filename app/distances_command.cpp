@@ -51,8 +51,8 @@ void add_distances_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("distances", "Compute the distance matrix of features");
   command->footer(
       "Example: shapegauge describe models/*.off --descriptor light_field -o features.csv\n         shapegauge "
-      "distances features.csv -o distances.csv --distance light_field\nThe name of a descriptor selects its own "
-      "distance. CSV keeps the ids of the rows.\n'shapegauge rerank' and 'shapegauge evaluate' read the matrix.");
+      "distances features.csv -o distances.csv --distance light_field\nCSV keeps the ids of the "
+      "rows.\n'shapegauge rerank' and 'shapegauge evaluate' read the matrix.");
   const auto arguments = std::make_shared<DistancesArguments>();
   command
       ->add_option("features", arguments->features,

@@ -229,8 +229,7 @@ void add_search_command(CLI::App& app, int& status) {
       "Example: shapegauge search chair.obj models/\n"
       "         shapegauge search models/ant_*.off models/ -k 5 --format csv\n"
       "         shapegauge search models/                (only builds the index)\n"
-      "The first search describes every shape of the collection, a fraction of a second each, and writes an index. "
-      "Later ones use the index and update it for new, changed and removed files. Distances are comparable only within "
+      "The first search writes an index of the collection; later ones update it. Distances are comparable only within "
       "one collection and method.");
   const auto arguments = std::make_shared<SearchArguments>();
   command
