@@ -247,7 +247,7 @@ TEST_F(RunCommand, NamesMethodsThatCannotProcessAModel) {
                          R"("descriptor": {"type": "shape_dna", "eigenvalues": 5}}]')";
   const Outcome outcome = run("--set on_error=skip" + d2);
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.errors, HasSubstr("method \"dna\" cannot take 1 of 9 models, which count as not found: 3 ("));
+  EXPECT_THAT(outcome.errors, HasSubstr("method \"dna\" cannot process 1 of 9 models, which count as not found: 3 ("));
   EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("omitted")));
   EXPECT_THAT(outcome.output, testing::ContainsRegex("dna +1 +psb +both "));
 }

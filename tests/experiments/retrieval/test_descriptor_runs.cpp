@@ -248,7 +248,7 @@ TEST_F(DescriptorRuns, SummaryCountsModelsThatAMethodCannotProcess) {
   EXPECT_EQ(listed[0].at("model"), "4");
   const std::vector<std::string> sentences = incomplete_methods(results);
   ASSERT_EQ(sentences.size(), results.methods.size() - 1);
-  EXPECT_THAT(sentences[0], testing::HasSubstr("method \"fixed\" cannot take 1 of 9 models"));
+  EXPECT_THAT(sentences[0], testing::HasSubstr("method \"fixed\" cannot process 1 of 9 models"));
   EXPECT_EQ(files_of(run(document, true)), files) << "from the cache";
 }
 
