@@ -71,7 +71,7 @@ void add_audit_command(CLI::App& app, int& status) {
   add_threads_option(*command, arguments->evaluation.threads);
   add_resampling_options(*command, arguments->resampling);
   begin_option_group(*command, output_options);
-  add_score_format_options(*command, arguments->printed, "Format of the printed tables");
+  add_score_format_options(*command, arguments->printed, "Format of the printed result");
   command->callback(
       [arguments, &status] { with_threads(arguments->evaluation.threads, [&] { status = run_audit(*arguments); }); });
 }

@@ -96,7 +96,8 @@ void add_curves_of_run(const fs::path& folder, const CompareArguments& arguments
   }
 }
 
-// Throws InputError if the scores of a run, which stand beside those of evaluated distances, have another rule of ties.
+// Throws InputError if the scores of a run, which stand next to those of evaluated distances, have another rule of
+// ties.
 void check_ties_of_run(const fs::path& folder, const CompareArguments& arguments) {
   std::error_code unknown;
   const fs::path summary = folder / "summary.json";

@@ -48,8 +48,8 @@ void add_distances_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("distances", "Compute the distance matrix of features");
   command->footer(
       "Example: shapegauge describe models/*.off --descriptor light_field -o features.csv\n         shapegauge "
-      "distances features.csv -o distances.csv --distance light_field\nThe name of a descriptor selects its own "
-      "distance. CSV keeps the ids of the rows.\n'shapegauge rerank' and 'shapegauge evaluate' read the matrix.");
+      "distances features.csv -o distances.csv --distance light_field\nCSV keeps the ids of the "
+      "rows.\n'shapegauge rerank' and 'shapegauge evaluate' read the matrix.");
   const auto arguments = std::make_shared<DistancesArguments>();
   command
       ->add_option("features", arguments->features,
@@ -60,7 +60,9 @@ void add_distances_command(CLI::App& app, int& status) {
   command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)")->required();
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Method");
-  command->add_option("--distance", arguments->distance, "Distance, or descriptor that defines it")
+  command
+      ->add_option("--distance", arguments->distance,
+                   "Read features, one row per model, and compare them by this distance or by that of a descriptor")
       ->check(one_of(feature_distance_names()))
       ->required();
   add_threads_option(*command, arguments->threads);

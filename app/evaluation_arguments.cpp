@@ -41,9 +41,8 @@ void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
       ->transform([](const std::string& word) { return word == "classification" ? "file" : word; });  // the older word
   CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "Read the matrix as similarities");
   command
-      .add_option(
-          "--distance", files.distance,
-          "Distance of features: the file has features, one row per model; a descriptor stands for its distance")
+      .add_option("--distance", files.distance,
+                  "Read features, one row per model, and compare them by this distance or by that of a descriptor")
       ->check(one_of(feature_distance_names()))
       ->excludes(similarity);
 }
@@ -117,13 +116,9 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   command.add_option("--confidence", arguments.confidence, "Confidence level of intervals, such as 0.95")
       ->check(within<double>(confidence_bounds));
   command
-      .add_option(
-          "--blocks", arguments.blocks,
-          arguments.blocks == name_of(ResamplingUnit::classes)
-              ? "Unit of resampling: classes (claims about classes like these, since the intervals stand alone), "
-                "or queries (about these classes)"
-              : "Unit of resampling: queries (claims about these classes, beside a second test about classes "
-                "like these), or classes")
+      .add_option("--blocks", arguments.blocks,
+                  "Unit of resampling: queries, for claims about these classes, or classes, for claims about classes "
+                  "like these")
       ->check(one_of(list_of_words<ResamplingUnit>()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")

@@ -68,7 +68,7 @@ void add_cleaning_options(CLI::App& command, CleaningArguments& arguments) {
   command.add_flag("--denoise", arguments.denoise, "Smooth clearly noisy meshes first")->group(computation_options);
   command
       .add_flag("--remove-outliers", arguments.remove_outliers,
-                "Remove isolated points of clouds first (done anyway where --offset auto chooses the offset)")
+                "Remove isolated points of clouds first, as --offset auto does")
       ->group(computation_options);
 }
 

@@ -48,7 +48,9 @@ std::string meaning_of(const Parameter& parameter, bool with_default) {
   if (parameter.kind == ParameterKind::boolean) return without_full_stop(parameter.description);
   with_default &= !parameter.required();
   const std::string usual = with_default ? "; default: " + to_string(parameter.default_value) : "";
-  return fmt::format("{} ({}{})", without_full_stop(parameter.description), legal_values(parameter), usual);
+  const std::string values = legal_values(parameter);
+  const std::size_t article = values.starts_with("a ") ? 2 : 0;
+  return fmt::format("{} ({}{})", without_full_stop(parameter.description), values.substr(article), usual);
 }
 
 CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,

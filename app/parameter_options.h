@@ -16,7 +16,7 @@
 /// values and defaults.
 namespace shapegauge {
 
-/// Text given for a parameter.
+/// Text of an option for a parameter.
 struct ParameterText {
   std::string option;  ///< name of the option in messages
   std::string text;    ///< empty if not given
@@ -50,8 +50,8 @@ CLI::Validator one_of(std::vector<std::string> words);
 CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,
                                   std::string names = {}, std::string meaning = {});
 
-/// Returns the parameters' values: those given, and defaults for the others. `subject` follows "applies to" in
-/// messages. Throws InputError for an invalid text, and for a text given for a parameter that is not in the list.
+/// Parses the texts of options, with defaults for parameters without one. `subject` follows "applies to" in messages.
+/// Throws InputError for an invalid text, and for an option whose parameter is not in the list.
 ParameterValues parameter_values(std::span<const Parameter> parameters, const ParameterTexts& given,
                                  std::string_view subject);
 

@@ -244,8 +244,7 @@ void add_run_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge run configs/quickstart.json\n"
       "         shapegauge run methods.json --set signatures.0.histogram.bins=40\n"
-      "Results of another configuration are replaced only with --replace. An interrupted run continues from the cache "
-      "(shapegauge cache --help).\n"
+      "An interrupted run continues from the cache (shapegauge cache --help).\n"
       "After the parts of --part, which may run at the same time, the run without it writes the results.\n"
       "--replay repeats a run without the cache, into results/NAME-replay or --output, and compares each output.");
   const auto arguments = std::make_shared<RunArguments>();

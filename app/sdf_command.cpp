@@ -191,7 +191,7 @@ void add_outputs(CLI::App& command, SdfArguments& arguments) {
   command.add_flag("--summary", arguments.summary,
                    "Print minimum, percentiles, maximum and mean of the thickness, and the area below --below; done "
                    "anyway without -o and --plot");
-  add_format_option(command, arguments.format, "Format of the summary");
+  add_format_option(command, arguments.format, "Format of the printed result");
   command.add_option("--plot", arguments.plot, "File for a histogram of the values: .svg, .pdf or .png");
 }
 

@@ -229,8 +229,7 @@ void add_search_command(CLI::App& app, int& status) {
       "Example: shapegauge search chair.obj models/\n"
       "         shapegauge search models/ant_*.off models/ -k 5 --format csv\n"
       "         shapegauge search models/                (only builds the index)\n"
-      "The first search describes every shape of the collection, a fraction of a second each, and writes an index. "
-      "Later ones use the index and update it for new, changed and removed files. Distances are comparable only within "
+      "The first search writes an index of the collection; later ones update it. Distances are comparable only within "
       "one collection and method.");
   const auto arguments = std::make_shared<SearchArguments>();
   command
@@ -243,11 +242,11 @@ void add_search_command(CLI::App& app, int& status) {
       ->check(within<std::size_t>(parameter_named("count", search_table).bounds))
       ->capture_default_str();
   command->add_flag("--rerank", arguments->rerank, "Re-rank by diffusion over the collection");
-  add_format_option(*command, arguments->format, "Format of the results");
+  add_format_option(*command, arguments->format, "Format of the printed result");
   command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures and 3D views of the results");
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Index and method");
-  command->add_option("--index", arguments->index, "Index file (default: NAME.search-index beside the collection)");
+  command->add_option("--index", arguments->index, "Index file (default: NAME.search-index next to the collection)");
   command->add_flag("--no-update", arguments->no_update, "Use the index as it is, without checking the files");
   CLI::Option* articulated =
       command->add_flag("--articulated", arguments->articulated,

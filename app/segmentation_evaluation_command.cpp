@@ -112,7 +112,7 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       "--benchmark psb/\nErrors are fractions; smaller is better. The row \"people\" compares human segmentations with "
       "each other.");
   const auto arguments = std::make_shared<SegmentationEvaluationArguments>();
-  command->add_option("segmentations", arguments->folders, "Folders with N.seg for every mesh, one folder a method");
+  command->add_option("segmentations", arguments->folders, "Folders with N.seg for every mesh, one folder per method");
   begin_option_group(*command, input_options);
   command
       ->add_option("--benchmark", arguments->benchmark,

@@ -152,14 +152,14 @@ void add_shape_inputs(CLI::App& command, ShapeFiles& files) {
 
 CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& description) {
   begin_option_group(command, output_options);
-  CLI::Option* const output = command
-                                  .add_option("-o,--output", files.output,
-                                              "Output file: " + description +
-                                                  "; a folder such as out/ for several inputs; - for standard output")
-                                  ->required();
+  CLI::Option* const output =
+      command
+          .add_option("-o,--output", files.output,
+                      "Output file: " + description + "; a folder (out/) for several inputs; - for standard output")
+          ->required();
   command.add_option("--output-format", files.output_format, "Format of results in a folder or on standard output")
       ->capture_default_str();
-  command.add_flag("--replace", files.replace, "Overwrite existing files, including inputs");
+  command.add_flag("--replace", files.replace, "Overwrite existing files");
   return output;
 }
 

@@ -31,7 +31,7 @@ struct ShapeFiles {
   int threads = 0;
 };
 
-/// Adds the inputs, of which folders stand for their shapes, --input-format and --threads.
+/// Adds the inputs (folders are replaced by the shapes in them), --input-format and --threads.
 void add_shape_inputs(CLI::App& command, ShapeFiles& files);
 
 /// Adds -o, --output-format and --replace. `description` lists the formats; the default format is the value of

@@ -36,7 +36,7 @@ struct PartialOverview {
   };
 
   double unit = 1;
-  std::vector<std::int32_t> positions;  ///< by model: its position in order_by_class()
+  std::vector<std::int32_t> positions;  ///< per model: its position in order_by_class()
   std::vector<Cell> sums;               ///< row by row; empty if a cell is one entry
   DistanceOverview overview;            ///< cells that are sums are missing
 };

@@ -17,7 +17,7 @@ inline bool are_equal_scores(double a, double b) {
   return std::abs(a - b) <= score_rounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// Returns a - b, by query or unit; 0 for equal scores.
+/// Returns a - b per query or unit; 0 for equal scores.
 Eigen::VectorXd score_differences(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 /// Returns the indices of the scores in descending order. Equal scores form one group, in their own order.

@@ -58,7 +58,7 @@ FriedmanTest friedman_of(const Eigen::VectorXd& mean_ranks, double sets, double 
 RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
   if (values.size() == 0) throw ArgumentError("a comparison by ranks needs at least one method and one data set");
   if (!values.allFinite()) throw ArgumentError("a value of a method on a data set is not a finite number");
-  if (!(alpha > 0 && alpha < 1)) throw ArgumentError("a probability of error must be between 0 and 1");
+  if (!(alpha > 0 && alpha < 1)) throw ArgumentError("a significance level must be between 0 and 1");
   const auto sets = static_cast<double>(values.rows());
   const auto methods = static_cast<double>(values.cols());
   RankComparison comparison;

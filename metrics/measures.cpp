@@ -366,8 +366,8 @@ void check_measure(const MeasureDefinition& definition) {
   }
   if ((definition.value != nullptr) == at_k || (definition.value_at != nullptr) != at_k) {
     throw ArgumentError("the measure \"" + name +
-                        "\" needs one function: value_at where its name ends in @k, "
-                        "else value");
+                        "\" needs exactly one function: value_at if its name ends in @k, "
+                        "otherwise value");
   }
 }
 

@@ -18,7 +18,8 @@ void check(const Eigen::MatrixXd& per_query, const UnitValues& units, const Comp
   if (per_query.cols() < 2) throw ArgumentError("a comparison needs at least two methods");
   if (!per_query.allFinite()) throw ArgumentError("a value to compare is not a finite number");
   if (units.values.rows() < 2) {
-    throw ArgumentError("a comparison over " + name_of(options.blocks) + " needs at least two of them");
+    throw ArgumentError("a comparison over " + name_of(options.blocks) + " needs at least two " +
+                        name_of(options.blocks));
   }
   if (options.reference && *options.reference >= static_cast<std::size_t>(per_query.cols())) {
     throw ArgumentError("the reference is not one of the methods");

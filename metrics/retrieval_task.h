@@ -52,7 +52,7 @@ std::vector<int> number_subclasses(std::span<const std::string> names);
 /// Returns true if relevant targets may have grades other than 1.
 bool has_grades(const RetrievalTask& task);
 
-/// Returns, by row, the number of relevant targets without the query itself; 0 for rows that are not queries.
+/// Returns per row the number of relevant targets without the query itself; 0 for rows that are not queries.
 std::vector<std::size_t> relevant_counts(const RetrievalTask& task);
 
 /// Relevance of targets to queries, with the numbers of relevant and other targets known in advance: a list need not

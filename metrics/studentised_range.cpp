@@ -38,7 +38,7 @@ double studentised_range_probability(double range, std::size_t count) {
 
 double studentised_range_quantile(double alpha, std::size_t count) {
   check_count(count);
-  if (!(alpha > 0 && alpha < 1)) throw ArgumentError("a probability of error must be between 0 and 1");
+  if (!(alpha > 0 && alpha < 1)) throw ArgumentError("a significance level must be between 0 and 1");
   const auto excess = [&](double range) { return studentised_range_probability(range, count) - (1 - alpha); };
   double high = 4;
   constexpr double most = 64;  // exceeded with a probability that is 0 in double precision

@@ -39,15 +39,16 @@ struct ReportMethod {
   std::string distance;     ///< name of the distance; may be empty
   ReportSettings settings;  ///< may be empty
   const DistanceOverview* distances = nullptr;
-  std::span<const Evaluation> evaluations;  ///< at least one, one a protocol; the same protocols for all methods
-  std::vector<ReportIntervals> intervals;   ///< by evaluation; may be empty
+  std::span<const Evaluation> evaluations;  ///< one per protocol, at least one; the same protocols for all methods
+  std::vector<ReportIntervals> intervals;   ///< one per evaluation; may be empty
   ReportHistograms histograms;
-  std::vector<std::pair<std::string, std::string>> failures = {};  ///< models that it cannot take, and the reasons
+  std::vector<std::pair<std::string, std::string>> failures =
+      {};  ///< models that the method cannot process, and the reasons
 };
 
-/// Pictures of the models, all rendered alike.
+/// Pictures of the models, all with the same settings.
 struct ReportPictures {
-  std::vector<std::string> png;  ///< one a model, the bytes of a PNG file; empty without pictures
+  std::vector<std::string> png;  ///< one per model, the bytes of a PNG file; empty without pictures
   Interval range;                ///< values at the ends of the colour map
   std::string field;             ///< field that the colours show
 };
@@ -63,7 +64,7 @@ struct ViewedField {
 struct ReportViews {
   std::vector<ViewedField> fields;  ///< of every view, in order
   std::vector<std::string>
-      shapes;  ///< one a model, as shape_view_json() returns them, without names; empty without views
+      shapes;  ///< one per model, as shape_view_json() returns them, without names; empty without views
 };
 
 /// Shape with gaps that are wider than the offset of a field. Sizes are fractions of the bounding box diagonal.

@@ -32,7 +32,7 @@ struct SearchPage {
   std::vector<SearchPageAnswer> answers;
 };
 
-/// Renders the page as one self-contained HTML file: pictures of the shapes, and each beside its query in an
+/// Renders the page as one self-contained HTML file: pictures of the shapes, and each next to its query in an
 /// interactive view. The same content gives the same bytes on any number of threads. Throws as view_page() does.
 std::string search_page(const SearchPage& page);
 

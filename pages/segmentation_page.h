@@ -46,7 +46,7 @@ struct SegmentationPage {
   std::vector<std::size_t> typical;       ///< a shape of each class, as indices into `shown`
 };
 
-/// Renders the report as one self-contained HTML file: tables, bars by class, each shape's parts beside a reference
+/// Renders the report as one self-contained HTML file: tables, bars by class, each shape's parts next to a reference
 /// segmentation, and interactive views.
 std::string segmentation_page(const SegmentationPage& page);
 

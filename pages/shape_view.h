@@ -51,7 +51,7 @@ struct ViewRegion {
 struct ViewParts {
   std::string name;
   std::vector<std::int32_t> labels;  ///< one per element
-  std::vector<Colour> colours;       ///< by part
+  std::vector<Colour> colours;       ///< per part
 };
 
 /// Interactive 3D view of a shape with its colourings. Its elements are faces or vertices, or the points of a cloud.

@@ -101,8 +101,8 @@ void check_page(const NativeIndex& opened, const py::list& given, const fs::path
   check_output_files(inputs, {&output, 1}, replace);
 }
 
-/// Returns by query its name, the model that it equals (or None), the models found, their distances, and the reason for
-/// a missing answer. With a page, the page's text follows.
+/// Returns per query its name, the model that it equals (or None), the models found, their distances, and the reason
+/// for a missing answer. With a page, the page's text follows.
 py::tuple answer(NativeIndex& opened, const py::list& given, std::size_t count, bool rerank,
                  const std::optional<std::string>& page_title, int threads, const PythonProgress& progress) {
   const std::vector<SearchQuery> queries = queries_of(given);

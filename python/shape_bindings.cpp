@@ -45,7 +45,7 @@ bool chooses_offset(const Field& field) {
 /// Shape without the outliers of a cloud.
 struct CleanedShape {
   Shape shape;
-  std::vector<bool> removed;  ///< by vertex
+  std::vector<bool> removed;  ///< per vertex
   std::optional<std::string> warning = {};
 
   /// Returns the rows of all vertices: those of the remaining ones, and others that are filled.

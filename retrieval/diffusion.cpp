@@ -23,7 +23,7 @@ constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
 constexpr std::array diffusion_table = {
     option_of<&DiffusionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
                                              "Number of nearest models that a random walk can continue to, about half "
-                                             "of a class; results of a list are averaged.",
+                                             "of a class.",
                                              automatic_neighbours),
     option_of<&DiffusionOptions::damping>("damping", {.low = 0, .high = 1, .high_open = true},
                                           "Probability that a random walk continues."),
@@ -87,7 +87,7 @@ std::vector<Eigen::Index> counted_from(Eigen::Index first, Eigen::Index count) {
   return indices;
 }
 
-/// Returns, by model, the least model connected to it by the edges of any of the graphs.
+/// Returns per model the least model connected to it by the edges of any of the graphs.
 std::vector<std::int32_t> components_of(const std::vector<WalkGraph>& graphs, std::size_t models) {
   DisjointSets components;
   components.grow_to(models);

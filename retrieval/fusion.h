@@ -114,8 +114,8 @@ struct Disagreement {
 };
 
 /// Finds the two matrices of positive weight whose agreement is smallest, relative to the smaller of their cohesions
-/// (sum_weights()). Nothing unless it is below a half: their neighbours then form groups, but different ones. Throws as
-/// sum_of_distances() does.
+/// (sum_weights()). Nothing unless this ratio is below a half: the matrices then group the models differently. Throws
+/// as sum_of_distances() does.
 std::optional<Disagreement> find_disagreement(std::span<const DistanceMatrix> matrices,
                                               std::span<const double> weights);
 

@@ -24,10 +24,9 @@ namespace {
 using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // per column
 
 constexpr std::array reciprocal_table = {
-    option_of<&ReciprocalOptions::neighbours>(
-        "neighbours", {.low = 1, .high = 1000},
-        "Number of nearest models that may be mutual neighbours; results of a list are averaged.",
-        automatic_neighbours),
+    option_of<&ReciprocalOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
+                                              "Number of nearest models that may be mutual neighbours.",
+                                              automatic_neighbours),
     option_of<&ReciprocalOptions::expansion_neighbours>(
         "expansion_neighbours", {.low = 1, .high = 1000},
         "Number of nearest models over which sets are averaged; at most the (largest) number of neighbours."),

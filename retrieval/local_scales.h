@@ -14,7 +14,7 @@ double mean_distance_to_nearest(std::span<const double> distances, Eigen::Index 
 
 /// Local scales of the models of a collection.
 struct LocalScales {
-  Eigen::VectorXd roots;  ///< square roots, by model; 1 for a model without positive finite distances
+  Eigen::VectorXd roots;  ///< square root of the scale of each model; 1 for a model without positive finite distances
   double least = 0;       ///< lower limit of the scales: a hundredth of the median. 0 if no model has a scale
 
   /// Computes the scales from mean_distance_to_nearest() of each model.
@@ -24,7 +24,7 @@ struct LocalScales {
   /// belong to the collection.
   [[nodiscard]] double root_of(double mean) const;
 
-  /// Scales the distances between the models and one whose root is `root`.
+  /// Scales the distances from one model, whose square root of the scale is `root`, to all models of the collection.
   [[nodiscard]] Eigen::RowVectorXd scaled(const Eigen::RowVectorXd& distances, double root) const;
 };
 

@@ -17,10 +17,9 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array expansion_table = {
-    option_of<&ExpansionOptions::neighbours>(
-        "neighbours", {.low = 1, .high = 1000},
-        "Number of nearest models whose rows are added to a model's own; results of a list are averaged.",
-        automatic_neighbours),
+    option_of<&ExpansionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
+                                             "Number of nearest models whose rows are added to a model's own.",
+                                             automatic_neighbours),
 };
 constexpr auto expansion_parameters = parameters_of(expansion_table);
 

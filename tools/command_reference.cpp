@@ -47,16 +47,19 @@ std::string names_of(const CLI::Option& option) {
   return option.get_positional() ? option.get_name(true) : option.get_name(false, true);
 }
 
-/// Item of a list: names, legal values, default and meaning.
-std::string option_item(const CLI::Option& option) {
+/// "required" or the default of an option, otherwise nothing.
+std::string usual_value(const CLI::Option& option) {
+  if (option.get_required()) return "required";
+  const std::string usual = option.get_default_str();
+  return usual.empty() ? "" : fmt::format("default `{}`", usual);
+}
+
+/// Item of a list: names, legal values, `usual` value and meaning.
+std::string option_item(const CLI::Option& option, const std::string& usual) {
   std::vector<std::string> remarks;
   if (const std::string values = legal_values(option); !values.empty()) remarks.push_back(in_markdown(values));
   if (option.get_items_expected_max() > 1 || option.get_expected_max() > 1) remarks.emplace_back("list");
-  if (option.get_required()) {
-    remarks.emplace_back("required");
-  } else if (const std::string usual = option.get_default_str(); !usual.empty()) {
-    remarks.push_back(fmt::format("default `{}`", usual));
-  }
+  if (!usual.empty()) remarks.push_back(usual);
   return fmt::format("- `{}`{}: {}\n", names_of(option),
                      remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, "; ")),
                      in_markdown(option.get_description()));
@@ -74,49 +77,66 @@ std::vector<const CLI::Option*> listed_options(const CLI::App& command) {
   return listed;
 }
 
-using ItemCounts = std::map<std::string, std::map<std::string, int>>;
+using Options = std::vector<const CLI::Option*>;
 
-void count_items(const CLI::App& command, ItemCounts& counts) {
-  for (const CLI::Option* option : listed_options(command)) ++counts[names_of(*option)][option_item(*option)];
-  for (const CLI::App* inner : commands_of(command)) count_items(*inner, counts);
+/// Options of all commands by their names and their items without usual values.
+using OptionGroups = std::map<std::string, std::map<std::string, Options>>;
+
+void group_options(const CLI::App& command, OptionGroups& groups) {
+  for (const CLI::Option* option : listed_options(command)) {
+    groups[names_of(*option)][option_item(*option, "")].push_back(option);
+  }
+  for (const CLI::App* inner : commands_of(command)) group_options(*inner, groups);
 }
 
-/// Items of the options that several commands share, by the options' names. Of several items of one name, the one of at
-/// least half of the commands that have it.
-using SharedItems = std::map<std::string, std::string>;
+/// An option of each name that several commands share: of the item that at least half of the commands with this name
+/// have, and with the most frequent usual value.
+using SharedOptions = std::map<std::string, const CLI::Option*>;
 
-SharedItems shared_items(const CLI::App& program) {
-  ItemCounts counts;
-  for (const CLI::App* command : commands_of(program)) count_items(*command, counts);
-  SharedItems shared;
-  for (const auto& [names, items] : counts) {
-    int commands = 0;
-    for (const auto& [item, count] : items) commands += count;
-    const auto most = std::ranges::max_element(items, {}, [](const auto& item) { return item.second; });
-    if (most->second > 1 && 2 * most->second >= commands) shared[names] = most->first;
+SharedOptions shared_options(const CLI::App& program) {
+  OptionGroups groups;
+  for (const CLI::App* command : commands_of(program)) group_options(*command, groups);
+  SharedOptions shared;
+  for (const auto& [names, items] : groups) {
+    std::size_t commands = 0;
+    for (const auto& [item, options] : items) commands += options.size();
+    const Options& most =
+        std::ranges::max_element(items, {}, [](const auto& item) { return item.second.size(); })->second;
+    if (most.size() < 2 || 2 * most.size() < commands) continue;
+    const auto frequency = [&](const CLI::Option* option) {
+      return std::ranges::count(most, usual_value(*option),
+                                [](const CLI::Option* other) { return usual_value(*other); });
+    };
+    shared[names] = *std::ranges::max_element(most, {}, frequency);
   }
   return shared;
 }
 
+/// Name of a shared option, with the usual value if it is another one here.
+std::string reference_to(const CLI::Option& option, const CLI::Option& shared) {
+  const std::string usual = usual_value(option);
+  const std::string name = fmt::format("`{}`", names_of(option));
+  return usual == usual_value(shared) ? name : fmt::format("{} ({})", name, usual.empty() ? "optional" : usual);
+}
+
 /// List of a command's own arguments and options, and the names of the shared ones.
-std::string option_list(const CLI::App& command, const SharedItems& shared) {
+std::string option_list(const CLI::App& command, const SharedOptions& shared) {
   std::string items;
   std::vector<std::string> shared_names;
   for (const CLI::Option* option : listed_options(command)) {
-    const std::string item = option_item(*option);
     const auto known = shared.find(names_of(*option));
-    if (known != shared.end() && known->second == item) {
-      shared_names.push_back(known->first);
+    if (known != shared.end() && option_item(*known->second, "") == option_item(*option, "")) {
+      shared_names.push_back(reference_to(*option, *known->second));
     } else {
-      items += item;
+      items += option_item(*option, usual_value(*option));
     }
   }
   if (!items.empty()) items.insert(0, "\n");
-  if (!shared_names.empty()) items += fmt::format("\nShared: `{}`.\n", fmt::join(shared_names, "`, `"));
+  if (!shared_names.empty()) items += fmt::format("\nShared: {}.\n", fmt::join(shared_names, ", "));
   return items;
 }
 
-std::string section(const CLI::App& command, const std::string& path, const SharedItems& shared) {
+std::string section(const CLI::App& command, const std::string& path, const SharedOptions& shared) {
   std::string text = fmt::format("\n## {}\n\n{}.\n", path, in_markdown(command.get_description()));
   if (text.ends_with("..\n")) text.erase(text.size() - 2, 1);
   text += option_list(command, shared);
@@ -135,17 +155,18 @@ std::string command_reference(const CLI::App& program) {
   std::string page =
       "# Commands\n\n"
       "<!-- Written by the target update_reference from the program's tables of options. -->\n\n"
-      "`-h` prints the options of a command that are needed most, and `--help` all; `shapegauge help COMMAND` is the\n"
-      "same. [Shared options](#shared-options) are listed once. See also [exit statuses](definitions.md#exit-status)\n"
-      "and [formats of files](file_formats.md).\n\n"
-      "| command | purpose |\n|---|---|\n";
+      "`-h` prints the options of a command that are needed most, and `--help` all. [Shared options](#shared-options) "
+      "are\n"
+      "described once. See also [exit statuses](definitions.md#exit-status) and [file formats](file_formats.md).\n";
+  std::string group;
   for (const CLI::App* command : commands_of(program)) {
-    page +=
-        fmt::format("| [{0}](#shapegauge-{0}) | {1} |\n", command->get_name(), in_markdown(command->get_description()));
+    const std::string separator = command->get_group() == group ? ", " : fmt::format("\n- {}: ", command->get_group());
+    page += fmt::format("{0}[{1}](#shapegauge-{1})", separator, command->get_name());
+    group = command->get_group();
   }
-  const SharedItems shared = shared_items(program);
-  page += fmt::format("\n## Options of every command\n{}\n## Shared options\n\n", option_list(program, {}));
-  for (const auto& [names, item] : shared) page += item;
+  const SharedOptions shared = shared_options(program);
+  page += fmt::format("\n\n## Options of every command\n{}\n## Shared options\n\n", option_list(program, {}));
+  for (const auto& [names, option] : shared) page += option_item(*option, usual_value(*option));
   for (const CLI::App* command : commands_of(program)) {
     page += section(*command, "shapegauge " + command->get_name(), shared);
   }

@@ -25,7 +25,8 @@ double touching_radius(const Eigen::Vector3d& q, const OppositePoints& opposite)
 /// Returns the radius of the largest ball that touches the plane at the origin and contains no opposite point of the
 /// triangle: the minimum of |q|^2 / (2 q.direction) over these points q. Infinity if there is none, if the triangle's
 /// normal that points away from the origin is not within the angle, if a corner is at the origin, and for a degenerate
-/// triangle. `normal` is oriented_normal() of the triangle. A value that is not below the limit may be any such value.
+/// triangle. `normal` is oriented_normal() of the triangle. If the radius is not below `limit`, any value that is not
+/// below it may be returned.
 double touching_radius(const Triangle& triangle, const Eigen::Vector3d& normal, const OppositePoints& opposite,
                        double limit);
 

@@ -58,7 +58,7 @@ struct NewFile {
   fs::path path;
 };
 
-/// Creates a new file beside `path` under a unique name: other threads and processes may write to the same folder.
+/// Creates a new file next to `path` under a unique name: other threads and processes may write to the same folder.
 NewFile create_beside(const fs::path& path, mode_t mode) {
   static std::atomic<unsigned> counter = 0;
   while (true) {

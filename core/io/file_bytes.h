@@ -44,7 +44,7 @@ class AtomicFile {
   /// Appends the bytes. Throws InputError.
   void write(std::string_view bytes);
 
-  /// Closes the file and renames it to its place. Call once. Throws InputError.
+  /// Closes the file and renames it to its path. Call once. Throws InputError.
   void publish(Flush flush = Flush::no);
 
  private:

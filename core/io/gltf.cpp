@@ -29,7 +29,7 @@ constexpr std::string_view glb_magic = "glTF";
   throw InputError(fmt::format("{}: {}", name, what));
 }
 
-/// Files that the library opens beside the file.
+/// Files that the library opens next to the file.
 struct GltfFiles {
   const ShapeSource* source = nullptr;
   std::vector<std::string> names = {};

@@ -100,7 +100,8 @@ class ObjReader {
   }
 
   void read_face() {
-    if (faces_ == std::numeric_limits<std::int32_t>::max()) scanner_.fail("more faces than can be read");
+    if (faces_ == std::numeric_limits<std::int32_t>::max())
+      scanner_.fail("more than 2147483647 faces are not supported");
     ++faces_;
     soup_.begin_face();
     while (!at_statement_end()) {

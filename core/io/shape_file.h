@@ -75,9 +75,8 @@ struct ShapeFormat {
   bool y_is_up = false;
 };
 
-/// Returns the registry of shape formats: those of this folder, one file each and one line in shape_file.cpp, followed
-/// by those added. Extensions must be unique to an entry, which must have `check_header` and
-/// `read`.
+/// Returns the registry of shape formats: the built-in ones, listed in shape_file.cpp, followed by added ones. Entries
+/// must have `check_header` and `read`, and extensions of their own.
 Registry<ShapeFormat>& shape_formats();
 
 /// Returns advice on a common format that is not supported (.step, .fbx), as a sentence; nothing for other files.

@@ -19,10 +19,10 @@ namespace {
 std::string_view objection_to(std::string_view file) {
   if (file.empty()) return "the name is empty";
   if (file.find('\0') != std::string_view::npos) return "the name has a zero byte";
-  if (file.find("://") != std::string_view::npos) return "files elsewhere are not fetched; put the file beside it";
+  if (file.find("://") != std::string_view::npos) return "files elsewhere are not fetched; put the file next to it";
   const fs::path path(file);
-  if (path.is_absolute()) return "the path is absolute; put the file beside it and give its name only";
-  if (std::ranges::count(path, fs::path("..")) > 0) return "the path leads out of the folder; put the file beside it";
+  if (path.is_absolute()) return "the path is absolute; put the file next to it and give its name only";
+  if (std::ranges::count(path, fs::path("..")) > 0) return "the path leads out of the folder; put the file next to it";
   return {};
 }
 
@@ -33,7 +33,7 @@ fs::path ShapeSource::neighbour(std::string_view file) const {
     throw InputError(fmt::format("{}: cannot open {}, which it refers to: {}", name, quoted_word(file), why));
   };
   if (const std::string_view objection = objection_to(file); !objection.empty()) fail(objection);
-  if (!folder) fail("there are no files beside what is not a file itself; give the path of the shape's file");
+  if (!folder) fail("there are no files next to what is not a file itself; give the path of the shape's file");
   return *folder / file;
 }
 

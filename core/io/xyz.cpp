@@ -89,7 +89,7 @@ class XyzReader {
     std::int64_t count = 0;
     scanner_.read_integer(count, role);
     if (count < 0 || count > std::numeric_limits<std::int32_t>::max()) {
-      scanner_.fail(fmt::format("{} points cannot be read", count));
+      scanner_.fail(fmt::format("expected 0 to 2147483647 points, found {}", count));
     }
     return static_cast<std::size_t>(count);
   }
@@ -119,7 +119,7 @@ class XyzReader {
     const std::size_t begin = text_.size() - scanner_.remaining();
     Triple position;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (k > 0 && scanner_.at_line_end()) scanner_.fail(fmt::format("{} of a point's three coordinates", k));
+      if (k > 0 && scanner_.at_line_end()) scanner_.fail(fmt::format("expected 3 coordinates of a point, found {}", k));
       scanner_.read_number(position[k], "a coordinate");
     }
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();  // no number

@@ -16,8 +16,8 @@ namespace shapegauge {
 /// Samples of the outer offset surface, about one per squared cell edge: the centre of each exterior cell within the
 /// band around the offset solid, moved towards its closest triangle to a distance of r.
 struct OffsetSites {
-  /// Sites of consecutive boundary blocks. They are not copied into one array: offsets of a few thousandths have
-  /// millions.
+  /// Sites of consecutive boundary blocks. Chunks are not copied into one array: for offsets of a few thousandths there
+  /// are millions of sites.
   struct Chunk {
     static constexpr std::size_t blocks = 64;
     std::vector<float> x, y, z;                     ///< padded

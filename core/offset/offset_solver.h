@@ -24,7 +24,7 @@ struct OffsetSolverOptions {
   bool parallel = true;         ///< use the threads of the calling TBB arena
 };
 
-/// Results by sample, in the shape's units.
+/// Results per sample, in the shape's units.
 struct OffsetResults {
   Eigen::VectorXd values;   ///< |qq'| - 2r; NaN where missing
   Points directions;        ///< (q - p)/|q - p|; zero where missing

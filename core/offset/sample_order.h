@@ -18,7 +18,7 @@ struct SampleOrder {
     std::size_t begin, end;
   };
   std::vector<Eigen::Index> samples;  ///< indices of the samples
-  std::vector<Range> groups;          ///< of samples: those of a block
+  std::vector<Range> groups;          ///< samples of each block
   std::vector<Range> batches;         ///< of groups: consecutive ones, whose samples share the lanes of vectors
 };
 

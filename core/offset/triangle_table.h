@@ -19,7 +19,7 @@ class TriangleTable {
   void set(std::size_t index, const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c);
   [[nodiscard]] std::size_t size() const { return records_.size(); }
 
-  /// Vectors and their squared lengths, by triangle of a batch.
+  /// Vectors and their squared lengths, one per triangle of a batch.
   struct alignas(32) Vectors {
     std::array<float, batch_size> x, y, z, squared;
 

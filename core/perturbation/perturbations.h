@@ -96,7 +96,7 @@ struct ShapePerturbation {
   std::string (*remark)(const Shape& result, const ParameterValues& settings) = nullptr;
 };
 
-/// Returns the registry of shape perturbations: those of this folder, followed by those added. An entry must have
+/// Returns the registry of shape perturbations: the built-in ones, followed by added ones. An entry must have
 /// `apply`.
 Registry<ShapePerturbation>& shape_perturbations();
 

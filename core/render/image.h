@@ -35,7 +35,7 @@ inline constexpr Colour below_threshold = {214, 39, 40};
 /// Maps values to colours on a scale.
 std::vector<Colour> colours_of(const Eigen::VectorXd& values, const ColourScale& scale);
 
-/// 8-bit sRGB image with opacity (not premultiplied): four bytes a pixel, row by row from the top.
+/// 8-bit sRGB image with opacity (not premultiplied): four bytes per pixel, row by row from the top.
 struct Image {
   int width = 0;
   int height = 0;

@@ -54,7 +54,7 @@ std::vector<int> class_labels(const Classification& classification, std::span<co
                                    quoted_word(id)));
     }
     if (!seen.insert(canonical).second) {
-      throw InputError(fmt::format("model {} occurs twice among the models to look up in {}", quoted_word(id), source));
+      throw InputError(fmt::format("model {} is looked up twice in {}", quoted_word(id), source));
     }
     labels.push_back(found->second);
   }
@@ -139,7 +139,8 @@ class ClassificationParser {
                               models_promised_));
     }
     if (!words_.at_end()) {
-      words_.fail(fmt::format("{} follows the last of {} classes", quoted_word(words_.word("the end")), classes));
+      words_.fail(
+          fmt::format("expected the end after {} classes, found {}", classes, quoted_word(words_.word("the end"))));
     }
     return std::move(result_);
   }

@@ -9,7 +9,7 @@
 namespace shapegauge {
 
 /// Reads the real matrix named `variable`, or the only one if it is empty, in a MATLAB `.mat` file (single, double, or
-/// integers of any size) with the library matio. Scalars do not count beside a matrix. Throws InputError if the file
+/// integers of any size) with the library matio. Scalars do not count next to a matrix. Throws InputError if the file
 /// cannot be read, does not have exactly one such matrix (the message lists its variables), or an integer is beyond
 /// 2^53.
 DistanceMatrix read_mat(const std::filesystem::path& path, const std::string& variable = "");

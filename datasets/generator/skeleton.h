@@ -44,7 +44,7 @@ struct Limb {
   int parent = -1;        ///< limb to which it is attached, at the point closest to its first node; -1 for the root
   std::vector<LimbNode> nodes;
   std::vector<Joint> joints = {};
-  bool curls = false;  ///< adjacent joints bend alike, as in a tail or a tentacle
+  bool curls = false;  ///< adjacent joints bend by similar angles, as in a tail
   double blend = 0.5;  ///< width of the blend with the body, in radii of the first node
   Eigen::Vector3d flat_axis = Eigen::Vector3d::UnitZ();  ///< direction of flattening
   double flatness = 1;                                   ///< thickness along flat_axis, in radii; 1 for round

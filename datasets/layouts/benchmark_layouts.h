@@ -10,7 +10,7 @@ namespace shapegauge {
 /// Layouts of published data sets (docs/manual/datasets.md). The functions find_* throw InputError as find_dataset()
 /// does; looks_like_* return true if the names in a folder match the layout.
 
-/// Layout "shrec07": models 1.off to 400.off, twenty consecutive ones a class. Classes with missing models are kept;
+/// Layout "shrec07": models 1.off to 400.off, twenty consecutive ones per class. Classes with missing models are kept;
 /// larger numbers are an error.
 /// @{
 Dataset find_shrec07_dataset(const DatasetLocation& location);

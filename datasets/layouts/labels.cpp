@@ -312,7 +312,8 @@ std::vector<std::string> missing_class_warnings(const ModelLabels& labels) {
     if (known.models.empty() || std::ranges::find(missing_value_words, known.name) == missing_value_words.end())
       continue;
     warnings.push_back(fmt::format(
-        "{}: {} the class {}, which many programs write for missing values; if that is meant, leave these models out, "
+        "{}: {} the class {}, which many programs write for missing values; if these models are unlabelled, remove "
+        "them, "
         "or give each a class of its own: it is then not a query",
         labels.source, count_text(std::ssize(known.models), "model has", "models have"), quoted_word(known.name)));
   }

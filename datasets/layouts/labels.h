@@ -24,7 +24,7 @@ struct ModelLabels {
   std::unordered_map<std::string, std::string> subclasses{};  ///< by key; models without one are absent
   bool separate_sets = false;                                 ///< some models are only queries or only targets
   bool split = false;                                         ///< because a column `split` of the file says so
-  bool listed = false;       ///< the file is a list of models, one a line, without groups
+  bool listed = false;       ///< the file is a list of models, one per line, without groups
   bool without_ids = false;  ///< the file has no ids: models are 0, 1, ... in its order
   std::string source;        ///< prefixes error messages
   ModelKeys keys{};          ///< for comparing ids with those of the models
@@ -38,7 +38,7 @@ std::vector<std::string> missing_class_warnings(const ModelLabels& labels);
 
 /// Reads labels from one of these:
 /// - a `.cla` file;
-/// - a folder with one folder of models a class; ids are paths below it without extensions;
+/// - a folder with one folder of models per class; ids are paths below it without extensions;
 /// - a table (any other file) separated by commas, semicolons or tabs, whose first row names the columns, ignoring
 ///   case: id (name, model, file), class (label, category) and optionally subclass (subcategory) and split: query
 ///   (test, probe), target (train, gallery), both, or empty. Without such a row the two columns are id and class;
@@ -55,8 +55,8 @@ ModelLabels read_labels(const std::filesystem::path& path, std::size_t level = 0
 /// Labels of the queries and targets of an evaluation: of one set of models, or of two with ids of their own, which
 /// have the same classes in the same order.
 struct TaskLabels {
-  ModelLabels queries;                   ///< of all models if they are one set
-  std::optional<ModelLabels> targets{};  ///< of the other set
+  ModelLabels queries;                   ///< labels of the queries; of all models if they are one set
+  std::optional<ModelLabels> targets{};  ///< labels of the targets, if these are another set
 
   [[nodiscard]] const ModelLabels& of_targets() const { return targets ? *targets : queries; }
 };

@@ -20,7 +20,7 @@ struct DatasetLayout {
   std::string_view name;
   std::string_view description{};  ///< phrase: the files and where the classes are
   Dataset (*find)(const DatasetLocation&) = nullptr;
-  std::string_view usual_classification{};  ///< default file beside the models with their classes; empty for none
+  std::string_view usual_classification{};  ///< default file next to the models with their classes; empty for none
   bool has_splits = false;                  ///< DatasetLocation::split selects models
   bool has_classification = true;           ///< a file may define the classes; otherwise names of files and folders do
   /// Returns true if a folder looks like this layout. Null: if the default classification is present.

@@ -118,7 +118,7 @@ class Cache {
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
-  /// Time in which no other thread computes the result of a key.
+  /// Lock on a key: while it lives, no other thread computes the result.
   class Turn {
    public:
     Turn(Cache& cache, std::string key);

@@ -90,7 +90,7 @@ std::string markdown_values(const Parameter& parameter) {
     case ParameterKind::integer:
       return "integer " + to_string(parameter.bounds) + unit_phrase(parameter);
     case ParameterKind::integers:
-      return fmt::format("integer {}{}, a list of 1 to {} of them{}", to_string(parameter.bounds),
+      return fmt::format("integer {}{}, a list of 1 to {} of them to average{}", to_string(parameter.bounds),
                          unit_phrase(parameter), IntegerList::most, parameter.choices.empty() ? "" : ", or " + words);
     case ParameterKind::number:
       break;
@@ -168,6 +168,16 @@ OrderedJson schema_of(const Parameter& parameter) {
     schema["default"] = number != nullptr ? number_json(*number) : json_of<OrderedJson>(parameter.default_value);
   }
   return schema;
+}
+
+std::string markdown_list(std::span<const Parameter> parameters) {
+  std::string list;
+  for (const Parameter& parameter : parameters) {
+    const std::string usual = (parameter.required() ? "" : "default ") + default_text(parameter);
+    list +=
+        fmt::format("- `{}` ({}; {}): {}\n", parameter.name, markdown_values(parameter), usual, parameter.description);
+  }
+  return list;
 }
 
 std::string markdown_table(std::span<const Parameter> parameters) {

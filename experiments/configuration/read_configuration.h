@@ -49,7 +49,7 @@ std::vector<SignatureConfiguration> read_signatures(const nlohmann::json& settin
 /// Reads a configuration's "preparation".
 PreparationOptions read_preparation(const nlohmann::json& settings);
 
-/// Reads the generator's options from a configuration's "dataset". Throws ConfigurationError for other settings beside
+/// Reads the generator's options from a configuration's "dataset". Throws ConfigurationError for other settings next to
 /// them.
 GeneratorOptions read_generator(const nlohmann::json& dataset);
 

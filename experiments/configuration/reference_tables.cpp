@@ -85,21 +85,23 @@ std::string without_known_rows(std::string_view table, std::string_view known, s
   std::string rows;
   std::vector<std::string_view> keys;
   for (const std::string_view line : split_lines(table)) {
-    if (line.starts_with("| `") && known.find(line) != std::string_view::npos) {
-      keys.push_back(line.substr(2, line.find(" |", 2) - 2));
+    const bool is_row = line.starts_with("| `") || line.starts_with("- `");
+    if (is_row && known.find(line) != std::string_view::npos) {
+      keys.push_back(line.substr(2, line.find('`', 3) - 1));
     } else {
       rows += fmt::format("{}\n", line);
     }
   }
-  return keys.empty() ? std::string(table) : fmt::format("{}\n{}: {}.\n", rows, where, fmt::join(keys, ", "));
+  if (keys.empty()) return std::string(table);
+  return fmt::format("{}{}{}: {}.\n", rows, rows.ends_with("\n\n") ? "" : "\n", where, fmt::join(keys, ", "));
 }
 
 /// - `key`: the setting that names the group.
 std::string reference_table(const ParameterGroup& group, std::string_view key) {
   if (group.description.empty()) return markdown_table(group.parameters);
   std::string text = fmt::format("`\"{}\": \"{}\"`. {}\n", key, group.name, group.description);
-  if (!group.parameters.empty()) text += "\n" + markdown_table(group.parameters);
-  if (!group.axis_parameters.empty()) text += "\nEach of its `axes`:\n\n" + markdown_table(group.axis_parameters);
+  if (!group.parameters.empty()) text += "\n" + markdown_list(group.parameters);
+  if (!group.axis_parameters.empty()) text += "\nEach of its `axes`:\n\n" + markdown_list(group.axis_parameters);
   return text;
 }
 

@@ -45,7 +45,7 @@ struct RunOutcome {
 
 /// Outcome of a part of a run, whose results are in the cache.
 struct PartOutcome {
-  std::size_t shapes = 0;  ///< of the part
+  std::size_t shapes = 0;  ///< number of shapes of the part
   std::size_t all = 0;     ///< number of shapes of the run
   std::vector<LeftOutShape> left_out = {};
   std::string_view noun = "model";

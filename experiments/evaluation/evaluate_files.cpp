@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Reads the ids in a file, one a line, skipping empty lines.
+// Reads the ids in a file, one per line, skipping empty lines.
 std::vector<std::string> read_ids(const fs::path& path) {
   const std::string text = read_plain_text(path);
   std::vector<std::string> ids;
@@ -226,7 +226,7 @@ std::vector<std::string> label_warnings(const TaskLabels& labels) {
   return warnings;
 }
 
-// Adds the ids that a run has stored beside its matrices.
+// Adds the ids that a run has stored next to its matrices.
 EvaluationFiles with_stored_ids(EvaluationFiles files) {
   const fs::path stored = files.matrix.parent_path() / stored_ids_name;
   std::error_code unknown;

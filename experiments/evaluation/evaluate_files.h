@@ -32,7 +32,7 @@ struct EvaluationFiles {
   std::string distance{};  ///< distance between features, if the matrix has features, one row per model; may be empty
 };
 
-/// File of a run with the ids of the models, one per line, beside its matrices (.npy) of distances and of features.
+/// File of a run with the ids of the models, one per line, next to its matrices (.npy) of distances and of features.
 /// Evaluations use it unless `ids` or `order` is given.
 inline constexpr std::string_view stored_ids_name = "ids.txt";
 

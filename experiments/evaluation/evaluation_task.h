@@ -41,8 +41,8 @@ struct ListCoverage {
 /// One task of retrieval, whatever files it comes from, with names for readers.
 struct EvaluationTask {
   RetrievalTask retrieval;
-  std::vector<std::string> query_ids;      ///< by row
-  std::vector<std::string> class_names{};  ///< by class in the retrieval task
+  std::vector<std::string> query_ids;      ///< per row
+  std::vector<std::string> class_names{};  ///< per class in the retrieval task
   bool same_rows_and_columns = false;      ///< row i and column i are the same model
   std::optional<ListCoverage> coverage{};  ///< of ranked lists; a matrix covers all
   std::vector<std::string> warnings{};     ///< remarks on how the files were interpreted

@@ -48,7 +48,7 @@ struct AlignedMethods {
   std::string protocol;
   std::vector<std::string> measures;
   std::vector<int> classes;               ///< class of each query
-  std::vector<Eigen::MatrixXd> values{};  ///< by measure: queries x methods
+  std::vector<Eigen::MatrixXd> values{};  ///< per measure: queries x methods
 };
 
 /// Aligns methods to the same queries and measures: the requested measures, or all common ones. `names` are the

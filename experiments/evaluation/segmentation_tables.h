@@ -20,7 +20,7 @@ inline constexpr const char* people_name = "people";
 /// Errors of methods and, last, between people, on the meshes of a benchmark.
 struct SegmentationScores {
   std::vector<std::string> ids;      ///< of the meshes
-  std::vector<int> labels;           ///< by mesh: index of its class
+  std::vector<int> labels;           ///< per mesh: index of its class
   std::vector<std::string> classes;  ///< names
   std::vector<std::string> methods;
   std::vector<std::vector<SegmentationErrors>> errors;  ///< per method, then by mesh; NaN if undefined
@@ -32,9 +32,9 @@ struct SegmentationScores {
 /// Makes scores without errors.
 SegmentationScores empty_scores(const SegmentationBenchmark& benchmark, std::vector<std::string> methods);
 
-/// Scores the segmentations in folders, one a method, named after the folder, with a file `ID.seg` for each mesh of the
-/// benchmark; last those between people. The same for any number of threads. Throws InputError for the first unusable
-/// mesh or segmentation.
+/// Scores the segmentations in folders, one per method, named after the folder, with a file `ID.seg` for each mesh of
+/// the benchmark; last those between people. The same for any number of threads. Throws InputError for the first
+/// unusable mesh or segmentation.
 SegmentationScores score_segmentations(const SegmentationBenchmark& benchmark,
                                        const std::vector<std::filesystem::path>& folders,
                                        const SegmentationScoring& scoring);

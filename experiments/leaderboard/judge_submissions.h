@@ -22,7 +22,7 @@ struct JudgingOptions {
   EvaluationOptions evaluation;
   StandingOptions standings;  ///< of averages over queries; those over classes are tested over classes
   std::string rank_by{};      ///< measure; if empty, mAP or, without it, the first one
-  bool hide_classes = false;  ///< omit from pages what tells the class of a model
+  bool hide_classes = false;  ///< omit classes of models from pages
 };
 
 /// File of one of several repetitions of a method.

@@ -124,7 +124,7 @@ void set_all_described(const nlohmann::json& json, Submission& submission) {
   }
 }
 
-// Reads the JSON file beside the submission.
+// Reads the JSON file next to the submission.
 void read_description(const fs::path& file, Submission& submission) {
   if (!is_within(file, folder_of(file))) {
     throw InputError(fmt::format("{}: the link leads out of the folder of the submission", file.string()));
@@ -182,7 +182,7 @@ void add_folder(const fs::path& folder, std::span<const fs::path> others, FoundS
     if (is_submission_file(file) && !is_about_submissions(file)) continue;
     if (lower_case(file.extension().string()) == ".json") {
       found.refused.push_back(
-          {.file = file, .reason = "describes no submission: no matrix or list beside it has that name"});
+          {.file = file, .reason = "describes no submission: no matrix or list in its folder has that name"});
     } else {
       found.skipped.push_back(file);
     }

@@ -18,7 +18,7 @@ struct Submission {
   std::string url{};                      ///< begins with http:// or https://
   std::optional<bool> similarity{};       ///< larger values are nearer; absent if not given
   std::string distance{};                 ///< distance between features, if the file has features
-  std::filesystem::path ids{};            ///< ids of the rows, one a line
+  std::filesystem::path ids{};            ///< ids of the rows, one per line
   std::filesystem::path repetition_of{};  ///< method of a repetition: foo of foo.seed1.npy; otherwise empty
 };
 
@@ -35,7 +35,7 @@ struct FoundSubmissions {
   std::vector<std::filesystem::path> skipped;  ///< other files of folders, except hidden ones
 };
 
-/// Returns the file that describes a submission: foo.json beside foo.npy, foo.csv.gz or foo.seed1.npy.
+/// Returns the file that describes a submission: foo.json next to foo.npy, foo.csv.gz or foo.seed1.npy.
 std::filesystem::path description_of(const std::filesystem::path& submission);
 
 /// Returns true if the name has an extension of a format that evaluate_files() reads.

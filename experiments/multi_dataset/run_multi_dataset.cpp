@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
-// Result files of the whole experiment, beside the folders of its data sets.
+// Result files of the whole experiment, next to the folders of its data sets.
 constexpr std::array<std::string_view, 6> result_files{"summary.csv", "summary.json", "summary.md",
                                                        "summary.tex", "pairs.csv",    report_name};
 

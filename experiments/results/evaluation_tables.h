@@ -51,7 +51,7 @@ struct NamedEvaluation {
   std::string method;
   const Evaluation* evaluation = nullptr;
   EvaluationIntervals intervals{};
-  std::size_t failed = 0;  ///< number of models that the method cannot take, which count as not found
+  std::size_t failed = 0;  ///< number of models that the method cannot process, which count as not found
 };
 
 /// Placement of confidence intervals in a table: none, in the cell of each score, or as additional columns NN_low,

@@ -42,7 +42,7 @@ void overlay(Image& image, const Image& front, int left, int top) {
   }
 }
 
-/// Renders the shape, with the legend beside it if there is room.
+/// Renders the shape, with the legend next to it if there is room.
 Image picture_with_legend(const Shape& shape, const Samples& samples, const Eigen::VectorXd& values,
                           const FieldPicture& picture) {
   const ColourScale scale = colour_scale_of({.values = values, .weights = samples.weights}, picture);

@@ -22,7 +22,7 @@ struct EvaluatedDataset {
   std::string folder;  ///< of its results, below those of the experiment
   std::string page;    ///< address of its page, below the results; empty for none
   std::size_t models = 0;
-  std::vector<MethodScores> scores;  ///< by method and protocol
+  std::vector<MethodScores> scores;  ///< per method and protocol
   /// Standard deviations of the averages over repetitions, by score and measure; empty without repetitions.
   /// @{
   std::vector<Eigen::VectorXd> micro_deviations{};

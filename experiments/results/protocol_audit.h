@@ -21,15 +21,15 @@ struct AuditedScore {
   std::string evaluator;   ///< "shapegauge" for the library's own definitions with the mean over all orders of ties
   std::string quantity;    ///< equal for scores that are compared: "FT"
   std::string measure;     ///< its definition: "shrec21.FT"
-  Eigen::VectorXd values;  ///< by method: means over queries, fractions
-  std::vector<std::size_t> ranks{};  ///< by method: 1 + the number of methods with a larger value
+  Eigen::VectorXd values;  ///< per method: means over queries, fractions
+  std::vector<std::size_t> ranks{};  ///< per method: 1 + the number of methods with a larger value
 };
 
 /// Scores of the same methods under all evaluators.
 struct ProtocolAudit {
   std::vector<std::string> methods;
   std::vector<AuditedScore> scores;  ///< those of shapegauge first
-  /// By score of shapegauge, by method: averages over queries with intervals of scores and ranks.
+  /// For each score of shapegauge, one entry per method: averages over queries with intervals of scores and ranks.
   std::vector<std::vector<MethodStanding>> standings;
   std::vector<std::string> warnings;  ///< one sentence each, with the file
 };

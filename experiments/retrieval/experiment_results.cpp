@@ -41,7 +41,7 @@ std::vector<std::string> incomplete_methods(const ExperimentResults& results) {
   std::vector<std::string> sentences;
   for (const MethodResults& method : results.methods) {
     if (method.failures.empty()) continue;
-    sentences.push_back(fmt::format("method \"{}\" cannot take {} of {} models, which count as not found: {}",
+    sentences.push_back(fmt::format("method \"{}\" cannot process {} of {} models, which count as not found: {}",
                                     method.name, method.failures.size(), results.models.size(),
                                     names_with_reasons(method.failures, results.models)));
   }

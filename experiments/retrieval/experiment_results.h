@@ -23,7 +23,7 @@ struct MethodResults {
   DistanceMatrix distances;  ///< rows and columns are ExperimentResults::models; empty if not kept or written to a file
   DistanceOverview overview;            ///< for the report; empty if not requested
   std::vector<Evaluation> evaluations;  ///< by protocol of the configuration
-  /// Models, by index in ExperimentResults::models, that the method cannot take, although others can, with
+  /// Models, by index in ExperimentResults::models, that the method cannot process, although others can, with
   /// OnError::skip: infinitely far from all others, so that they are never found and find nothing. Their signatures are
   /// NaN.
   std::vector<ModelFailure> failures = {};
@@ -37,9 +37,9 @@ struct ExperimentResults {
   Configuration configuration;
   std::vector<std::string> classes;      ///< names, by label
   std::vector<Model> models;             ///< models with signatures
-  std::vector<ModelDescription> shapes;  ///< by model, without_values()
-  std::vector<std::string> pictures;     ///< by model, as PNG files; empty if not configured
-  std::vector<std::string> views;        ///< by model, interactive 3D views (model_view()); empty if not configured
+  std::vector<ModelDescription> shapes;  ///< per model, without_values()
+  std::vector<std::string> pictures;     ///< per model, as PNG files; empty if not configured
+  std::vector<std::string> views;        ///< per model, interactive 3D views (model_view()); empty if not configured
   std::vector<ViewedField> viewed;       ///< fields of the views
   std::vector<LeftOutShape> failures;
   SkippedEntries skipped;  ///< in the folder of the data set
@@ -50,7 +50,7 @@ struct ExperimentResults {
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
 };
 
-/// Returns a sentence for each method that cannot take all models: how many, which first and why.
+/// Returns a sentence for each method that cannot process all models: how many, which first and why.
 std::vector<std::string> incomplete_methods(const ExperimentResults& results);
 
 /// Returns warnings about the results of a run: field_warnings(), and for each method with tied queries (relevant and

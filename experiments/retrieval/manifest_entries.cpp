@@ -46,7 +46,7 @@ OrderedJson inputs(const ExperimentResults& results) {
   return inputs_json(results.configuration, ids, hashes);
 }
 
-/// Returns the models that some method cannot take, although another can.
+/// Returns the models that some method cannot process, although another can.
 OrderedJson method_failures(const ExperimentResults& results) {
   OrderedJson list = OrderedJson::array();
   for (const MethodResults& method : results.methods) {

@@ -10,7 +10,7 @@
 
 namespace shapegauge {
 
-/// Models of a run that have a signature, by position. A model that a method cannot take has none, and is infinitely
+/// Models of a run that have a signature, by position. A model that a method cannot process has none, and is infinitely
 /// far from all others.
 class ModelsWithSignature {
  public:

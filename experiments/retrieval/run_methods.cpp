@@ -300,10 +300,10 @@ class MethodsRun {
   std::vector<int> labels_;
   RetrievalTask task_;
   std::vector<EvaluationOptions> evaluations_;  ///< by protocol
-  std::vector<bool> in_derived_;                ///< by signature
-  std::vector<DistanceMatrix> whole_;           ///< by signature
-  std::vector<std::string> remarks_;            ///< by signature
-  std::vector<ModelsWithSignature> holders_;    ///< by signature
+  std::vector<bool> in_derived_;                ///< per signature
+  std::vector<DistanceMatrix> whole_;           ///< per signature
+  std::vector<std::string> remarks_;            ///< per signature
+  std::vector<ModelsWithSignature> holders_;    ///< per signature
 };
 
 }  // namespace

@@ -131,7 +131,7 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
   return files;
 }
 
-/// Returns the files of that kind, one a method.
+/// Returns the files of that kind, one per method.
 std::vector<std::string> method_files(const char* kind, const Configuration& configuration) {
   std::vector<std::string> names;
   for (const SignatureConfiguration& signature : configuration.signatures) names.push_back(signature.name);

@@ -27,7 +27,7 @@ struct Collection {
 /// Finds the collection at a path:
 /// - a folder: all files in it and below that are named like shapes; ids are their paths;
 /// - a list (.txt, .lst): a path in each line, relative to the list, skipping blank lines and lines that begin with #;
-/// - a data set: a classification (.cla) beside its models, a table (.csv) with the columns id, path and class, or a
+/// - a data set: a classification (.cla) next to its models, a table (.csv) with the columns id, path and class, or a
 ///   configuration (.json) with a "dataset".
 ///
 /// Throws InputError for other files, for a collection without shapes, and if it cannot be read.
@@ -39,7 +39,7 @@ std::string collection_location(const std::filesystem::path& path);
 /// Returns Collection::base of the collection at a path, which need not exist any more.
 std::filesystem::path collection_base(const std::filesystem::path& path);
 
-/// Returns the default file of a collection's index, beside the collection. `method` is the file of its method; empty
+/// Returns the default file of a collection's index, next to the collection. `method` is the file of its method; empty
 /// for the recommended one.
 std::filesystem::path usual_index_path(const std::filesystem::path& collection,
                                        const std::filesystem::path& method = {});

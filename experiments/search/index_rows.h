@@ -14,13 +14,13 @@
 
 namespace shapegauge {
 
-/// Returns, by term, the distance by which the method compares signatures.
+/// Returns per term the distance by which the method compares signatures.
 std::vector<NamedDistance> distances_of(const SearchMethod& method);
 
 /// Computes the sum over the models in the index. Parallel.
 CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control);
 
-/// Computes, by term, the distances from a signature to all models. `member` is its index if it is one of them,
+/// Computes per term the distances from a signature to all models. `member` is its index if it is one of them,
 /// otherwise -1. Parallel. Throws ArgumentError for signatures outside the distance's domain.
 std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& distances, const ShapeIndex& index,
                                             std::span<const Eigen::RowVectorXf> signatures, Eigen::Index member);

@@ -47,9 +47,8 @@ struct OpenIndex {
 OpenIndex open_index(SearchMethod method, const std::filesystem::path& collection, const std::filesystem::path& file,
                      const RunControl& control, Cache& cache, IndexUpdate& update);
 
-/// Reads an index without checking the collection's files; only the base of the collection is known. Throws InputError
-/// for an unusable index, and for one of another collection: from another place, with no file of the same name and
-/// size.
+/// Reads an index without reading the collection's files. Throws InputError for an unusable index, and for one of
+/// another collection: in another folder, with no file of the same name and size.
 OpenIndex open_index_as_it_is(SearchMethod method, const std::filesystem::path& collection,
                               const std::filesystem::path& file);
 

@@ -46,8 +46,8 @@ struct ShapeIndex {
   std::string collection;              ///< collection_location() when the index was written
   std::vector<IndexedFile> models;     ///< described files, in natural order of ids
   std::vector<IndexedFile> failures;   ///< the other files
-  std::vector<IndexTable> tables;      ///< by term of the method: row i is of models[i]
-  std::vector<LearntFeatures> learnt;  ///< by signature of the method's configuration
+  std::vector<IndexTable> tables;      ///< per term of the method: row i is of models[i]
+  std::vector<LearntFeatures> learnt;  ///< per signature of the method's configuration
   std::vector<Interval> field_ranges;  ///< by planned field, over the collection
   CollectionSum sum;
   NearestModels nearest;  ///< of the models by the sum; empty before the first re-ranked search
@@ -66,7 +66,7 @@ enum class IndexFault { none, damaged, other_method };
 /// Decodes an index, whose tables remain where the bytes are. Nothing if it is corrupt or of another method.
 std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::string& key, IndexFault& fault);
 
-/// Copies the tables, so that changes to the index file do not concern them.
+/// Copies the tables into memory, so that they do not depend on the index file.
 void keep_in_memory(ShapeIndex& index);
 
 }  // namespace shapegauge

@@ -33,7 +33,7 @@ struct ReferenceShape {
   std::string key;  ///< shape_key()
   Points vertices;  ///< after the perturbations
   Triangles triangles;
-  std::vector<PlacedValues> values;  ///< by field
+  std::vector<PlacedValues> values;  ///< per field
 };
 
 /// Ground truth of a reference, which it refers to.
@@ -49,7 +49,7 @@ struct GroundTruth {
 struct MeasuredShape {
   std::string name = {};                 ///< in the comparison; not in the cache
   double read_seconds = 0;               ///< reading or generating the shape
-  std::vector<FieldMeasurement> fields;  ///< by field
+  std::vector<FieldMeasurement> fields;  ///< per field
   ModelDescription description;
   std::optional<ReferenceShape> reference;  ///< if other shapes are compared with this one
 };

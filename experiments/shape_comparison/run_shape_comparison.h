@@ -29,7 +29,7 @@ struct ShapeComparisonResults {
   std::vector<MeasuredShape> shapes;  ///< usable shapes, without_values()
   std::vector<LeftOutShape> failures;
   std::vector<FieldReport> fields;
-  std::vector<SignatureResults> signatures;  ///< by signature of the comparison
+  std::vector<SignatureResults> signatures;  ///< per signature of the comparison
   CacheReport cache;
   int threads = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order

@@ -69,7 +69,7 @@ inline auto members(FeatureDescription& description) {
   return std::tie(features, seconds, error);
 }
 
-/// Returns what is stored of computed values. Throws InputError if all values are missing.
+/// Makes the cache entry of computed values. Throws InputError if all values are missing.
 StoredField stored_field(const Field& field, FieldValues computed, const Samples& samples);
 
 /// Computes the features of a descriptor.

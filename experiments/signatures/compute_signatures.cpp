@@ -22,8 +22,8 @@ namespace {
 struct Described {
   DescribedModels models;
   std::vector<ModelFailure> failures;
-  std::vector<LearntFeatures> learnt;              ///< by signature
-  std::vector<std::vector<ModelFailure>> without;  ///< by signature: the models without it
+  std::vector<LearntFeatures> learnt;              ///< per signature
+  std::vector<std::vector<ModelFailure>> without;  ///< per signature: the models without it
 };
 
 [[noreturn]] void stop_for(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {

@@ -22,16 +22,16 @@ struct ComputedSignatures {
   std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip: no signature can be computed
   /// By signature: those of `models`, by position, that do not have it, although they have another.
   std::vector<std::vector<ModelFailure>> without;
-  std::vector<LearntFeatures> learnt;  ///< by signature; empty if it does not learn
-  std::vector<Interval> field_ranges;  ///< by field, over all models
+  std::vector<LearntFeatures> learnt;  ///< per signature; empty if it does not learn
+  std::vector<Interval> field_ranges;  ///< per field, over all models
   std::vector<std::vector<Interval>>
-      histogram_ranges;               ///< by signature: range of each model's histogram; empty without a field
+      histogram_ranges;               ///< per signature: range of each model's histogram; empty without a field
   std::vector<std::string> pictures;  ///< per model; empty if not configured
   std::vector<std::string> views;     ///< per model, interactive 3D views; empty if not configured
   std::vector<ViewedField> viewed;  ///< fields of the views, named after the first signature that is a histogram of it,
                                     ///< or the one that has it pictured
   std::vector<FieldReport> fields;
-  std::vector<ModelDescription> shapes;  ///< by model with signatures, without_values()
+  std::vector<ModelDescription> shapes;  ///< per model with signatures, without_values()
 };
 
 /// Computes all signatures of the configuration, in parallel over the models. The same bytes for any number of threads.

@@ -52,7 +52,7 @@ struct FieldDescription {
 struct ModelDescription : ShapeFacts {
   std::string sha256;                        ///< of the file; empty for a shape without file
   std::vector<FieldDescription> fields;      ///< of distinct_fields()
-  std::vector<FeatureDescription> features;  ///< by signature, also histograms; empty if it depends on other shapes
+  std::vector<FeatureDescription> features;  ///< per signature, also histograms; empty if it depends on other shapes
   std::string shape_key;                     ///< shape_key() in the cache; empty if unknown
   std::string picture;                       ///< model_picture(), if configured
   std::string view;                          ///< model_view(), if configured

@@ -20,8 +20,8 @@ inline constexpr std::size_t max_models_with_views = 2000;
 /// Limits of the faces of the views on a page. The defaults limit the size of a report to a few megabytes.
 struct ViewFaces {
   Eigen::Index in_total = 240'000;
-  Eigen::Index fewest = 200;  ///< of a view
-  Eigen::Index most = 3000;   ///< of a view
+  Eigen::Index fewest = 200;  ///< lower limit for one view
+  Eigen::Index most = 3000;   ///< upper limit for one view
 };
 
 /// Returns the number of faces of a view, which decreases with the number of models on its page.

@@ -97,7 +97,7 @@ function drawBars(place, chart) {
   return svg;
 }
 
-// For more: a row a class, a column a method, the values in colour from the lowest shown to the highest.
+// For more: one row per class, one column per method, the values in colour from the lowest shown to the highest.
 function drawCells(place, chart) {
   const { state, rows, label } = chart;
   const shown = state.visibleMethods;

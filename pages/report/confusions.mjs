@@ -89,7 +89,7 @@ function drawCell(area, { x, y, cell, queries, part, words }) {
     .style('fill', part > 0.75 ? 'var(--paper)' : null).text(queries);
 }
 
-// The name of a class beside its row and above its column.
+// The name of a class next to its row and above its column.
 function drawNames(area, name, middle) {
   const words = () => area.append('text').attr('dy', '0.35em').style('font-size', '11px').text(name);
   words().attr('x', -6).attr('y', middle).attr('text-anchor', 'end');

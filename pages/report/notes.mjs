@@ -55,7 +55,7 @@ function methodFailureTable(rows) {
   const table = make('div', { class: 'wide' });
   const columns = ['Method', 'Model', 'Reason'].map((title, position) => ({ title, text: (row) => row[position] }));
   sortableTable(table, { caption: counted(rows.length, 'failure'), columns, rows });
-  return [make('h3', {}, 'Models that a method cannot take'),
+  return [make('h3', {}, 'Models that a method cannot process'),
     make('p', {}, 'The method never finds these, and finds nothing for them; the other methods are judged with them.'),
     rows.length > 20 ? make('details', {}, make('summary', {}, counted(rows.length, 'failure')), table) : table];
 }

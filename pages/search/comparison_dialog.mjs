@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A query beside one of the shapes that were found, both to be turned together.
+// A query next to one of the shapes that were found, both to be turned together.
 
 import { dialogButton, fillDialog } from '../common/dialog.mjs';
 import { byId, make } from '../common/elements.mjs';

@@ -168,7 +168,7 @@ export class ShapeView {
     return scaleOf(this.channel, shape, this.together ? this.shapes : [shape], this.scales[this.channel.name]);
   }
 
-  // Draws everything anew: after another channel, theme or scale.
+  // Draws everything again after another channel, theme or scale.
   show() {
     const colour = (name) => getComputedStyle(document.body).getPropertyValue(name).trim();
     const dim = d3.rgb(d3.interpolateRgb(colour('--rule'), colour('--muted'))(0.3));

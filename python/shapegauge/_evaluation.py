@@ -221,7 +221,7 @@ def _class_numbers(labels: Any, models: int, missing_labels: str, noun: str = "l
         rows = [place(row) for row, label in enumerate(classes) if label == text]
         if rows:
             warn([f'the label of {_rows_text(rows)} (counted from 0) is the text "{text}", which many programs write for '
-                  'missing values; if that is meant, give None and missing_labels="no_class"'])
+                  'missing values; if these models are unlabelled, give None and missing_labels="no_class"'])
     number_of = {name: number for number, name in enumerate(names)}
     return names, [-1 if row in hidden else number_of[label] for row, label in enumerate(classes)]
 

@@ -178,7 +178,7 @@ def _with_settings(function: str, own: Mapping[str, str], settings: Mapping[str,
     name: setting for name, setting in settings_of("sections", "segmentation_method").items() if name != "method"}))])
 def segment(vertices: Any, faces: Any = None, method: str = "best", *, normals: Any = None,
             remove_outliers: bool = False, threads: int = 0, **settings: Any) -> _numpy.ndarray:
-    """Cuts a shape into parts: int32 numbers of parts from 0 on, one a face, or a point of a cloud.
+    """Cuts a shape into parts: int32 numbers of parts from 0 on, one per face, or a point of a cloud.
 
     method: "best", or the paper's pipeline, "paper". remove_outliers: ignore isolated points of a cloud, whose numbers are
     -1. settings: below, as parts=3: how many are wanted.

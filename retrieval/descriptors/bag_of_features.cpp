@@ -207,7 +207,7 @@ Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, co
     }
   }
   const double total = bag.sum();
-  if (!(total > 0)) throw ArgumentError("fields without any value of positive weight have no bag of features");
+  if (!(total > 0)) throw ArgumentError("the fields have no value of positive weight");
   Eigen::VectorXf features = Eigen::VectorXf::Zero(std::max<Eigen::Index>(options.words, bag.size()));
   features.head(bag.size()) = (bag / total).cast<float>();
   return features;

@@ -25,7 +25,7 @@ struct BagOfFeaturesOptions {
 
 /// Codebook for samples of several fields.
 struct Codebook {
-  Eigen::RowVectorXf scales;  ///< by field: divisor of the values
+  Eigen::RowVectorXf scales;  ///< per field: divisor of the values
   Eigen::MatrixXf words;      ///< one word per row
 };
 

@@ -44,7 +44,7 @@ constexpr int wavelet_levels = 6;
 constexpr std::size_t subband_features = 3;  // mean, standard deviation, skewness
 constexpr std::size_t wavelet_features = (3 * wavelet_levels + 1) * subband_features;  // per map
 
-/// Returns waves (cos or sin) of frequency 0 to `highest`, one a row, at the centres of the cells.
+/// Returns waves (cos or sin) of frequency 0 to `highest`, one per row, at the centres of the cells.
 Eigen::MatrixXf waves(int highest, int cells, double (*wave)(double)) {
   Eigen::MatrixXf result(highest + 1, cells);
   for (int k = 0; k <= highest; ++k) {

@@ -27,7 +27,7 @@ class HarmonicTransform {
  public:
   explicit HarmonicTransform(int bandwidth);
 
-  /// Returns the directions at which a function must be sampled, one a row: 2 bandwidth circles of latitude
+  /// Returns the directions at which a function must be sampled, one per row: 2 bandwidth circles of latitude
   /// (Gauss-Legendre) times 4 bandwidth meridians.
   [[nodiscard]] const Points& directions() const { return directions_; }
 

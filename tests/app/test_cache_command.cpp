@@ -13,7 +13,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using CacheCommand = CommandTest;
 
-TEST_F(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
+TEST_F(CacheCommand, PrintsTheFolderAndContents) {
   Cache(at("cache")).put(EntryKind::field, std::string(64, '1'), std::string(1'500'000, 'x'));
   const Outcome outcome = run("cache info --cache @cache");
   EXPECT_EQ(outcome.status, 0);
@@ -23,7 +23,7 @@ TEST_F(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
   EXPECT_THAT(outcome.output, ContainsRegex("\nall +1 +1\\.5 MB\n"));
 }
 
-TEST_F(CacheCommand, ClearsItAndAnEmptyOneToo) {
+TEST_F(CacheCommand, ClearsFullAndEmptyCaches) {
   Cache(at("cache")).put(EntryKind::field, std::string(64, '1'), 1);
   EXPECT_THAT(run("cache clear --cache @cache").output, ContainsRegex("1 entry, [0-9.]+ kB, removed"));
   EXPECT_FALSE(std::filesystem::exists(at("cache")));
@@ -32,7 +32,7 @@ TEST_F(CacheCommand, ClearsItAndAnEmptyOneToo) {
   EXPECT_THAT(again.output, HasSubstr("0 entries"));
 }
 
-TEST_F(CacheCommand, UnusableArgumentsAreOneClearLine) {
+TEST_F(CacheCommand, RejectsInvalidArgumentsWithOneLine) {
   test::write_text(at("file"), "x");
   expect_error_lines({{"cache", "subcommand is required"},
                       {"cache empty", "there is no command \"empty\""},

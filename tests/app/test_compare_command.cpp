@@ -54,7 +54,7 @@ class CompareCommand : public CommandTest {
   }
 };
 
-TEST_F(CompareCommand, TellsWhatIsBetter) {
+TEST_F(CompareCommand, FindsTheBetterMethod) {
   const Outcome outcome = compare_matrices("good.npy bad.npy poor.npy", "--measures FT,NN --format json");
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   const auto json = nlohmann::json::parse(outcome.output);
@@ -72,7 +72,7 @@ TEST_F(CompareCommand, TellsWhatIsBetter) {
   EXPECT_EQ(pairs[0]["wins"].get<int>() + pairs[0]["ties"].get<int>() + pairs[0]["losses"].get<int>(), 60);
 }
 
-TEST_F(CompareCommand, TheOutputsOfEvaluateAreComparedAlike) {
+TEST_F(CompareCommand, ComparesPerQueryTablesLikeMatrices) {
   for (const std::string name : {"good", "bad"}) {
     ASSERT_EQ(
         run("evaluate " + quoted(name + ".npy") + " --labels @labels.csv --per-query " + quoted(name + ".csv")).status,
@@ -97,7 +97,7 @@ TEST_F(CompareCommand, MethodsOfOneFolderAreComparedWithAReference) {
   EXPECT_EQ(nlohmann::json::parse(compare("results", "--format json --protocol paper").output)["protocol"], "paper");
 }
 
-TEST_F(CompareCommand, DrawsCurvesAndScoresAndMakesAReportOfAll) {
+TEST_F(CompareCommand, WritesChartsAndAReport) {
   const Outcome outcome = compare_matrices(
       "good.npy bad.npy",
       "--measures FT --names ours,theirs --plot @pr.svg --plot-scores @scores.svg --pr @pr.csv --report @all.html");
@@ -109,7 +109,7 @@ TEST_F(CompareCommand, DrawsCurvesAndScoresAndMakesAReportOfAll) {
   EXPECT_THAT(text_of(at("all.html")), AllOf(HasSubstr("ours"), HasSubstr("theirs")));
 }
 
-TEST_F(CompareCommand, CurvesOfAFolderAreThoseOfItsRun) {
+TEST_F(CompareCommand, CurvesOfAFolderMatchItsRun) {
   write_text(at("results/per_query.csv"),
              "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\n");
   write_text(at("results/pr_curves.csv"),
@@ -119,7 +119,7 @@ TEST_F(CompareCommand, CurvesOfAFolderAreThoseOfItsRun) {
   EXPECT_EQ(text_of(at("pr.csv")), "method,protocol,recall,precision\nm,psb,0.5,0.750000\nn,psb,0.5,0.250000\n");
 }
 
-TEST_F(CompareCommand, InputsAreNeverReplaced) {
+TEST_F(CompareCommand, DoesNotOverwriteInputs) {
   write_text(at("results/per_query.csv"),
              "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\n");
   write_text(at("results/pr_curves.csv"), "method,protocol,recall,precision,macro_precision\nm,psb,0.5,0.75,0.7\n");
@@ -137,7 +137,7 @@ TEST_F(CompareCommand, InputsAreNeverReplaced) {
   }
 }
 
-TEST_F(CompareCommand, SeedsAndTestsMatterAndThreadsDoNot) {
+TEST_F(CompareCommand, DependsOnSeedAndTestButNotOnThreads) {
   const auto p = [&](const std::string& more) {
     return nlohmann::json::parse(compare_matrices("bad.npy poor.npy", "--measures FT --format json " + more)
                                      .output)["measures"]["FT"]["pairs"][0]["p"]
@@ -149,21 +149,21 @@ TEST_F(CompareCommand, SeedsAndTestsMatterAndThreadsDoNot) {
   EXPECT_NE(p("--blocks classes"), p(""));
 }
 
-TEST_F(CompareCommand, WhatCannotBeComparedIsOneClearLine) {
+TEST_F(CompareCommand, RejectsIncomparableInputsWithOneLine) {
   write_text(at("one.csv"), "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\n");
   write_text(at("class.csv"), "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,x,0\nn,psb,1,x,100\nn,psb,2,x,0\n");
   const std::vector<std::pair<Outcome, std::string>> cases{
       {compare("one.csv"), "two methods"},
       {compare("good.npy bad.npy"), "good.npy"},
       {compare("nowhere"), "nowhere"},
-      {compare("class.csv", "--blocks classes"), "needs at least two of them"},
+      {compare("class.csv", "--blocks classes"), "needs at least two classes"},
       {compare_matrices("good.npy bad.npy", "--reference god"), "did you mean \"good\"?"},
       {compare_matrices("good.npy bad.npy", "--measures FT,XX"), "no measure \"XX\""},
       {compare_matrices("good.npy bad.npy", "--test u"), "--test"}};
   for (const auto& [outcome, words] : cases) expect_error_line(outcome, words);
 }
 
-TEST_F(CompareCommand, OptionsThatCannotActOnScoresAreErrors) {
+TEST_F(CompareCommand, RejectsEvaluationOptionsForTablesOfScores) {
   std::string scores = "method,protocol,id,class,NN\n";
   for (int i = 0; i < 60; ++i) scores += fmt::format("m,psb,{0},c{1},{2}\nn,psb,{0},c{1},0\n", i, i / 6, i % 2 * 100);
   write_text(at("results/per_query.csv"), scores);
@@ -179,7 +179,7 @@ TEST_F(CompareCommand, OptionsThatCannotActOnScoresAreErrors) {
   EXPECT_EQ(compare_matrices("results good.npy", "--measures NN --ties expected").status, 0);
 }
 
-TEST_F(CompareCommand, TooFewClassesAreTold) {
+TEST_F(CompareCommand, WarnsOfTooFewClasses) {
   std::string table = "id,class\n";
   for (int i = 0; i < 60; ++i) table += std::to_string(i) + ",c" + std::to_string(i / 20) + "\n";
   write_text(at("three.csv"), table);
@@ -193,7 +193,7 @@ TEST_F(CompareCommand, TooFewClassesAreTold) {
   EXPECT_THAT(compare_matrices("good.npy bad.npy").errors, testing::Not(HasSubstr("p-value")));
 }
 
-TEST_F(CompareCommand, FilesOfOneNameAreToldApart) {
+TEST_F(CompareCommand, NamesFilesOfEqualNamesDifferently) {
   std::filesystem::create_directory(at("x"));
   std::filesystem::copy_file(at("bad.npy"), at("x/good.npy"));
   const auto names = [&](const std::string& inputs, const std::string& more = "") {

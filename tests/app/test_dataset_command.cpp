@@ -33,7 +33,7 @@ TEST_F(DatasetCommand, InfoProposesTheConfiguration) {
             (nlohmann::json{{"layout", "shrec11"}, {"root", folder_.path().string()}, {"classification", "test.cla"}}));
 }
 
-TEST_F(DatasetCommand, InfoCountsWhatCannotBeUsed) {
+TEST_F(DatasetCommand, InfoCountsUnusableModels) {
   EXPECT_THAT(dataset("info").output, testing::Not(HasSubstr("unusable")));
   write_text(at("T2.off"), "garbage");
   write_text(at("T4.off"), "more garbage");
@@ -46,7 +46,7 @@ TEST_F(DatasetCommand, InfoCountsWhatCannotBeUsed) {
   EXPECT_THAT(outcome.errors, HasSubstr("warning: model 2: "));
 }
 
-TEST_F(DatasetCommand, InfoCountsWhatIsSkipped) {
+TEST_F(DatasetCommand, InfoCountsSkippedFiles) {
   EXPECT_THAT(dataset("info").output, testing::Not(HasSubstr("skipped")));
   std::filesystem::create_directories(at("classes/box/old"));
   std::filesystem::copy(at("T1.off"), at("classes/box/T1.off"));
@@ -69,7 +69,7 @@ TEST_F(DatasetCommand, InfoCountsASplit) {
   EXPECT_THAT(without.errors, HasSubstr("the layout shrec11 has no splits"));
 }
 
-TEST_F(DatasetCommand, LabelsAreWhatEvaluateReads) {
+TEST_F(DatasetCommand, EvaluateReadsItsLabels) {
   write_text(at("all.csv"),
              "id,synsetId,subSynsetId,modelId,split\n000001,7,7,a,test\n000002,7,8,b,test\n000003,9,9,c,train\n");
   const std::string command = "dataset labels @ --layout shapenet --split test";
@@ -86,7 +86,7 @@ TEST_F(DatasetCommand, LabelsAreWhatEvaluateReads) {
   EXPECT_EQ(run(command + " -o @labels.csv").status, 2) << "exists";
 }
 
-TEST_F(DatasetCommand, ValidateNamesWhatCannotBeUsed) {
+TEST_F(DatasetCommand, ValidateNamesUnusableModels) {
   EXPECT_EQ(dataset("validate").output, "9 of 9 models can be used\n");
   write_text(at("T2.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   const Outcome outcome = dataset("validate");
@@ -103,7 +103,7 @@ TEST_F(DatasetCommand, AMissingFolderIsAnError) {
   }
 }
 
-TEST_F(DatasetCommand, AnInterruptedGenerationSaysWhatItLeaves) {
+TEST_F(DatasetCommand, ReportsTheFilesOfAnInterruptedGeneration) {
   BackgroundRun run(
       {"dataset", "generate", at("made"), "--classes", "1", "--models-per-class", "500", "--threads", "1"},
       at("errors"));
@@ -115,7 +115,7 @@ TEST_F(DatasetCommand, AnInterruptedGenerationSaysWhatItLeaves) {
                                              " is incomplete; --replace replaces it\n");
 }
 
-TEST_F(DatasetCommand, GenerateMakesWhatInfoReads) {
+TEST_F(DatasetCommand, InfoReadsGeneratedDataSets) {
   const Outcome generated = run("dataset generate @made --classes 2 --models-per-class 2 --faces 1000");
   ASSERT_EQ(generated.status, 0) << generated.errors;
   EXPECT_THAT(generated.output, HasSubstr("4 models of 2 classes"));

@@ -67,7 +67,7 @@ TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {
         "--distance"}});
 }
 
-TEST_F(DescribeCommand, WritesARowAShape) {
+TEST_F(DescribeCommand, WritesOneRowPerShape) {
   const std::string output = at("x.npy").string();
   const Outcome outcome = describe(fmt::format("--descriptor d2 --set bins=8 --set points=64 -o '{}'", output));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
@@ -88,7 +88,7 @@ TEST_F(DescribeCommand, LearnsFromAllShapesAndNamesThemInCsv) {
   for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(table.numbers.row(i).sum(), 1, 1e-5);
 }
 
-TEST_F(DescribeCommand, IdsTellFilesOfOneNameApart) {
+TEST_F(DescribeCommand, GivesFilesOfEqualNamesDifferentIds) {
   std::filesystem::create_directory(at("a"));
   std::filesystem::create_directory(at("b"));
   write_off(at("a/x.off"), test::small_shape("box", 0));
@@ -106,7 +106,7 @@ TEST_F(DescribeCommand, IdsTellFilesOfOneNameApart) {
   expect_error_lines({{fmt::format("describe {} {} --descriptor d2 -o x.csv", a, a), "twice"}});
 }
 
-TEST_F(DescribeCommand, AShapeThatFailsHasNoRow) {
+TEST_F(DescribeCommand, OmitsTheRowsOfFailedShapes) {
   test::write_text(at("box.off"), "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
   const std::string output = at("x.npy").string();
   const Outcome outcome = describe(fmt::format("--descriptor shape_dna -o '{}'", output));
@@ -115,7 +115,7 @@ TEST_F(DescribeCommand, AShapeThatFailsHasNoRow) {
   EXPECT_EQ(read_matrix(output, TableShape::any).numbers.rows(), 2);
 }
 
-TEST_F(DescribeCommand, TellsWhatIsWrongInALine) {
+TEST_F(DescribeCommand, RejectsInvalidInputWithOneLine) {
   const std::string output = fmt::format("-o '{}'", at("x.npy").string());
   expect_error_lines({{fmt::format("describe {} {}", shapes(), output), "--descriptor"},
                       {fmt::format("describe {} {} --descriptor d3", shapes(), output), "d3"},
@@ -155,7 +155,7 @@ DistanceMatrix line() {
   return distances;
 }
 
-TEST_F(DescribeCommand, AnInterruptionSaysThatNothingIsWritten) {
+TEST_F(DescribeCommand, ReportsThatAnInterruptionWritesNothing) {
   write_off(at("ball.off"), test::sphere(1, 5));
   std::vector<std::string> call{"describe"};
   for (int i = 0; i < 200; ++i) {  // enough for many seconds
@@ -174,7 +174,7 @@ TEST_F(DescribeCommand, AnInterruptionSaysThatNothingIsWritten) {
 
 using RerankCommand = CommandTest;
 
-TEST_F(RerankCommand, GivesWhatTheLibraryGives) {
+TEST_F(RerankCommand, MatchesTheLibrary) {
   write_npy(at("d.npy"), line());
   const auto rerank = [&](const std::string& arguments) {
     const std::string call = fmt::format("rerank @d.npy --replace -o @r.npy {}", arguments);
@@ -201,7 +201,7 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-TEST_F(RerankCommand, TheSparseResultTakesItsPlaceWhenItIsComplete) {
+TEST_F(RerankCommand, SparseResultsLeaveOtherFilesUnchanged) {
   write_npy(at("d.npy"), line());
   test::write_text(at("mine"), "mine");
   std::filesystem::create_symlink(at("mine"), at("r.npy.part"));
@@ -225,7 +225,7 @@ TEST_F(RerankCommand, AnInterruptionLeavesNoFile) {
   EXPECT_EQ(test::text_of(messages.path() / "errors"), "shapegauge: error: interrupted; no results were written\n");
 }
 
-TEST_F(RerankCommand, IdsOfACsvStay) {
+TEST_F(RerankCommand, KeepsTheIdsOfCsvFiles) {
   test::write_text(at("d.csv"), "id,x,y,z\nx,0,1,3\ny,1,0,2\nz,3,2,0\n");
   const Outcome outcome = run("rerank @d.csv -o @r.csv --method query_expansion --neighbours 1");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
@@ -234,7 +234,7 @@ TEST_F(RerankCommand, IdsOfACsvStay) {
   EXPECT_EQ(found.numbers, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
 }
 
-TEST_F(RerankCommand, InfiniteDistancesStayUsable) {
+TEST_F(RerankCommand, AcceptsInfiniteDistances) {
   DistanceMatrix distances = line();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   distances.row(3).setConstant(infinity);
@@ -254,7 +254,7 @@ TEST_F(RerankCommand, InfiniteDistancesStayUsable) {
   }
 }
 
-TEST_F(RerankCommand, RemarksOnAnAsymmetricMatrixInOneLine) {
+TEST_F(RerankCommand, WarnsOfAsymmetricMatrices) {
   DistanceMatrix distances = line();
   distances(2, 5) += 0.5;
   distances(7, 1) += 2;
@@ -265,7 +265,7 @@ TEST_F(RerankCommand, RemarksOnAnAsymmetricMatrixInOneLine) {
                                                     "2;[^\n]*\n"));
 }
 
-TEST_F(RerankCommand, TellsWhatIsWrongInALine) {
+TEST_F(RerankCommand, RejectsInvalidInputWithOneLine) {
   write_npy(at("d.npy"), line());
   write_npy(at("negative.npy"), -line());
   const std::string call = "rerank " + quoted("d.npy") + " -o " + quoted("r.npy") + " ";

@@ -42,7 +42,7 @@ class EvaluateCommand : public CommandTest {
   }
 };
 
-TEST_F(EvaluateCommand, StandardInputIsAsGoodAsAFile) {
+TEST_F(EvaluateCommand, StandardInputGivesTheResultsOfAFile) {
   const nlohmann::json of_file = nlohmann::json::parse(evaluate_toy("--format json").output);
   for (const std::string format : {"npy", "matrix", "txt"}) {
     const std::string told = format == "npy" ? "" : " --input-format " + format;  // .npy is recognized by its contents
@@ -81,7 +81,7 @@ TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
   }
 }
 
-TEST_F(EvaluateCommand, EqualAveragesAreOneRow) {
+TEST_F(EvaluateCommand, PrintsEqualAveragesAsOneRow) {
   const std::string equal = evaluate_toy("--measures P@3 --min-class-size 4").output;  // one class
   EXPECT_THAT(equal, testing::AllOf(HasSubstr("toy     psb       both "), testing::Not(HasSubstr("macro"))));
 }
@@ -99,7 +99,7 @@ TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
   EXPECT_THAT(nowhere.errors, HasSubstr("cannot write"));
 }
 
-TEST_F(EvaluateCommand, FeaturesAreTheirDistances) {
+TEST_F(EvaluateCommand, FeaturesAreEvaluatedLikeTheirDistances) {
   // The toy's values as features: the same figures and notes, by rows or (for the report) by the whole matrix.
   write_text(at("toy.csv"), "0\n1\n4\n2\n3.5\n7\n9\n");
   const Outcome expected = evaluate_toy("--per-query @matrix.csv");
@@ -113,7 +113,7 @@ TEST_F(EvaluateCommand, FeaturesAreTheirDistances) {
   EXPECT_THAT(text_of(at("report.html")), HasSubstr("\"heat_map\":{\"side\":7"));
 }
 
-TEST_F(EvaluateCommand, IdsSayWhatTheRowsAre) {
+TEST_F(EvaluateCommand, MatchesRowsByIds) {
   // The same matrix with permuted models: other rows have labels A and B.
   write_text(at("ids.txt"), "T6\nT5\nT4\nT3\n2.off\n1\n0\n");
   const auto json = nlohmann::json::parse(evaluate_toy("--format json --ids @ids.txt").output);
@@ -121,7 +121,7 @@ TEST_F(EvaluateCommand, IdsSayWhatTheRowsAre) {
   EXPECT_NEAR(json["micro"]["NN"], 5.0 / 7, 1e-12);
 }
 
-TEST_F(EvaluateCommand, OrderSaysWhetherRowsFollowTheClassification) {
+TEST_F(EvaluateCommand, OrderSelectsNaturalOrFileOrder) {
   // Princeton's tools take the rows in the classification's order: the first four rows are of class B then.
   write_text(at("listed.cla"), "PSB 1\n2 7\nB 0 4\n3\n4\n5\n6\nA 0 3\n0\n1\n2\n");
   const auto nn = [&](const std::string& order) {
@@ -134,14 +134,14 @@ TEST_F(EvaluateCommand, OrderSaysWhetherRowsFollowTheClassification) {
   EXPECT_NEAR(nn(""), .571429, 1e-6);
 }
 
-TEST_F(EvaluateCommand, SmallClassesAreLeftOutAndTold) {
+TEST_F(EvaluateCommand, ReportsExcludedSmallClasses) {
   const Outcome outcome = evaluate_toy("--format json --min-class-size 4");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["queries"], 4);
   EXPECT_THAT(outcome.errors, HasSubstr("omitted as queries: 3 models"));
 }
 
-TEST_F(EvaluateCommand, CurvesOfAnyKindAndTablesGoToTheirFiles) {
+TEST_F(EvaluateCommand, WritesCurvesAndTables) {
   ASSERT_EQ(
       evaluate_toy(
           "--pr @pr.plot --curve trec --pr-per-class @classes.csv --per-query @queries.csv --per-class @per_class.csv")
@@ -153,7 +153,7 @@ TEST_F(EvaluateCommand, CurvesOfAnyKindAndTablesGoToTheirFiles) {
   EXPECT_THAT(text_of(at("per_class.csv")), StartsWith("method,protocol,class,queries,NN"));
 }
 
-TEST_F(EvaluateCommand, MeasuresUnitDigitsAndIntervalsAsAsked) {
+TEST_F(EvaluateCommand, PrintsTheRequestedMeasuresDigitsAndIntervals) {
   EXPECT_THAT(evaluate_toy("--measures P@2,FT --unit fraction --digits 3 --format csv").output,
               StartsWith("method,protocol,average,P@2,FT\ntoy,psb,micro,0."));
   const auto json = nlohmann::json::parse(evaluate_toy("--format json --confidence 0.9 --measures FT").output);
@@ -162,7 +162,7 @@ TEST_F(EvaluateCommand, MeasuresUnitDigitsAndIntervalsAsAsked) {
   EXPECT_THAT(evaluate_toy("--confidence 0.9 --measures FT --blocks queries").output, HasSubstr("42.86 ["));
 }
 
-TEST_F(EvaluateCommand, TiesAreToldAndDecidedAsAsked) {
+TEST_F(EvaluateCommand, ReportsAndOrdersTies) {
   write_text(at("tied.txt"), "0 1 1\n1 0 1\n1 1 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
   const auto nn = [&](const std::string& ties) {
@@ -180,7 +180,7 @@ TEST_F(EvaluateCommand, TiesAreToldAndDecidedAsAsked) {
   EXPECT_EQ(nn("expected"), 0.5);
 }
 
-TEST_F(EvaluateCommand, WhatIsOddIsTold) {
+TEST_F(EvaluateCommand, WarnsOfAnomalies) {
   write_text(at("odd.txt"), "0 1 2\n1 0 -3\n2 4 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
   const Outcome outcome = run("evaluate @odd.txt --labels @three.csv");
@@ -189,14 +189,14 @@ TEST_F(EvaluateCommand, WhatIsOddIsTold) {
               testing::AllOf(HasSubstr("warning: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
 }
 
-TEST_F(EvaluateCommand, ListsOfAFolderAreNotReplaced) {
+TEST_F(EvaluateCommand, DoesNotOverwriteTheListsOfAFolder) {
   write_text(at("lists/0"), "1\n");
   write_text(at("lists/1.csv"), "0\n");
   expect_error_line(evaluate_toy("--replace --per-query @lists/1.csv", "lists"), "would overwrite the input");
   EXPECT_EQ(text_of(at("lists/1.csv")), "0\n");
 }
 
-TEST_F(EvaluateCommand, OneClassIsAllHitsAndHasNoIntervalOverClasses) {
+TEST_F(EvaluateCommand, OneClassScoresFullyWithoutClassIntervals) {
   write_text(at("same.csv"), "id,class\n0,a\n1,a\n2,a\n3,a\n4,a\n5,a\n6,a\n");
   const Outcome outcome = run("evaluate @toy.npy --labels @same.csv --confidence 0.95 --format json");
   EXPECT_EQ(outcome.status, 0);
@@ -206,7 +206,7 @@ TEST_F(EvaluateCommand, OneClassIsAllHitsAndHasNoIntervalOverClasses) {
   EXPECT_FALSE(json.contains("intervals"));
 }
 
-TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
+TEST_F(EvaluateCommand, RejectsInvalidInputWithOneLine) {
   write_text(at("short.txt"), "0 1\n1 0\n");
   write_text(at("nan.txt"), "0 nan\n1 0\n");
   write_text(at("absent.txt"), "0\n1\n2\n3\n4\n5\n7\n");
@@ -241,7 +241,7 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
   expect_error_lines(cases);
 }
 
-TEST_F(EvaluateCommand, EachQueryIsShownWhereWanted) {
+TEST_F(EvaluateCommand, PrintsEachQueryOnRequest) {
   const Outcome table = evaluate_toy("--each-query --format csv --measures NN");
   EXPECT_THAT(table.output, StartsWith("method,protocol,id,class,NN\ntoy,psb,0,A,100.0000\n"));
   EXPECT_THAT(table.output, HasSubstr("\n\nmethod,protocol,average,NN\ntoy,psb,micro,57.1429\n"));
@@ -252,7 +252,7 @@ TEST_F(EvaluateCommand, EachQueryIsShownWhereWanted) {
   EXPECT_EQ(evaluate_toy("--quiet --measures NN").output, evaluate_toy("--measures NN").output);
 }
 
-TEST_F(EvaluateCommand, ScoresOfListsSayWhatTheyRestOn) {
+TEST_F(EvaluateCommand, ReportsIncompleteRankedLists) {
   // Queries 0 to 3 of seven are answered, with the two models nearest to each; B has three relevant models.
   write_text(at("two.lists"), "0 1 3\n1 0 3\n2 4 3\n3 1 4\n");
   const auto evaluate = [&](const std::string& more) { return evaluate_toy("--format json " + more, "two.lists"); };
@@ -304,7 +304,7 @@ TEST_F(EvaluateCommand, DrawsTheCurveAndTheClasses) {
   EXPECT_NE(text_of(at("same.svg")), text_of(at("pr.svg")));
 }
 
-TEST_F(EvaluateCommand, OneOddityIsOneWarning) {
+TEST_F(EvaluateCommand, EachAnomalyIsOneWarning) {
   write_npy(at("zero.npy"), DistanceMatrix::Zero(7, 7));
   const Outcome outcome = evaluate_toy("", "zero.npy");
   EXPECT_EQ(warnings_in(outcome.errors), 1) << outcome.errors;
@@ -317,7 +317,7 @@ TEST_F(EvaluateCommand, OneOddityIsOneWarning) {
   EXPECT_THAT(errors, HasSubstr("the answers to 7 of 7 queries"));
 }
 
-TEST_F(EvaluateCommand, IntervalsAreThoseOfCompareWhateverTheOrderOfTheClasses) {
+TEST_F(EvaluateCommand, IntervalsMatchCompareForAnyOrderOfClasses) {
   // Classes in another order than rows.
   write_text(at("toy.cla"), "PSB 1\n3 7\nC 0 2\n5\n6\nB 0 2\n3\n4\nA 0 3\n0\n1\n2\n");
   std::filesystem::copy_file(at("toy.npy"), at("copy.npy"));
@@ -329,7 +329,7 @@ TEST_F(EvaluateCommand, IntervalsAreThoseOfCompareWhateverTheOrderOfTheClasses) 
   }
 }
 
-TEST_F(EvaluateCommand, JudgementsAreUsuallyOfTheTrecProtocol) {
+TEST_F(EvaluateCommand, JudgementsSelectTheTrecProtocolByDefault) {
   write_text(at("run.txt"), "q1 Q0 a 1 3 mine\nq1 Q0 b 2 2 mine\n");
   write_text(at("j.qrels"), "q1 0 b 1\nq2 0 a 1\n");
   const std::string call = "evaluate " + quoted("run.txt") + " --qrels " + quoted("j.qrels") + " --format json ";

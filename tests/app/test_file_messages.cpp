@@ -34,7 +34,7 @@ class FileMessages : public CommandTest {
   }
 };
 
-TEST_F(FileMessages, OfFacesThatArePolygonsAreToldOnce) {
+TEST_F(FileMessages, PolygonsAreReportedOnce) {
   const Outcome sdf =
       run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("quads.off"), quoted("q.csv")));
   EXPECT_EQ(sdf.status, 0) << sdf.errors;
@@ -51,7 +51,7 @@ TEST_F(FileMessages, OfFacesThatArePolygonsAreToldOnce) {
   EXPECT_THAT(run_executable("info " + quoted("quads.off")).output, testing::ContainsRegex("polygons +6\n"));
 }
 
-TEST_F(FileMessages, OfALinkToItselfAreOneLine) {
+TEST_F(FileMessages, ALinkToItselfIsOneLine) {
   fs::create_directory(at("data"));
   for (const char* const name : {"data/test.cla", "loop.npy", "loop.json"}) {
     fs::create_symlink(fs::path(name).filename(), at(name));
@@ -63,7 +63,7 @@ TEST_F(FileMessages, OfALinkToItselfAreOneLine) {
        {"run " + quoted("loop.json"), at("loop.json").string() + ": no such file, or it cannot be read"}});
 }
 
-TEST_F(FileMessages, OfFacesThatAreTrianglesSayNothing) {
+TEST_F(FileMessages, TrianglesAreNotReported) {
   const Outcome sdf =
       run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("ball.off"), quoted("b.csv")));
   EXPECT_THAT(sdf.errors, Not(HasSubstr("polygon")));
@@ -82,13 +82,13 @@ TEST_F(FileMessages, StandardInputIsRecognisedByItsContent) {
   EXPECT_EQ(run_executable("info " + quoted("cloud")).status, 0) << "so is a file without an extension";
 }
 
-TEST_F(FileMessages, WhatIsNotRecognisedNamesTheOption) {
+TEST_F(FileMessages, UnrecognisedInputNamesTheFormatOption) {
   write_text(at("bare"), "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");  // OFF without its keyword
   expect_error_line(run_executable("info - < " + quoted("bare")), "--input-format");
   EXPECT_EQ(run_executable("info - --input-format off < " + quoted("bare")).status, 0);
 }
 
-TEST_F(FileMessages, HoldNothingThatATerminalObeys) {
+TEST_F(FileMessages, EscapeControlSequences) {
   const std::string name =
       "a\x1b[31m\xC2\x9B"
       "7m.off";
@@ -106,7 +106,7 @@ TEST_F(FileMessages, HoldNothingThatATerminalObeys) {
   }
 }
 
-TEST_F(FileMessages, OfLinksThatGoInACircleNameTheEntryAndTheRestIsDone) {
+TEST_F(FileMessages, CircularLinksAreNamedAndTheOtherFilesProcessed) {
   for (const char* const name : {"ant/1.off", "ant/2.off", "bee/1.off", "bee/2.off"}) {
     fs::create_directories(at("data") / fs::path(name).parent_path());
     fs::copy_file(at("ball.off"), at("data") / name);

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using InfoCommand = CommandTest;
 
-TEST_F(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
+TEST_F(InfoCommand, PrintsTextAndJson) {
   Shape box = test::box({1, 1, 1}, 1);
   box.triangles = box.triangles.topRows(11).eval();
   write_off(at("box.off"), box);
@@ -31,14 +31,14 @@ TEST_F(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
   EXPECT_DOUBLE_EQ(found["boundary_fraction"], (2 + std::sqrt(2)) / std::sqrt(3));
 }
 
-TEST_F(InfoCommand, NumbersAreShortAndHaveNoExponent) {
+TEST_F(InfoCommand, PrintsShortNumbersWithoutExponents) {
   Shape box = test::box({1, 1, 1}, 1);
   box.vertices *= 1234.5;
   write_off(at("box.off"), box);
   EXPECT_THAT(run("info @box.off").output, HasSubstr("area                    9143940\n"));
 }
 
-TEST_F(InfoCommand, AVolumeThatIsTooLargeIsSaidToBe) {
+TEST_F(InfoCommand, ReportsAVolumeThatOverflows) {
   Shape box = test::box({1, 1, 1}, 1);
   box.vertices *= 1e160;
   write_off(at("huge.off"), box);

@@ -30,7 +30,7 @@ TEST(LeaderboardCommand, PrintsTheTableAndWritesThePage) {
   EXPECT_EQ(run_executable(leaderboard(small, "-o " + shell_word(page) + " --replace")).status, 0);
 }
 
-TEST(LeaderboardCommand, JudgesTheGoodOnesAndSaysThatOthersWereRefused) {
+TEST(LeaderboardCommand, RanksValidSubmissionsAndReportsInvalidOnes) {
   const test_board::SmallBoard small;
   small.add("bad.csv", "0,1\n1,0\n");
   small.add("odd.npy", "no numbers");
@@ -41,7 +41,7 @@ TEST(LeaderboardCommand, JudgesTheGoodOnesAndSaysThatOthersWereRefused) {
   EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("bad.csv"), HasSubstr("odd.npy")));
 }
 
-TEST(LeaderboardCommand, SaysAWarningOfManySubmissionsOnce) {
+TEST(LeaderboardCommand, PrintsACommonWarningOnce) {
   const test_board::SmallBoard small;
   test::write_text(small.labels(),
                    "id,class\nm1,b\nm0,a\nm2,c\nm3,a\nm4,b\nm5,c\nm6,a\nm7,b\nm8,c\nm9,a\nm10,b\nm11,c\n");
@@ -50,7 +50,7 @@ TEST(LeaderboardCommand, SaysAWarningOfManySubmissionsOnce) {
   EXPECT_EQ(outcome.errors.find("--order"), outcome.errors.rfind("--order"));
 }
 
-TEST(LeaderboardCommand, CountsMissingQueriesAsZeroWithAndWithoutSayingSo) {
+TEST(LeaderboardCommand, ScoresMissingQueriesAsZeroByDefaultAndOnRequest) {
   const test_board::SmallBoard small;
   small.add("short.lists", "m0 m3 m6\nm1 m4 m7\n");
   const std::string table = run_executable(leaderboard(small, "--format csv")).output;
@@ -94,7 +94,7 @@ TEST(LeaderboardCommand, ComparesMethodsOverDataSets) {
                       {sets + " " + shell_word(at("s")), "two data sets"}});
 }
 
-TEST(LeaderboardCommand, RefusesWhatItCannotUse) {
+TEST(LeaderboardCommand, RejectsInvalidInput) {
   const test_board::SmallBoard small;
   const std::string folder = shell_word(small.submissions());
   const std::string labels = " --labels " + shell_word(small.labels());

@@ -51,7 +51,7 @@ TEST_F(NormalsCommand, AreOutwardAtFacesInCsv) {
   }
 }
 
-TEST_F(NormalsCommand, OfACloudReadBackInEveryFormat) {
+TEST_F(NormalsCommand, WritesReadableCloudsInEveryFormat) {
   const Outcome outcome = normals("cloud.off", "--offset auto", "x.ply");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(outcome.errors, StartsWith("shapegauge: offset 0.0"));
@@ -75,7 +75,7 @@ TEST_F(NormalsCommand, AreOutwardOnACleanCloudByDefault) {
   EXPECT_GT((read.normals.cwiseProduct(read.vertices).rowwise().sum().array() > 0).cast<double>().mean(), 0.99);
 }
 
-TEST_F(NormalsCommand, WhatIsDecidedByChanceIsCountedAndWarnedOf) {
+TEST_F(NormalsCommand, WarnsOfSamplesWithTheOutsideOnBothSides) {
   const Outcome outcome = normals("cloud.off", "--offset 0.01", "x.ply");
   EXPECT_EQ(outcome.status, 0);
   const Shape read = read_shape(at("x.ply"));
@@ -104,7 +104,7 @@ TEST_F(NormalsCommand, WarnsOfAnOffsetBelowTheGaps) {
   EXPECT_THAT(again.errors, testing::Not(HasSubstr("gaps")));
 }
 
-TEST_F(NormalsCommand, DenoisesBeforeWhereThereIsNoise) {
+TEST_F(NormalsCommand, DenoisesNoisyMeshesFirst) {
   const Shape fine = test::sphere(10, 4);
   RandomNumbers random(1);
   write_off(at("clean.off"), fine);
@@ -123,7 +123,7 @@ TEST_F(NormalsCommand, DenoisesBeforeWhereThereIsNoise) {
   EXPECT_LT(mean_cosine("noisy.xyz"), 0.99);
 }
 
-TEST_F(NormalsCommand, RefusesWhatItCannotUse) {
+TEST_F(NormalsCommand, RejectsInvalidInput) {
   for (const char* offset : {"0", "-1", "nan", "1.5", "automatic"}) {
     const Outcome outcome = normals("mesh.off", std::string("--offset ") + offset, "x.csv");
     EXPECT_EQ(outcome.status, 2);

@@ -80,7 +80,7 @@ TEST_F(OutputFiles, EmptyNamesAreErrors) {
   expect_error_line(run("rerank '' -o @x.npy"), "distances: must not be empty");
 }
 
-TEST_F(OutputFiles, ExistingOnesAreKeptUnlessTheyMayBeReplaced) {
+TEST_F(OutputFiles, ExistingFilesNeedReplace) {
   for (const WriterOfFiles& writer : writers()) {
     SCOPED_TRACE(writer.call);
     remove_outputs();
@@ -95,7 +95,7 @@ TEST_F(OutputFiles, ExistingOnesAreKeptUnlessTheyMayBeReplaced) {
   }
 }
 
-TEST_F(OutputFiles, AreNoInputsUnderWhateverName) {
+TEST_F(OutputFiles, MustNotBeInputsUnderAnyName) {
   for (const WriterOfFiles& writer : writers()) {
     if (writer.input.empty()) continue;
     SCOPED_TRACE(writer.call);
@@ -111,7 +111,7 @@ TEST_F(OutputFiles, AreNoInputsUnderWhateverName) {
   }
 }
 
-TEST_F(OutputFiles, AreNoOtherOutputs) {
+TEST_F(OutputFiles, MustDiffer) {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv ";
   expect_error_line(run(evaluate + "--per-query @x.csv --per-class @mine/../x.csv"), "would both be written to");
   fs::create_symlink(at("x.csv"), at("link.csv"));  // to a file that does not exist yet
@@ -122,7 +122,7 @@ TEST_F(OutputFiles, AreNoOtherOutputs) {
   EXPECT_FALSE(fs::exists(at("z.json")));
 }
 
-TEST_F(OutputFiles, HaveTheExtensionOfTheirFormat) {
+TEST_F(OutputFiles, NeedTheExtensionOfTheirFormat) {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv ";
   for (const auto& [call, possible] : std::vector<std::pair<std::string, std::string>>{
            {evaluate + "--pr @curve.pdf", ".csv or .plot"},
@@ -150,7 +150,7 @@ TEST_F(OutputFiles, HaveTheExtensionOfTheirFormat) {
   EXPECT_THAT(text_of(at("X.PLOT")), HasSubstr("0.050000\t"));
 }
 
-TEST_F(OutputFiles, StandardStreamsAreUsedOnce) {
+TEST_F(OutputFiles, AStandardStreamIsUsedOnce) {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv --measures NN ";
   expect_error_line(run(evaluate + "--per-query -"), "not standard output");
   expect_error_line(run("evaluate - --labels - < @d.csv"), "once only");

@@ -25,14 +25,14 @@ class PerturbCommand : public CommandTest {
   Shape shape = test::sphere(10, 3);  // 1280 faces
 };
 
-TEST_F(PerturbCommand, MakesTheChangesInTheStatedOrder) {
+TEST_F(PerturbCommand, AppliesPerturbationsInTheDocumentedOrder) {
   const Outcome outcome = perturb("x.off", "--remove-faces 0.5 --noise 0.01 --decimate 400 --flip 1 --motion 2");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.output + outcome.errors, "");
   EXPECT_NEAR(static_cast<double>(read_shape(at("x.off")).triangles.rows()), 200, 1);
 }
 
-TEST_F(PerturbCommand, WarnsWhereDecimationEndsBeforeTheNumberOfFaces) {
+TEST_F(PerturbCommand, WarnsIfDecimationKeepsMoreFaces) {
   const Outcome outcome = perturb("x.off", "--decimate 1");
   EXPECT_EQ(outcome.status, 0);
   const auto left = read_shape(at("x.off")).triangles.rows();
@@ -41,7 +41,7 @@ TEST_F(PerturbCommand, WarnsWhereDecimationEndsBeforeTheNumberOfFaces) {
   EXPECT_EQ(perturb("x.off", "--decimate 100").errors, "");
 }
 
-TEST_F(PerturbCommand, TheSeedDecides) {
+TEST_F(PerturbCommand, DependsOnTheSeed) {
   ASSERT_EQ(perturb("a.off", "--noise 0.01 --seed 4").status, 0);
   ASSERT_EQ(perturb("b.off", "--noise 0.01 --seed 4").status, 0);
   ASSERT_EQ(perturb("c.off", "--noise 0.01 --seed 5").status, 0);
@@ -65,13 +65,13 @@ TEST_F(PerturbCommand, WritesPointClouds) {
   EXPECT_THAT(text_of(at("x.ply")), HasSubstr("element vertex 50\n"));
 }
 
-TEST_F(PerturbCommand, VerticesAsAPointCloud) {
+TEST_F(PerturbCommand, WritesTheVerticesAsACloud) {
   ASSERT_EQ(perturb("x.ply", "--vertex-cloud").status, 0);
   EXPECT_TRUE(is_cloud(read_shape(at("x.ply"))));
   EXPECT_EQ(read_shape(at("x.ply")).vertices, shape.vertices);
 }
 
-TEST_F(PerturbCommand, DefaultsAreThoseOfConfigurations) {
+TEST_F(PerturbCommand, DefaultsMatchConfigurations) {
   ASSERT_EQ(perturb("a.off", "--noise 0.01").status, 0);
   ASSERT_EQ(perturb("b.off", "--noise 0.01 --noise-distribution uniform").status, 0);
   ASSERT_EQ(perturb("c.off", "--noise 0.01 --noise-distribution gaussian").status, 0);
@@ -79,7 +79,7 @@ TEST_F(PerturbCommand, DefaultsAreThoseOfConfigurations) {
   EXPECT_NE(text_of(at("a.off")), text_of(at("c.off")));
 }
 
-TEST_F(PerturbCommand, RefusesWhatItCannotDo) {
+TEST_F(PerturbCommand, RejectsInvalidOptions) {
   EXPECT_THAT(perturb("x.off", "").errors, HasSubstr("no perturbation given"));
   EXPECT_THAT(perturb("x.xlsx", "--noise 0.1").errors, HasSubstr("cannot write"));
   EXPECT_THAT(perturb("x.off", "--noise -1").errors, HasSubstr("--noise is -1"));

@@ -90,7 +90,7 @@ TEST_F(Program, ShortHelpShowsTheOptionsNeededMost) {
                                     HasSubstr("All options: shapegauge sdf --help")));
 }
 
-TEST_F(Program, AWordThatIsNoCommandOrOptionIsNamed) {
+TEST_F(Program, NamesUnknownCommandsAndOptions) {
   expect_error_lines({{"--versoin", "there is no option --versoin; did you mean --version?"},
                       {"run --outptu x y.json", "there is no option --outptu; did you mean --output?"},
                       {"dataset info --clasification x y", "did you mean --classification?"},
@@ -104,7 +104,7 @@ TEST_F(Program, AWordThatIsNoCommandOrOptionIsNamed) {
                       {"-q rum", "there is no command \"rum\""}});
 }
 
-TEST_F(Program, NoOptionSwallowsTheFileBehindIt) {
+TEST_F(Program, OptionsTakeOneValueEach) {
   test::write_text(at("d.csv"), "0,1,2,3\n1,0,3,2\n2,3,0,1\n3,2,1,0\n");
   test::write_text(at("c.cla"), "PSB 1\n2 4\na 0 2\n0\n1\nb 0 2\n2\n3\n");
   const Outcome outcome =
@@ -120,7 +120,7 @@ TEST_F(Program, HelpIsACommandToo) {
   EXPECT_THAT(run_executable("help").output, HasSubstr("143"));
 }
 
-TEST_F(Program, QuietLeavesNotesAndVerboseAddsThem) {
+TEST_F(Program, QuietOmitsNotesAndVerboseAddsThem) {
   const std::string normals = "normals " + quoted("data/T0.off") + " --replace -o " + quoted("x.npy");
   EXPECT_THAT(run_executable(normals).errors, HasSubstr("offset 0.01 chosen"));
   EXPECT_EQ(run_executable("-q " + normals).errors, "");
@@ -147,7 +147,7 @@ TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
   EXPECT_THAT(run_executable("completion zsh").output, HasSubstr("'*--method[offset"));
 }
 
-TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
+TEST_F(Program, AClosedErrorStreamLosesNoResults) {
   test::write_text(at("d.csv"), "0,1,1\n1,0,1\n1,1,0\n");  // ties cause a warning
   test::write_text(at("l.txt"), "a\na\nb\n");
   const auto status_with = [&](const std::string& arguments, const std::string& streams) {
@@ -180,7 +180,7 @@ TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
   }
 }
 
-TEST_F(Program, AClosedStreamIsNoPlaceForResults) {
+TEST_F(Program, RejectsAClosedOutputStream) {
   // If all streams are closed, the first files opened get their numbers, and would receive the messages.
   const std::string run = "run " + quoted("small.json") + " --set signatures.0.histogram.bins=1 --output ";
   ASSERT_EQ(run_executable(run + quoted("out")).status, 0);
@@ -192,7 +192,7 @@ TEST_F(Program, AClosedStreamIsNoPlaceForResults) {
   }
 }
 
-TEST_F(Program, APipeThatNobodyReadsIsNoReasonToStop) {
+TEST_F(Program, ContinuesAfterABrokenPipe) {
   // Warnings about ties are written after the reader has closed the pipe.
   const std::string command = fmt::format(
       "bash -c \"SHAPEGAUGE_CACHE= {} run {} --set signatures.0.histogram.bins=1 --output {} 2>&1 > "
@@ -202,7 +202,7 @@ TEST_F(Program, APipeThatNobodyReadsIsNoReasonToStop) {
   EXPECT_TRUE(std::filesystem::exists(at("out/manifest.json")));
 }
 
-TEST_F(Program, AShortOptionMeansOneThingEverywhere) {
+TEST_F(Program, ShortOptionsHaveOneMeaningInAllCommands) {
   std::map<std::string, std::string> meanings;
   for (const std::string& command : all_commands) {
     const std::string help = run_executable(command + " --help").output;
@@ -216,7 +216,7 @@ TEST_F(Program, AShortOptionMeansOneThingEverywhere) {
   EXPECT_EQ(meanings.at("-o"), "--output");
 }
 
-TEST_F(Program, ResultsThatDoNotReachAFullDeviceAreAnError) {
+TEST_F(Program, AFullOutputDeviceIsAnError) {
   test::write_text(at("d.csv"), "0,1,2,3\n1,0,3,2\n2,3,0,1\n3,2,1,0\n");
   test::write_text(at("c.cla"), "PSB 1\n2 4\na 0 2\n0\n1\nb 0 2\n2\n3\n");
   const std::string evaluate = " " + quoted("d.csv") + " --labels " + quoted("c.cla");

@@ -43,7 +43,7 @@ TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
   EXPECT_EQ(text_of(at("again/per_query.csv")), text_of(at("out/per_query.csv")));
 }
 
-TEST_F(SmallRun, PlotsItsCurvesAndCompareDrawsThemToo) {
+TEST_F(SmallRun, RunAndComparePlotTheCurves) {
   const std::string run = "run " + quoted("small.json") + " --output " + quoted("out");
   const Outcome outcome = run_executable(run + " --plot " + quoted("run.svg"));
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
@@ -57,7 +57,7 @@ TEST_F(SmallRun, PlotsItsCurvesAndCompareDrawsThemToo) {
   EXPECT_EQ(run_executable(run + " --plot " + quoted("run.eps")).status, 2);
 }
 
-TEST_F(SmallRun, ADryRunChecksWhatARunWouldAndPrintsTheConfiguration) {
+TEST_F(SmallRun, DryRunChecksInputsAndPrintsTheConfiguration) {
   const std::string run = "run " + quoted("small.json") + " --output " + quoted("out");
   const Outcome dry = run_executable(run + " --dry-run");
   EXPECT_EQ(dry.status, 0) << dry.errors;
@@ -86,7 +86,7 @@ TEST_F(SmallRun, EvaluateReadsTheFolderOfARun) {
   EXPECT_EQ(nlohmann::json::parse(json.output).size(), 4U);
 }
 
-TEST_F(SmallRun, TheIdsBesideAMatrixReplaceTheOrderOfLabels) {
+TEST_F(SmallRun, IdsNextToAMatrixDetermineItsOrder) {
   ASSERT_EQ(run_executable("run " + quoted("small.json") + " --output " + quoted("out")).status, 0);
   const std::string evaluate = "evaluate " + quoted("out/distances/fixed.npy") + " --format csv --labels ";
   write_text(at("shuffled.csv"), "id,class\n8,c\n0,a\n1,b\n2,c\n3,a\n4,b\n5,c\n6,a\n7,b\n");
@@ -95,7 +95,7 @@ TEST_F(SmallRun, TheIdsBesideAMatrixReplaceTheOrderOfLabels) {
   EXPECT_EQ(outcome.output, run_executable(evaluate + quoted("data/test.cla")).output);
 }
 
-TEST_F(ReplayReport, TheDataSetMayBeElsewhere) {
+TEST_F(ReplayReport, AcceptsAnotherFolderOfTheDataSet) {
   fs::rename(at("data"), at("moved"));
   EXPECT_EQ(replay().status, 2);
   const Outcome outcome = replay("--dataset-root " + quoted("moved"));
@@ -103,13 +103,13 @@ TEST_F(ReplayReport, TheDataSetMayBeElsewhere) {
   EXPECT_THAT(outcome.output, HasSubstr("All 15 outputs are identical"));
 }
 
-TEST_F(ReplayReport, NothingComesFromTheCache) {
+TEST_F(ReplayReport, DoesNotUseTheCache) {
   const std::string cache = " --cache " + quoted("cache");
   EXPECT_THAT(replay(cache).output, HasSubstr("All 15"));
   EXPECT_THAT(replay(cache).output, Not(HasSubstr("From the cache")));
 }
 
-TEST_F(ReplayReport, AChangedInputIsNamedAndSoAreTheOutputsThatDiffer) {
+TEST_F(ReplayReport, NamesChangedInputsAndDifferentOutputs) {
   fs::copy_file(at("data/T3.off"), at("data/T4.off"), fs::copy_options::overwrite_existing);
   const Outcome outcome = replay();
   EXPECT_EQ(outcome.status, 1);
@@ -120,14 +120,14 @@ TEST_F(ReplayReport, AChangedInputIsNamedAndSoAreTheOutputsThatDiffer) {
                                            "inputs differ as well\\.\n"));
 }
 
-TEST_F(ReplayReport, AnotherSettingGivesOtherOutputs) {
+TEST_F(ReplayReport, ReportsDifferentOutputsOfOtherSettings) {
   const Outcome outcome = replay("--set signatures.0.histogram.bins=7");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.output, HasSubstr("DIFFERENT     distances/fixed.npy\n"));
   EXPECT_THAT(outcome.output, HasSubstr("same          distances/per_shape.npy\n"));
 }
 
-TEST_F(ReplayReport, AComparisonIsRepeatedToo) {
+TEST_F(ReplayReport, RepeatsComparisons) {
   write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
     {"name": "a", "file": "data/T0.off"}, {"name": "b", "file": "data/T1.off"}], "signatures": [
     {"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"range": "per-shape"}}]})");
@@ -146,7 +146,7 @@ TEST_F(ReplayReport, AComparisonIsRepeatedToo) {
   EXPECT_THAT(changed.output, HasSubstr("input         shape b"));
 }
 
-TEST_F(ReplayReport, ASegmentationNamesChangedInputsBeforeItRuns) {
+TEST_F(ReplayReport, NamesChangedInputsOfSegmentationsFirst) {
   write_text(at("parts.json"), R"({"name": "parts", "pictures": false,
     "dataset": {"layout": "shrec11", "root": "data"}, "segmentation": [{"name": "paper", "method": "paper"}]})");
   ASSERT_EQ(run_executable("run " + quoted("parts.json") + " --output " + quoted("parts")).status, 0);
@@ -157,7 +157,7 @@ TEST_F(ReplayReport, ASegmentationNamesChangedInputsBeforeItRuns) {
   EXPECT_THAT(changed.errors, HasSubstr("input: model 1 differs from the recorded one\n")) << "before the run";
 }
 
-TEST_F(ReplayReport, UnusableArgumentsAreOneClearLine) {
+TEST_F(ReplayReport, RejectsInvalidArgumentsWithOneLine) {
   const std::string manifest = "run --replay " + quoted("out/manifest.json");
   write_text(at("text.json"), "{}");
   expect_error_lines(
@@ -203,7 +203,7 @@ TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
   }
 }
 
-TEST_F(RunCommand, NoReportWhereNoneIsWanted) {
+TEST_F(RunCommand, OmitsTheReportOnRequest) {
   ASSERT_EQ(run().status, 0);
   EXPECT_TRUE(fs::exists(at("out") / "report.html"));
   const Outcome outcome = run("--force --set report=false");
@@ -212,7 +212,7 @@ TEST_F(RunCommand, NoReportWhereNoneIsWanted) {
   EXPECT_FALSE(fs::exists(at("out") / "report.html")) << "that of the earlier run";
 }
 
-TEST_F(RunCommand, ASecondRunReplacesTheResultsAndAnotherConfigurationDoesNot) {
+TEST_F(RunCommand, ReplacesOnlyResultsOfTheSameConfiguration) {
   ASSERT_EQ(run().status, 0);
   EXPECT_EQ(run().status, 0);
   const Outcome other = run("--set signatures.0.histogram.bins=10");
@@ -222,7 +222,7 @@ TEST_F(RunCommand, ASecondRunReplacesTheResultsAndAnotherConfigurationDoesNot) {
   EXPECT_EQ(run("--force --set signatures.0.histogram.bins=10").status, 0);
 }
 
-TEST_F(RunCommand, ABadModelIsLeftOutAndNamedWhereAskedFor) {
+TEST_F(RunCommand, SkipsAndNamesUnusableModelsOnRequest) {
   write_text(at("data/T3.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
   const Outcome outcome = run("--set on_error=skip");
   EXPECT_EQ(outcome.status, 1);
@@ -232,18 +232,18 @@ TEST_F(RunCommand, ABadModelIsLeftOutAndNamedWhereAskedFor) {
   EXPECT_TRUE(fs::exists(at("out/manifest.json")));
 }
 
-TEST_F(RunCommand, AMethodThatCannotTakeAModelIsNamed) {
+TEST_F(RunCommand, NamesMethodsThatCannotProcessAModel) {
   test::make_cloud(at("data/T3.off"));
   const std::string d2 = R"( --set 'signatures=[{"name": "d2", "descriptor": {"type": "d2"}}, {"name": "dna", )"
                          R"("descriptor": {"type": "shape_dna", "eigenvalues": 5}}]')";
   const Outcome outcome = run("--set on_error=skip" + d2);
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.errors, HasSubstr("method \"dna\" cannot take 1 of 9 models, which count as not found: 3 ("));
+  EXPECT_THAT(outcome.errors, HasSubstr("method \"dna\" cannot process 1 of 9 models, which count as not found: 3 ("));
   EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("omitted")));
   EXPECT_THAT(outcome.output, testing::ContainsRegex("dna +1 +psb +both "));
 }
 
-TEST_F(RunCommand, UnusableInputIsOneClearLine) {
+TEST_F(RunCommand, RejectsInvalidInputWithOneLine) {
   const std::string file = "run " + quoted("small.json") + " ";
   const std::string out = " --output " + quoted("out") + " ";
   expect_error_lines(
@@ -278,7 +278,7 @@ TEST_F(RunCommand, DoesNotOverwriteTheFilesItReads) {
                     "would overwrite the input");
 }
 
-TEST_F(RunCommand, AnOffsetThatLeaksIsCountedInTerminalReportAndManifest) {
+TEST_F(RunCommand, CountsOffsetsBelowTheGapsInAllOutputs) {
   Shape open_box = test::small_shape("box", 0);
   open_box.triangles = open_box.triangles.bottomRows(open_box.triangles.rows() - 8).eval();
   write_off(at("data/T1.off"), open_box);
@@ -296,7 +296,7 @@ TEST_F(RunCommand, AnOffsetThatLeaksIsCountedInTerminalReportAndManifest) {
       << "auto closes the opening";
 }
 
-TEST_F(RunCommand, AComparisonWarnsOfAnOffsetThatLeaks) {
+TEST_F(RunCommand, ComparisonsWarnOfOffsetsBelowTheGaps) {
   write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
     {"name": "a", "file": "data/T0.off"},
     {"name": "b", "file": "data/T0.off", "perturbations": [{"type": "remove_faces", "fraction": 0.3}]}],

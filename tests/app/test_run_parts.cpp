@@ -71,7 +71,7 @@ class RunParts : public SmallRun {
   }
 };
 
-TEST_F(RunParts, WhatPartsLeaveOutTheRunComputes) {
+TEST_F(RunParts, TheRunComputesMissingParts) {
   for (const char* part : {"1/2", "3/3"}) {
     const Outcome outcome = run_part(part);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
@@ -83,7 +83,7 @@ TEST_F(RunParts, WhatPartsLeaveOutTheRunComputes) {
   EXPECT_EQ(cache_use()["computed"], 3);
 }
 
-TEST_F(RunParts, AtTheSameTimeGiveTheBytesOfOneProcess) {
+TEST_F(RunParts, SimultaneousPartsGiveTheBytesOfOneProcess) {
   {
     BackgroundRun first(arguments("1/2"), at("errors1"));
     BackgroundRun same(arguments("1/2"), at("errors2"));
@@ -95,7 +95,7 @@ TEST_F(RunParts, AtTheSameTimeGiveTheBytesOfOneProcess) {
   EXPECT_EQ(cache_use()["computed"], 0);
 }
 
-TEST_F(RunParts, AKilledPartGoesOnWhereItWas) {
+TEST_F(RunParts, AKilledPartContinues) {
   take_long();
   BackgroundRun part(arguments("1/2"), at("errors"));
   ASSERT_TRUE(part.wait_until([&] { return fields_kept() >= 2; }));
@@ -110,7 +110,7 @@ TEST_F(RunParts, AKilledPartGoesOnWhereItWas) {
   EXPECT_EQ(combined(), results_of_one());
 }
 
-TEST_F(RunParts, APartThatIsTerminatedSaysHowToGoOn) {
+TEST_F(RunParts, ATerminatedPartSaysHowToContinue) {
   take_long();
   BackgroundRun part(arguments("1/1"), at("errors"));
   ASSERT_TRUE(part.wait_until([&] { return fields_kept() >= 1; }));
@@ -136,7 +136,7 @@ TEST_F(RunParts, EntriesOfAnotherVersionAreIgnored) {
   EXPECT_EQ(cache_use()["computed"], 0);
 }
 
-TEST_F(RunParts, AModelThatFailsStopsItsPartUnlessItIsToBeSkipped) {
+TEST_F(RunParts, AFailedModelStopsItsPartUnlessSkipped) {
   write_text(at("data/T4.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   EXPECT_EQ(run_part("2/2").status, 0);
   const Outcome stopped = run_part("1/2");
@@ -164,7 +164,7 @@ TEST_F(RunParts, ShareAGeneratedDataSet) {
   EXPECT_EQ(together, alone);
 }
 
-TEST_F(RunParts, OfAJobArrayAreThoseOfItsTask) {
+TEST_F(RunParts, AutoTakesThePartOfTheJobArray) {
   const std::string command =
       "run " + quoted("small.json") + " --part auto --output " + quoted("out") + " --cache " + quoted("cache");
   ::setenv("SLURM_ARRAY_TASK_ID", "3", 1);
@@ -175,7 +175,7 @@ TEST_F(RunParts, OfAJobArrayAreThoseOfItsTask) {
   EXPECT_THAT(outcome.output, HasSubstr("Part 3 of 4: 2 of 9 models"));
 }
 
-TEST_F(RunParts, RefuseWhatTheyCannotDo) {
+TEST_F(RunParts, RejectInvalidOptions) {
   const std::string run = "run " + quoted("small.json") + " --part ";
   expect_error_lines(
       {{run + "3/2", "3/2"}, {run + "1/2 --no-cache", "--no-cache"}, {run + "1/2 --plot x.svg", "--plot"}});

@@ -52,7 +52,7 @@ class RunWithCache : public SmallRun {
   }
 };
 
-TEST_F(RunWithCache, ASecondRunSaysWhatCameFromTheCache) {
+TEST_F(RunWithCache, ReportsTheUseOfTheCache) {
   const Outcome cold = run_with_cache("out");
   EXPECT_EQ(cold.errors, "");
   EXPECT_THAT(cold.output, testing::Not(HasSubstr("From the cache")));
@@ -70,7 +70,7 @@ TEST_F(RunWithCache, ASecondRunSaysWhatCameFromTheCache) {
   EXPECT_EQ(cache_use("out")["field"], (json{{"from_cache", 0}, {"computed", 9}}));
 }
 
-TEST_F(RunWithCache, AKilledRunLosesTheShapeUnderWayAtMost) {
+TEST_F(RunWithCache, AKilledRunLosesAtMostTheCurrentShape) {
   write_configuration(2000);
   std::size_t kept = 0;
   {
@@ -90,7 +90,7 @@ TEST_F(RunWithCache, AKilledRunLosesTheShapeUnderWayAtMost) {
   EXPECT_EQ(results_in(at("out")), results_in(at("fresh")));
 }
 
-TEST_F(RunWithCache, RunsKilledAtAnyMomentLeaveNothingWrong) {
+TEST_F(RunWithCache, KilledRunsLeaveNoInvalidFiles) {
   write_configuration(2000);
   for (std::size_t fields = 1; fields < 9; fields += 2) {
     BackgroundRun killed(arguments("out"), at("errors"));
@@ -103,7 +103,7 @@ TEST_F(RunWithCache, RunsKilledAtAnyMomentLeaveNothingWrong) {
   EXPECT_EQ(results_in(at("out")), results_in(at("fresh")));
 }
 
-TEST_F(RunWithCache, AnInterruptedOrTerminatedRunGoesOnFromTheCache) {
+TEST_F(RunWithCache, AnInterruptedRunContinuesFromTheCache) {
   write_configuration(2000);
   std::size_t kept = 0;
   for (const auto& [signal, status] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
@@ -177,7 +177,7 @@ class SmallDisk {
   bool mounted_ = false;
 };
 
-TEST_F(RunWithCache, AFullDiskUnderTheCacheIsOneWarningAndTheRunGoesOn) {
+TEST_F(RunWithCache, ContinuesWithAWarningIfTheCacheDiskIsFull) {
   const SmallDisk disk(at("cache"), "64k");
   if (!disk.mounted()) GTEST_SKIP() << "only root may mount a small disk";
   const Outcome outcome = run_with_cache("out");
@@ -188,7 +188,7 @@ TEST_F(RunWithCache, AFullDiskUnderTheCacheIsOneWarningAndTheRunGoesOn) {
   EXPECT_EQ(results_in(at("out")), results_in(at("fresh")));
 }
 
-TEST_F(RunWithCache, AFullDiskUnderTheResultsLeavesTheEarlierOnes) {
+TEST_F(RunWithCache, KeepsEarlierResultsIfTheDiskIsFull) {
   const SmallDisk disk(at("out"), "2m");
   if (!disk.mounted()) GTEST_SKIP() << "only root may mount a small disk";
   ASSERT_EQ(run_with_cache("out").status, 0) << "one set of results fits";
@@ -199,7 +199,7 @@ TEST_F(RunWithCache, AFullDiskUnderTheResultsLeavesTheEarlierOnes) {
   EXPECT_EQ(results_in(at("out")), earlier);
 }
 
-TEST_F(RunWithCache, AFileThatMayNotGrowIsAnErrorThatLeavesTheEarlierResults) {
+TEST_F(RunWithCache, KeepsEarlierResultsAtAFileSizeLimit) {
   ASSERT_EQ(run_with_cache("out").status, 0);
   const auto earlier = results_in(at("out"));
   // The shell's unit is 512 bytes; the manifest has more than four of them.

@@ -28,7 +28,7 @@ class SdfCommand : public CommandTest {
   Shape shape = test::sphere(10, 3);
 };
 
-TEST_F(SdfCommand, GivesValuesInTheInputsUnitsAndOrder) {
+TEST_F(SdfCommand, WritesValuesInTheUnitsAndOrderOfTheFile) {
   const Outcome outcome = sdf("--method cone_sdf --at vertices -o @x.csv");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, "");
@@ -62,7 +62,7 @@ TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
   for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_NEAR(std::stod(rows[i].cells[1]), 20, 0.1) << i;
 }
 
-TEST_F(SdfCommand, OutliersOfACloudAreSaidAndRemovedOnRequestOrByAuto) {
+TEST_F(SdfCommand, ReportsAndRemovesOutliers) {
   const Shape cloud = test::random_points(shape, 3000, 1);
   Shape spoilt = cloud;
   spoilt.vertices.conservativeResize(3002, Eigen::NoChange);
@@ -119,7 +119,7 @@ TEST_F(SdfCommand, TimingsCountTheSamples) {
   EXPECT_EQ(timings["shape"]["triangles"], shape.triangles.rows());
 }
 
-TEST_F(SdfCommand, TimingsHaveTheGapOfAMissingTriangle) {
+TEST_F(SdfCommand, TimingsContainTheGapSize) {
   const Shape open{shape.vertices, shape.triangles.bottomRows(shape.triangles.rows() - 1)};
   write_off(at("open.off"), open);
   ASSERT_EQ(run("sdf @open.off --method offset_sdf --offset 0.2 -o @x.csv --timings @t.json").status, 0);
@@ -197,7 +197,7 @@ TEST_F(SdfCommand, PlotsAHistogram) {
               testing::AllOf(HasSubstr(">SDF (mm)<"), HasSubstr(">3 mm<"), HasSubstr(">sphere.off<")));
 }
 
-TEST_F(SdfCommand, SaysWhichThicknessOfAHollowBody) {
+TEST_F(SdfCommand, ReportsHollowBodies) {
   write_off(at("sphere.off"), test::joined({shape, test::flipped(test::sphere(8, 3))}));
   EXPECT_THAT(sdf("--method offset_sdf -o @x.csv").errors,
               testing::AllOf(HasSubstr("warning"), HasSubstr("hollow"), HasSubstr("hull")));
@@ -206,7 +206,7 @@ TEST_F(SdfCommand, SaysWhichThicknessOfAHollowBody) {
   EXPECT_NEAR(nlohmann::json::parse(outcome.output)["percentiles"]["50"].get<double>(), 2, 0.2);
 }
 
-TEST_F(SdfCommand, MissingValuesAreTold) {
+TEST_F(SdfCommand, WarnsOfMissingValues) {
   write_text(at("sphere.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Outcome outcome = sdf("--method cone_sdf -o @x.csv");
   EXPECT_EQ(outcome.status, 0);
@@ -217,7 +217,7 @@ TEST_F(SdfCommand, MissingValuesAreTold) {
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("0,nan,0.5"));
 }
 
-TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
+TEST_F(SdfCommand, RejectsInvalidInputWithOneLine) {
   write_text(at("cloud.off"), "OFF\n2 0 0\n0 0 0\n1 0 0\n");
   write_text(at("point.xyz"), "1 2 3\n1 2 3\n");
   write_text(at("nan.xyz"), "1 2 3\n1 2 nan\n");

@@ -47,7 +47,7 @@ TEST_F(SearchCommand, NamesTheNearestShapes) {
   EXPECT_TRUE(std::filesystem::exists(at("models.fast.search-index")));
 }
 
-TEST_F(SearchCommand, CountsWhatIsSkippedWhenTheCollectionIsDescribed) {
+TEST_F(SearchCommand, CountsSkippedFilesOfTheCollection) {
   const std::size_t others = 1;  // test.cla
   test::write_text(at("models/readme.txt"), "hello");
   test::write_text(at("models/.hidden"), "hello");
@@ -56,7 +56,7 @@ TEST_F(SearchCommand, CountsWhatIsSkippedWhenTheCollectionIsDescribed) {
   EXPECT_THAT(search("query.off", "").errors, Not(HasSubstr("skipped")));
 }
 
-TEST_F(SearchCommand, AllFormatsHaveTheSameAnswer) {
+TEST_F(SearchCommand, AllFormatsHaveTheSameResults) {
   const nlohmann::json json = nlohmann::json::parse(search("models/T4.off", "-k 4 --format json").output);
   EXPECT_EQ(json["models"], 9);
   EXPECT_EQ(json["signature"], "more");
@@ -75,7 +75,7 @@ TEST_F(SearchCommand, AllFormatsHaveTheSameAnswer) {
   }
 }
 
-TEST_F(SearchCommand, TakesTheSignatureAndSettingsThatAreNamed) {
+TEST_F(SearchCommand, UsesTheNamedSignatureAndSettings) {
   const auto distance = [&](const std::string& options) {
     const auto json = nlohmann::json::parse(search("query.off", options + " -k 1 --format json").output);
     return json["queries"][0]["results"][0]["distance"].get<double>();
@@ -85,7 +85,7 @@ TEST_F(SearchCommand, TakesTheSignatureAndSettingsThatAreNamed) {
   EXPECT_EQ(distance("--signature d2 --set signatures.0.descriptor.bins=30"), of_last);
 }
 
-TEST_F(SearchCommand, OneBrokenModelAndOneBrokenQueryAreNamedAndTheRestAnswered) {
+TEST_F(SearchCommand, NamesUnusableFilesAndAnswersOtherQueries) {
   test::write_text(at("models/T7.off"), "OFF\n1 0 0\n0 0\n");
   test::write_text(at("broken.off"), "OFF\n");
   const Outcome outcome = search(quoted("broken.off") + " " + quoted("query.off") + " " + quoted("models"));
@@ -100,7 +100,7 @@ TEST_F(SearchCommand, OneBrokenModelAndOneBrokenQueryAreNamedAndTheRestAnswered)
   EXPECT_EQ(search("broken.off", "").status, 2);
 }
 
-TEST_F(SearchCommand, WithoutQueriesOnlyDescribesAndWithoutUpdateOnlyAnswers) {
+TEST_F(SearchCommand, OnlyIndexesWithoutQueriesAndOnlySearchesWithNoUpdate) {
   const Outcome described = search(quoted("models") + " --index " + quoted("own.index"));
   EXPECT_EQ(described.status, 0);
   EXPECT_EQ(described.output, "");
@@ -140,7 +140,7 @@ TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
   expect_error_line(search("query.off", "--articulated"), "--articulated");
 }
 
-TEST_F(SearchCommand, HasAMethodForArticulatedShapesWithAnIndexOfItsOwn) {
+TEST_F(SearchCommand, ArticulatedSelectsAnotherMethodAndIndex) {
   const Outcome outcome = run_executable("search " + quoted("query.off") + " " + quoted("models") +
                                          " -k 3 --articulated --cache " + quoted("cache"));
   EXPECT_EQ(outcome.status, 0);

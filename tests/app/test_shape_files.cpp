@@ -29,7 +29,7 @@ class ShapeFiles : public CommandTest {
   }
 };
 
-TEST_F(ShapeFiles, SeveralGiveWhatEachGivesAlone) {
+TEST_F(ShapeFiles, SeveralFilesGiveTheResultsOfSingleOnes) {
   for (const std::string command : {"sdf --method cone_sdf", "normals", "convert", "perturb --noise 0.01"}) {
     ASSERT_EQ(run(command + " @sphere.off @box.off -o @many/").status, 0) << command;
     for (const std::string name : {"sphere", "box"}) {
@@ -41,13 +41,13 @@ TEST_F(ShapeFiles, SeveralGiveWhatEachGivesAlone) {
   }
 }
 
-TEST_F(ShapeFiles, TwoFillANewFolder) {
+TEST_F(ShapeFiles, CreatesTheFolderForSeveralOutputs) {
   ASSERT_EQ(run("convert @sphere.off @box.off -o @pair --output-format ply").status, 0);
   EXPECT_EQ(read_shape(at("pair/sphere.ply")).vertices.rows(), test::sphere(10, 2).vertices.rows());
   EXPECT_EQ(read_shape(at("pair/box.ply")).vertices.rows(), test::box({1, 2, 3}, 1).vertices.rows());
 }
 
-TEST_F(ShapeFiles, OneFailureDoesNotEndTheRest) {
+TEST_F(ShapeFiles, ContinuesAfterAFailedFile) {
   const Outcome outcome = run("convert @sphere.off @broken.off @absent.off @box.off -o @out --output-format ply");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("broken.off"));
@@ -68,7 +68,7 @@ TEST_F(ShapeFiles, RemarksNameTheShape) {
                                         at("sheet.off").string()));
 }
 
-TEST_F(ShapeFiles, NothingIsWrittenTwiceOrOverAnInput) {
+TEST_F(ShapeFiles, DoesNotOverwriteInputsOrOtherOutputs) {
   fs::create_directory(at("other"));
   fs::copy_file(at("box.off"), at("other/box.off"));
   expect_error_line(run("convert @box.off @other/box.off -o @out/"), "would both be written to");
@@ -83,7 +83,7 @@ TEST_F(ShapeFiles, NothingIsWrittenTwiceOrOverAnInput) {
   EXPECT_NE(text_of(at("box.off")), before);
 }
 
-TEST_F(ShapeFiles, StandardInputAndOutputAreFilesLikeOthers) {
+TEST_F(ShapeFiles, AcceptsStandardInputAndOutput) {
   ASSERT_EQ(run("sdf @box.off --method cone_sdf -o @box.csv").status, 0);
   EXPECT_EQ(run("sdf - --method cone_sdf -o - < @box.off").output, text_of(at("box.csv")));
   ASSERT_EQ(run("convert @box.off -o @box.ply").status, 0);
@@ -97,7 +97,7 @@ TEST_F(ShapeFiles, StandardInputAndOutputAreFilesLikeOthers) {
   expect_error_line(run("info - -"), "once only");
 }
 
-TEST_F(ShapeFiles, InfoTellsPlaceVolumeGenusAndWinding) {
+TEST_F(ShapeFiles, InfoPrintsPositionVolumeGenusAndWinding) {
   const auto info = [&](const std::string& name, const Shape& shape) {
     write_off(at(name), shape);
     return nlohmann::json::parse(run("info --format json @" + name).output);
@@ -139,14 +139,14 @@ TEST_F(ShapeFiles, InfoTellsPlaceVolumeGenusAndWinding) {
   EXPECT_EQ(info("cloud.off", cloud)["winding"], "none");
 }
 
-TEST_F(ShapeFiles, InfoOfSeveralIsAListInTheirOrder) {
+TEST_F(ShapeFiles, InfoListsSeveralShapesInOrder) {
   const auto infos = nlohmann::json::parse(run("info --format json @sphere.off @box.off").output);
   ASSERT_EQ(infos.size(), 2U);
   EXPECT_EQ(infos[0]["file"], at("sphere.off").string());
   EXPECT_EQ(infos[1]["vertices"], 8);
 }
 
-TEST_F(ShapeFiles, PicturesHaveTheSizeAndTheViewAskedFor) {
+TEST_F(ShapeFiles, PicturesHaveTheRequestedSizeAndView) {
   const auto picture = [&](const std::string& more) {
     const Outcome outcome = run("sdf @box.off --method cone_sdf --replace -o @x.png " + more);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;

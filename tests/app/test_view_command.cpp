@@ -53,7 +53,7 @@ TEST_F(ViewCommand, ColoursHaveARangeAThresholdAndAUnit) {
   EXPECT_EQ(field["below"], 1.5);
 }
 
-TEST_F(ViewCommand, ShapesBeginUpright) {
+TEST_F(ViewCommand, InitialViewIsUpright) {
   const auto up_shown = [&](const std::string& name, const std::string& more) {
     EXPECT_EQ(view(quoted(name) + " --field cone_sdf --no-parts " + more).status, 0);
     const ordered_json axes = page()["shapes"][0]["axes"];
@@ -95,7 +95,7 @@ TEST_F(ViewCommand, ShowsBothSdfsPartsAndNormals) {
   EXPECT_EQ(shape["fields"][0]["high"], expected.maxCoeff());
 }
 
-TEST_F(ViewCommand, FieldsAreAskedForByNameAndSettings) {
+TEST_F(ViewCommand, ShowsTheRequestedFields) {
   const std::string calls =
       R"( --no-parts --field centricity --field offset_sdf,offset=0.03 --field '{"type": "heat_kernel", "time": 0.1}')";
   ASSERT_EQ(view("@capsule.off" + calls).status, 0);
@@ -104,7 +104,7 @@ TEST_F(ViewCommand, FieldsAreAskedForByNameAndSettings) {
   EXPECT_FALSE(page()["shapes"][0].contains("parts"));
 }
 
-TEST_F(ViewCommand, AMeshOfMoreFacesIsMeasuredWholeAndShownSimplified) {
+TEST_F(ViewCommand, MeasuresLargeMeshesInFullAndShowsThemSimplified) {
   const Shape fine = test::sphere(1, 4);
   write_off(at("fine.off"), fine);
   ASSERT_EQ(view("@fine.off --max-faces 500 --no-parts --field cone_sdf").status, 0);
@@ -120,7 +120,7 @@ TEST_F(ViewCommand, AMeshOfMoreFacesIsMeasuredWholeAndShownSimplified) {
   EXPECT_LT(cone_sdf(coarse, sample_shape(coarse, SampleSite::faces), {}).values.minCoeff(), values.minCoeff());
 }
 
-TEST_F(ViewCommand, ABadShapeIsNamedAndTheOthersAreShown) {
+TEST_F(ViewCommand, NamesUnusableShapesAndShowsTheOthers) {
   write_text(at("broken.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n");
   write_text(at("cloud.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n");
   const Outcome outcome = view("@broken.off @capsule.off @cloud.xyz --title Three --offset 0.4");
@@ -138,7 +138,7 @@ TEST_F(ViewCommand, WritesTheSamePageToStandardOutput) {
   EXPECT_TRUE(run("view " + call + " -o -").output == text_of(at("page.html")));
 }
 
-TEST_F(ViewCommand, ThePageOfASingleShapeHasItsName) {
+TEST_F(ViewCommand, NamesThePageOfASingleShapeAfterIt) {
   const WorkingFolder here(at(""));
   ASSERT_EQ(view("capsule.off").status, 0);
   const Outcome outcome = run("view capsule.off");
@@ -147,7 +147,7 @@ TEST_F(ViewCommand, ThePageOfASingleShapeHasItsName) {
   EXPECT_EQ(text_of(at("capsule.html")), text_of(at("page.html")));
 }
 
-TEST_F(ViewCommand, UnusableInputIsOneClearLine) {
+TEST_F(ViewCommand, RejectsInvalidInputWithOneLine) {
   write_text(at("cloud.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
   const std::string good = "view " + quoted("capsule.off") + " ";
   const std::string out = " -o " + quoted("x.html") + " ";

@@ -69,13 +69,13 @@ class FuzzCorpus : public ::testing::TestWithParam<Target> {
   }
 };
 
-TEST_P(FuzzCorpus, SeedsAreOfUse) {
+TEST_P(FuzzCorpus, SeedsAreReadWithoutError) {
   const std::vector<fs::path> seeds = files("seeds");
   ASSERT_FALSE(seeds.empty());
   for (const fs::path& file : seeds) EXPECT_TRUE(run(file)) << file;
 }
 
-TEST_P(FuzzCorpus, RegressionsKeepTheirPromises) {
+TEST_P(FuzzCorpus, RegressionsGiveResultsOrInputErrors) {
   for (const fs::path& file : files("regressions")) run(file);
 }
 

@@ -14,7 +14,7 @@ namespace {
 const Eigen::MatrixXd values = (Eigen::MatrixXd(4, 1) << 1, 10, 2, 3).finished();
 const std::vector<int> classes = {7, 4, 7, 7};
 
-TEST(UnitValues, GiveTheSameAverageWhateverTheBlocksAre) {
+TEST(UnitValues, HaveTheSameAverageForEveryUnit) {
   for (const ResamplingUnit unit : {ResamplingUnit::classes, ResamplingUnit::queries}) {
     EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, unit, Average::micro))[0], 4);
     EXPECT_DOUBLE_EQ(averages_of(units_of(values, classes, unit, Average::macro))[0], 6);
@@ -34,7 +34,7 @@ TEST(UnitValues, ContributionsHaveTheAverageAsTheirMean) {
   EXPECT_DOUBLE_EQ(contributions(units.values.col(0), units.weights).mean(), 4);
 }
 
-TEST(UnitValues, HaveTheirNamesBothWays) {
+TEST(UnitValues, ConvertToAndFromNames) {
   for (const std::string& name : list_of_words<ResamplingUnit>())
     EXPECT_EQ(name_of(value_of_word<ResamplingUnit>(name).value()), name);
   for (const std::string& name : list_of_words<Average>())
@@ -43,7 +43,7 @@ TEST(UnitValues, HaveTheirNamesBothWays) {
   EXPECT_FALSE(value_of_word<Average>("mean"));
 }
 
-TEST(UnitValues, RefuseWhatDoesNotFit) {
+TEST(UnitValues, RejectInputsOfDifferentSizes) {
   EXPECT_THROW(units_of(values, std::vector<int>{1}, ResamplingUnit::classes, Average::micro), ArgumentError);
   EXPECT_THROW(units_of(Eigen::MatrixXd(0, 1), {}, ResamplingUnit::classes, Average::micro), ArgumentError);
 }
@@ -73,7 +73,7 @@ ConfidenceInterval interval_of_percents(Eigen::Index units, double confidence) {
 
 double normal_percent_below(double z) { return 50 * std::erfc(-z / std::sqrt(2.0)); }
 
-TEST(Bootstrap, PercentilesAreWidenedAsWorkedByHand) {
+TEST(Bootstrap, PercentilesMatchAHandComputation) {
   // Of Student's t with 1 degree of freedom 75 % are below 1, with 2 degrees 90 % below 0.8 / sqrt(0.18).
   const double two = normal_percent_below(-std::sqrt(2.0 / 1) * 1);
   const double three = normal_percent_below(-std::sqrt(3.0 / 2) * 0.8 / std::sqrt(0.18));
@@ -92,7 +92,7 @@ TEST(Bootstrap, DependsOnTheSeed) {
             bootstrap_averages(example(), {.resamples = 500, .seed = 10}));
 }
 
-TEST(Bootstrap, ResamplesScatterAsTheStandardErrorSays) {
+TEST(Bootstrap, ResamplesHaveTheStandardError) {
   const UnitValues units = example();
   const Eigen::MatrixXd averages = bootstrap_averages(units, {.resamples = 20000});
   const auto spread = [](const Eigen::VectorXd& v) { return std::sqrt((v.array() - v.mean()).square().mean()); };
@@ -115,7 +115,7 @@ TEST(Bootstrap, MoreConfidenceIsAWiderInterval) {
   EXPECT_GT(wide.high, narrow.high);
 }
 
-TEST(Bootstrap, RefusesWhatHasNoInterval) {
+TEST(Bootstrap, RejectsTooFewUnitsAndInvalidOptions) {
   const UnitValues one{Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Ones(1)};
   EXPECT_THROW(bootstrap_intervals(one), ArgumentError);
   EXPECT_THROW(bootstrap_intervals(example(), 0), ArgumentError);
@@ -136,7 +136,7 @@ double coverage(ResamplingUnit unit, int data_sets) {
 }
 
 // 600 data sets: the count of a true 95 % has a standard deviation of 0.9 %.
-TEST(Bootstrap, IntervalsOverClassesHoldTheTruthAsOftenAsTheySay) {
+TEST(Bootstrap, IntervalsOverClassesHaveNominalCoverage) {
   EXPECT_NEAR(coverage(ResamplingUnit::classes, 600), 0.95, 3 * 0.0089);
 }
 

@@ -31,7 +31,7 @@ TEST(OrderByClass, ClassByClassInTheModelsOrder) {
   EXPECT_THAT(order_by_class(std::vector<int>{2, 0, 1, 0, 2}), ElementsAre(1, 3, 2, 0, 4));
 }
 
-TEST(DistanceOverview, OfFewModelsACellIsADistance) {
+TEST(DistanceOverview, CellsAreDistancesForFewModels) {
   DistanceMatrix distances{{9, 1, 2}, {3, 9, 4}, {5, std::numeric_limits<double>::infinity(), 9}};
   const DistanceOverview overview = overview_of(distances, std::vector<int>{1, 0, 0});
   EXPECT_EQ(overview.block, 1);
@@ -40,7 +40,7 @@ TEST(DistanceOverview, OfFewModelsACellIsADistance) {
   EXPECT_EQ(overview.nearest_distances, (DistanceMatrix{{1, 2}, {3, 4}, {5, distances(2, 1)}}));
 }
 
-TEST(DistanceOverview, OfManyModelsACellIsTheMeanOfItsFiniteEntries) {
+TEST(DistanceOverview, CellsAreMeansForManyModels) {
   const Eigen::Index models = 2 * largest_heat_map - 1;
   DistanceMatrix distances = numbers(models);
   distances(4, 7) = std::numeric_limits<double>::infinity();

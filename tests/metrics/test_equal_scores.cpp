@@ -47,7 +47,7 @@ TEST(EqualScores, FormGroupsInTheirOwnOrder) {
   EXPECT_THAT(groups_of_equal_scores(scores), ElementsAre(ElementsAre(1U), ElementsAre(3U), ElementsAre(0U, 2U, 4U)));
 }
 
-TEST(EqualScores, HaveOneRankWhateverQueriesTheyComeFrom) {
+TEST(EqualScores, ShareARank) {
   for (const ResamplingUnit blocks : {ResamplingUnit::classes, ResamplingUnit::queries}) {
     const auto standings =
         standings_of(equally_good_methods(200), classes_of_six(), {.blocks = blocks, .resampling = {.resamples = 10}});
@@ -70,7 +70,7 @@ TEST(EqualScores, TieInFriedmansTestAndInCountsOfWins) {
   EXPECT_NEAR(comparison.friedman.chi_squared, 4 * 0.375 / (1 - 24.0 / 96), 1e-12);
 }
 
-TEST(EqualScores, DifferInNoComparison) {
+TEST(EqualScores, AreTiedInComparisons) {
   Eigen::MatrixXd scores(query_count, 2);
   for (Eigen::Index query = 0; query < query_count; ++query) scores.row(query) << (0.1 + 0.2) + 0.3, 0.1 + (0.2 + 0.3);
   for (const PairTest test : {PairTest::randomisation, PairTest::t, PairTest::bootstrap}) {

@@ -59,7 +59,7 @@ int class_size(const std::vector<int>& labels, int label) {
   return static_cast<int>(std::ranges::count(labels, label));
 }
 
-TEST(Evaluation, GradesAreThoseOfTheRow) {
+TEST(Evaluation, UsesTheGradesOfTheRow) {
   // All queries have the same order of models. To every other one what is highly relevant comes first, to the rest
   // last.
   constexpr Eigen::Index queries = 301;  // more than one block
@@ -97,7 +97,7 @@ RC_GTEST_PROP(Evaluation, EachQueryAgreesWithTheLiteralFormulas, ()) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, RowByRowIsThatOfTheWholeMatrix, ()) {
+RC_GTEST_PROP(Evaluation, RowByRowMatchesTheWholeMatrix, ()) {
   const EvaluationCase random = *cases_with_ties(600);
   const EvaluationOptions options{.protocol = random.protocol, .ties = Ties::expected};
   const Evaluation whole = evaluate(random.distances, random.labels, options);
@@ -132,7 +132,7 @@ RC_GTEST_PROP(Evaluation, QueriesAreTheModelsOfLargeEnoughClasses, ()) {
   RC_ASSERT(result.excluded_models == static_cast<Eigen::Index>(data.labels.size() - queries.size()));
 }
 
-RC_GTEST_PROP(Evaluation, AveragesAreThoseOfTheQueries, ()) {
+RC_GTEST_PROP(Evaluation, AveragesAreMeansOverQueriesAndClasses, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Evaluation result = scores_of(data);
   RC_ASSERT((result.micro - result.per_query.colwise().mean().transpose()).cwiseAbs().maxCoeff() <= rounding);
@@ -196,7 +196,7 @@ RC_GTEST_PROP(Evaluation, EverythingLiesBetweenZeroAndOne, ()) {
   }
 }
 
-RC_GTEST_PROP(Evaluation, OnlyTheOrderOfDistancesMatters, ()) {
+RC_GTEST_PROP(Evaluation, DependsOnTheOrderOfDistancesOnly, ()) {
   const EvaluationCase data = *cases_with_ties();
   EvaluationCase transformed = data;
   // Distances are 0, 0.25, ... 7.25 and infinity; cubes of those are exact, so ties stay and nothing else becomes one.
@@ -204,7 +204,7 @@ RC_GTEST_PROP(Evaluation, OnlyTheOrderOfDistancesMatters, ()) {
   RC_ASSERT(same_results(scores_of(data), scores_of(transformed)));
 }
 
-RC_GTEST_PROP(Evaluation, TheDiagonalPlaysNoPart, ()) {
+RC_GTEST_PROP(Evaluation, IgnoresTheDiagonal, ()) {
   const EvaluationCase data = *cases_with_ties();
   EvaluationCase changed = data;
   changed.distances.diagonal().setConstant(std::numeric_limits<double>::infinity());
@@ -266,7 +266,7 @@ TEST(Evaluation, NanNamesItsRowAndColumn) {
   EXPECT_THAT(error_of(distances, {0, 0, 1, 1}, {}), HasSubstr("row 2, column 1"));
 }
 
-TEST(Evaluation, RefusesWhatDoesNotFit) {
+TEST(Evaluation, RejectsInputsOfDifferentSizes) {
   EXPECT_THAT(error_of(naive::Matrix::Ones(2, 3), {0, 0}, {}), HasSubstr("square, not 2 x 3"));
   EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 0}, {}), HasSubstr("3 models, but 2"));
   EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 1, 2}, {}), HasSubstr("no class has 2"));

@@ -96,14 +96,14 @@ TEST(RankComparison, HasTheTiedStatisticOfScipy) {
   EXPECT_NEAR(comparison.critical_difference, 2.0976056585788982, 1e-6);
 }
 
-TEST(RankIntervals, AreThoseOfAllResamples) {
+TEST(RankIntervals, MatchAllResamples) {
   // In all 5^5 resamples the methods are at 1 to 2, 1 to 3, 2 to 4, and 2 (0.03 %) to 4. Of five data sets, 0.095 % are
   // cut off on each side (Student's t).
   const std::vector<RankInterval> intervals = rank_intervals(compare_by_ranks(five_sets()).ranks);
   EXPECT_THAT(intervals, ElementsAre(RankInterval{1, 2}, RankInterval{1, 3}, RankInterval{2, 4}, RankInterval{3, 4}));
 }
 
-TEST(RankIntervals, OfMethodsThatAlwaysRankAlikeAreOnePosition) {
+TEST(RankIntervals, OfConstantRanksHaveNoWidth) {
   const Eigen::MatrixXd ranks = Eigen::RowVector3d(3, 1, 2).replicate(8, 1);
   EXPECT_THAT(rank_intervals(ranks), ElementsAre(RankInterval{3, 3}, RankInterval{1, 1}, RankInterval{2, 2}));
   EXPECT_EQ(rank_intervals(Eigen::MatrixXd::Constant(8, 2, 1.5))[1], (RankInterval{1, 1})) << "ties share the better";
@@ -121,7 +121,7 @@ TEST(RankComparison, EqualValuesShareTheMeanOfTheirRanks) {
   EXPECT_EQ(comparison.ranks, (Eigen::MatrixXd(1, 4) << 2.5, 1, 2.5, 4).finished());
 }
 
-TEST(RankComparison, OfDataSetsThatRankAlikeIsCertain) {
+TEST(RankComparison, OfEqualRankingsHasTheSmallestPValue) {
   Eigen::MatrixXd values(6, 3);
   for (Eigen::Index set = 0; set < 6; ++set) values.row(set) << 0.9, 0.5, 0.1;
   const FriedmanTest test = compare_by_ranks(values).friedman;
@@ -148,13 +148,13 @@ TEST(RankComparison, TestsNothingOnOneDataSetOrOfOneMethod) {
   EXPECT_TRUE(one_method.pairs.empty());
 }
 
-TEST(RankComparison, RefusesWhatCannotBeRanked) {
+TEST(RankComparison, RejectsNonFiniteValues) {
   EXPECT_THROW(compare_by_ranks(Eigen::MatrixXd(0, 3)), ArgumentError);
   EXPECT_THROW(compare_by_ranks(Eigen::MatrixXd::Constant(2, 2, std::nan(""))), ArgumentError);
   EXPECT_THROW(compare_by_ranks(Eigen::MatrixXd::Ones(2, 2), 1), ArgumentError);
 }
 
-RC_GTEST_PROP(RankComparison, GroupsAreThoseOfThePValues, ()) {
+RC_GTEST_PROP(RankComparison, GroupsFollowThePValues, ()) {
   const auto sets = *rc::gen::inRange<Eigen::Index>(2, 12);
   const auto methods = *rc::gen::inRange<Eigen::Index>(2, 8);
   Eigen::MatrixXd values(sets, methods);

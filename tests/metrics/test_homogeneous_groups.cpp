@@ -27,7 +27,7 @@ TEST(HomogeneousGroups, AreTheLargestRunsWithoutADifference) {
   EXPECT_TRUE(groups_of({}, 1).empty());
 }
 
-RC_GTEST_PROP(HomogeneousGroups, HoldAPairExactlyWhereItDoesNotDiffer, ()) {
+RC_GTEST_PROP(HomogeneousGroups, ContainExactlyThePairsThatDoNotDiffer, ()) {
   auto ranking = *rc::gen::container<std::vector<double>>(
       rc::gen::map(rc::gen::inRange(0, 30), [](int value) { return static_cast<double>(value); }));
   std::ranges::sort(ranking, std::greater<>());
@@ -42,7 +42,7 @@ RC_GTEST_PROP(HomogeneousGroups, HoldAPairExactlyWhereItDoesNotDiffer, ()) {
   }
 }
 
-TEST(CompactLetters, AreSharedByWhatDoesNotDiffer) {
+TEST(CompactLetters, AreSharedByGroupsThatDoNotDiffer) {
   EXPECT_THAT(compact_letters(4, groups_of({9, 8, 7, 3}, 1.5)), ElementsAre("a", "ab", "b", "c"));
 }
 
@@ -54,7 +54,7 @@ TEST(CompactLetters, OfMoreThanThreeGroupsAreARange) {
   EXPECT_EQ(compact_letters(8, groups_of(longer, 3.5))[3], "a-d");
 }
 
-TEST(CompactLetters, GoOnAfterZ) {
+TEST(CompactLetters, ContinueAfterZ) {
   std::vector<double> ranking;
   for (int i = 0; i < 60; ++i) ranking.push_back(-i);
   const auto letters = compact_letters(60, groups_of(ranking, 0.5));

@@ -57,7 +57,7 @@ TEST(KnownAnswers, PerfectUnderPaper) {
   for (const double precision : result.micro_curve.precision) EXPECT_EQ(precision, 1);
 }
 
-TEST(KnownAnswers, Toy) {
+TEST(KnownAnswers, SevenModelsInTwoClasses) {
   const std::vector<double> values = {0, 1, 4, 2, 3.5, 7, 9};
   const std::vector<int> labels = {0, 0, 0, 1, 1, 1, 1};
   naive::Matrix distances(7, 7);

@@ -133,11 +133,11 @@ Contest random_contest(unsigned seed, std::size_t count) {
   return contest;
 }
 
-RC_GTEST_PROP(ListMeasures, AreThoseOfTheDefinition, ()) {
+RC_GTEST_PROP(ListMeasures, MatchTheDefinition, ()) {
   expect_literal(random_contest(*rc::gen::arbitrary<unsigned>(), *rc::gen::inRange<std::size_t>(4, 30)));
 }
 
-TEST(ListMeasures, LookAtAThousandModels) {
+TEST(ListMeasures, AreLimitedToAThousandModels) {
   // 1,200 models of class 0, every third of them of a subclass, and 100 of class 1. Three queries have lists.
   Contest contest;
   for (int i = 0; i < 1300; ++i) {

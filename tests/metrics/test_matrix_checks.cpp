@@ -35,7 +35,7 @@ MatrixFindings check_matrix(const Matrix& distances, bool square, Eigen::Index t
   return checks.findings();
 }
 
-TEST(MatrixChecks, FindNothingWhereNothingIs) {
+TEST(MatrixChecks, FindNoAnomaliesInAValidMatrix) {
   const MatrixFindings found = check_matrix(sound(200), true);
   EXPECT_EQ(found.infinite, 0);
   EXPECT_EQ(found.negative, 0);
@@ -46,7 +46,7 @@ TEST(MatrixChecks, FindNothingWhereNothingIs) {
   EXPECT_THAT(found.constant_rows, IsEmpty());
 }
 
-TEST(MatrixChecks, CountWhatIsOdd) {
+TEST(MatrixChecks, CountAnomalies) {
   Matrix distances = sound(200);
   distances(3, 150) = -2;
   distances(7, 9) = std::numeric_limits<double>::infinity();
@@ -107,7 +107,7 @@ TEST(MatrixChecks, FindSimilarities) {
   EXPECT_EQ(check_matrix(Matrix::Ones(5, 5), true).rows_nearest_to_others, 0);
 }
 
-TEST(MatrixChecks, AreTheSameHoweverManyRowsComeAtATime) {
+TEST(MatrixChecks, AreIndependentOfTheBlockSize) {
   Matrix distances = sound(100);
   distances.row(60) = distances.row(10).eval();
   distances(3, 50) = -2;
@@ -145,7 +145,7 @@ RC_GTEST_PROP(MatrixChecks, CountEveryPairThatDiffers, ()) {
   RC_ASSERT(found.largest_asymmetry == largest);
 }
 
-TEST(MatrixChecks, KnowNoDiagonalBetweenTwoSets) {
+TEST(MatrixChecks, IgnoreTheDiagonalBetweenTwoSets) {
   const MatrixFindings found = check_matrix(Matrix::Random(4, 9), false);
   EXPECT_EQ(found.asymmetric_pairs, 0);
   EXPECT_EQ(found.nonzero_diagonal, 0);

@@ -16,12 +16,12 @@ using testing::HasSubstr;
 
 double value(const std::string& measure, const RankedList& list) { return measure_of(measure).value(list); }
 
-TEST(NearestNeighbour, LooksAtTheFirstRank) {
+TEST(NearestNeighbour, UsesTheFirstRank) {
   EXPECT_EQ(value("NN", list_of_hits({true, false})), 1);
   EXPECT_EQ(value("NN", list_of_hits({false, true})), 0);
 }
 
-TEST(NearestNeighbour, PassesOverTheQuery) {
+TEST(NearestNeighbour, SkipsTheQuery) {
   EXPECT_EQ(value("NN", list_of_hits({true, false, true}, true)), 0);
   EXPECT_EQ(value("NN", list_of_hits({true, true, false}, true)), 1);
 }
@@ -48,12 +48,12 @@ TEST(EMeasure, IsTheHarmonicMeanOfPrecisionAndRecallAmongThirtyTwo) {
   EXPECT_DOUBLE_EQ(value("E", list_of_hits(hits)), 2 / (1 / precision + 1 / recall));
 }
 
-TEST(EMeasure, LooksAtAShorterListAsAWhole) {
+TEST(EMeasure, UsesAllOfAShorterList) {
   // Four results, two of them relevant, all found: precision 1/2, recall 1.
   EXPECT_DOUBLE_EQ(value("E", list_of_hits({false, true, false, true})), 2.0 / 3);
 }
 
-TEST(EMeasure, IsZeroWithoutHitsInFront) { EXPECT_EQ(value("E", list_of_runs({{39, 0}, {1, 1}})), 0); }
+TEST(EMeasure, IsZeroWithoutHits) { EXPECT_EQ(value("E", list_of_runs({{39, 0}, {1, 1}})), 0); }
 
 TEST(DiscountedCumulativeGain, OfAWorkedExample) {
   // Hits at ranks 2, 4, 8 gain 1, 1/2, 1/3; in front they would gain 1, 1, 1/log2(3).
@@ -108,7 +108,7 @@ TEST(RPrecision, IsThePrecisionAtRankR) {
   EXPECT_DOUBLE_EQ(value("R-prec", list_of_hits({true, false, true, true})), 2.0 / 3);
 }
 
-TEST(ReciprocalRank, LooksAtTheFirstHit) {
+TEST(ReciprocalRank, UsesTheFirstHit) {
   EXPECT_EQ(value("MRR", list_of_hits({false, false, false, true, true})), 0.25);
   EXPECT_EQ(value("MRR", list_of_hits({false}, false, 1)), 0);
 }
@@ -141,7 +141,7 @@ TEST(BullsEye, CountsTheQueryUnderEveryProtocol) {
   EXPECT_DOUBLE_EQ(value("BEP", list_of_hits({true, false, true, false, false, false, true}, true)), 2.0 / 3);
 }
 
-TEST(AreaUnderCurve, IsThatOfTrapezia) {
+TEST(AreaUnderCurve, IsTheSumOfTrapezia) {
   // Precision 1, 2/3, 1/2 at recall 1/3, 2/3, 1.
   const RankedList list = list_of_hits({true, false, true, false, false, true});
   EXPECT_DOUBLE_EQ(value("AUC-PR", list), (1 + (1 + 2.0 / 3) / 2 + (2.0 / 3 + 0.5) / 2) / 3);
@@ -219,7 +219,7 @@ TEST(MeasureRegistry, RefusesNamesAndFunctionsThatDoNotFit) {
   EXPECT_THAT(measure_error_of("X"), HasSubstr("no measure"));
 }
 
-TEST(MeasureRegistry, DefaultsOfSeveralProtocolsAreThoseOfAll) {
+TEST(MeasureRegistry, DefaultsOfSeveralProtocolsAreCombined) {
   std::vector<std::string> names;
   for (const Measure& measure :
        default_measures(std::vector<Protocol>{Protocol::psb, Protocol::paper, Protocol::trec})) {

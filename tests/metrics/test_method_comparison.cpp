@@ -72,7 +72,7 @@ TEST(MethodComparison, TheReferenceWithEachOther) {
   EXPECT_EQ(result.pairs[1].second, 2U);
 }
 
-TEST(MethodComparison, EachTestFindsTheConstantDifferenceAndNoOther) {
+TEST(MethodComparison, EachTestFindsOnlyTheConstantDifference) {
   const Example data;
   for (const std::string& name : list_of_words<PairTest>()) {
     const PairTest test = value_of_word<PairTest>(name).value();
@@ -96,7 +96,7 @@ TEST(MethodComparison, EqualMethodsAreTied) {
   }
 }
 
-TEST(MethodComparison, RefusesWhatCannotBeCompared) {
+TEST(MethodComparison, RejectsIncomparableMethods) {
   const Example data;
   EXPECT_THROW(compare_methods(data.per_query.leftCols(1), data.classes), ArgumentError);
   EXPECT_THROW(compare_methods(data.per_query, std::vector<int>(150, 4), {.blocks = ResamplingUnit::classes}),
@@ -118,7 +118,7 @@ TEST(MethodComparison, NoPValueIsBelowTheSmallestThatIsPossible) {
   EXPECT_NEAR(p, smallest_p_value({}, 3), 0.02);                                  // of 10,000 resamples
 }
 
-TEST(ClassPValue, IsThatOfTheTTestOfClassMeans) {
+TEST(ClassPValue, MatchesTheTTestOfClassMeans) {
   // Means 0.5, 0.1 and 0.3: t = 0.3 / (0.2 / sqrt(3)).
   const Eigen::VectorXd differences = (Eigen::VectorXd(5) << 0.4, 0.6, 0.1, 0.2, 0.4).finished();
   const std::vector<int> classes = {0, 0, 1, 2, 2};

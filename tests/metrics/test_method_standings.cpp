@@ -40,7 +40,7 @@ SimulatedMethods spread_methods() {
   return methods;
 }
 
-TEST(MethodStandings, RankByAverageAndGroupWhatDoesNotDiffer) {
+TEST(MethodStandings, RankByAverageAndGroupBySignificance) {
   const auto standings = standings_of(steady_methods({0.3, 0.9, 0.3, 0.6}), pairs_of_queries());
   EXPECT_EQ(standings[1].rank, 1U);
   EXPECT_EQ(standings[3].rank, 2U);

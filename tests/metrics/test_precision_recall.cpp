@@ -30,7 +30,7 @@ RankedList psb_plot_example() {
   return list_of_hits(hits);
 }
 
-TEST(PrecisionAtLevels, PsbMeetsTheHitsAndIsLinearBetweenThem) {
+TEST(PrecisionAtLevels, PsbInterpolatesLinearlyBetweenHits) {
   const Eigen::VectorXd precision = precision_at_levels(psb_plot_example(), CurveKind::psb);
   const auto at_recall = [&](int percent) { return precision[percent / 5 - 1]; };
   EXPECT_NEAR(at_recall(20), 1, last_place);
@@ -64,7 +64,7 @@ TEST(PrecisionAtLevels, PaperIsOneBeforeAnyHit) {
   EXPECT_THAT(values, ElementsAre(1, 1, 1, 1, 1, 0.5, 0.5, 0.5, 0.5, 0.5, 2.0 / 3));
 }
 
-TEST(PrecisionAtLevels, PaperTakesALevelThatIsExactlyReached) {
+TEST(PrecisionAtLevels, PaperIncludesALevelThatIsExactlyReached) {
   // Ten relevant models: 0.1 * 3 is not the number nearest to 3 / 10, and the third hit must still count at level
   // 0.3.
   std::vector<bool> hits_at(100, false);
@@ -75,7 +75,7 @@ TEST(PrecisionAtLevels, PaperTakesALevelThatIsExactlyReached) {
   }
 }
 
-TEST(PrecisionAtLevels, TrecTakesTheLargestFromTheLevelOn) {
+TEST(PrecisionAtLevels, TrecIsTheMaximumFromTheLevelOn) {
   // Precision 1/2, 2/3, 3/6 at recall 1/3, 2/3, 1.
   const RankedList list = list_of_hits({false, true, true, false, false, true});
   const Eigen::VectorXd precision = precision_at_levels(list, CurveKind::trec);

@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(Protocol, HasItsNamesBothWays) {
+TEST(Protocol, ConvertsToAndFromNames) {
   EXPECT_THAT(list_of_words<Protocol>(), testing::ElementsAre("psb", "paper", "trec"));
   for (const std::string& name : list_of_words<Protocol>()) {
     const auto protocol = value_of_word<Protocol>(name);
@@ -25,7 +25,7 @@ TEST(Protocol, HasItsNamesBothWays) {
   EXPECT_EQ(value_of_word<Protocol>("paper"), Protocol::paper);
 }
 
-TEST(Protocol, OtherNamesMeanNothing) {
+TEST(Protocol, RejectsOtherNames) {
   EXPECT_FALSE(value_of_word<Protocol>(""));
   EXPECT_FALSE(value_of_word<Protocol>("PSB"));
   EXPECT_FALSE(value_of_word<Protocol>("psb "));
@@ -58,7 +58,7 @@ std::vector<Eigen::RowVectorXd> all_orders(const EvaluationCase& data, Eigen::In
   return values;
 }
 
-TEST(Ties, HaveTheirNamesBothWays) {
+TEST(Ties, ConvertToAndFromNames) {
   EXPECT_THAT(list_of_words<Ties>(), testing::ElementsAre("index", "optimistic", "pessimistic", "expected"));
   for (const std::string& name : list_of_words<Ties>()) EXPECT_EQ(name_of(value_of_word<Ties>(name).value()), name);
   EXPECT_FALSE(value_of_word<Ties>("random"));
@@ -92,7 +92,7 @@ RC_GTEST_PROP(Ties, ExpectedIsTheMeanOverAllOrdersAndTheOthersAreItsBounds, ()) 
   RC_ASSERT(expected.queries_with_ties == changed);
 }
 
-RC_GTEST_PROP(Ties, ThePlaceOfModelsChangesNoAverageUnderExpected, ()) {
+RC_GTEST_PROP(Ties, ExpectedAveragesDoNotDependOnTheOrderOfModels, ()) {
   const EvaluationCase data = *cases_with_ties();
   std::vector<Eigen::Index> order(data.labels.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -129,7 +129,7 @@ RC_GTEST_PROP(Ties, IndexAndExpectedLieBetweenTheBounds, ()) {
   }
 }
 
-RC_GTEST_PROP(Ties, FirstTierBoundsAreThoseOfTheOrders, ()) {
+RC_GTEST_PROP(Ties, FirstTierBoundsMatchTheOrders, ()) {
   const EvaluationCase data = *cases_with_ties();
   const auto first_tier = [&](Ties ties) {
     return evaluate(data.distances, data.labels,

@@ -25,7 +25,7 @@ TEST(FirstRanked, NearestFirstAndTiesByIndex) {
   EXPECT_THAT(first_ranked(std::vector<double>{0, 3, 1, 2, 1, 3}, 0, 9), ElementsAre(2, 4, 3, 1, 5));
 }
 
-TEST(FirstRanked, NoMoreThanWanted) {
+TEST(FirstRanked, HasAtMostTheRequestedNumber) {
   EXPECT_THAT(first_ranked(std::vector<double>{0, 3, 1, 2, 1, 3}, 0, 3), ElementsAre(2, 4, 3));
   EXPECT_THAT(first_ranked(std::vector<double>{0}, 0, 3), ElementsAre());
 }
@@ -68,7 +68,7 @@ TEST(RankedList, UnderPsbIsWithoutTheQuery) {
   EXPECT_THAT(list.precision_at_hit, ElementsAre(1, 0.5));
 }
 
-TEST(RankedList, UnderPaperBeginsWithTheQueryWhateverItsDistance) {
+TEST(RankedList, UnderPaperBeginsWithTheQueryAtAnyDistance) {
   const RankedList list = ranked({0, 1, infinity, 3, 4}, alternating, Protocol::paper);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}, RankRun{1, 1}));
   EXPECT_EQ(list.relevant, 3U);
@@ -97,7 +97,7 @@ TEST(RankedList, OrdersDistancesOfAnyScale) {
   }
 }
 
-TEST(RankedList, TiesAreDecidedAsAsked) {
+TEST(RankedList, OrdersTiesAsRequested) {
   const std::vector<double> row = {2, 2, 9, 2, 2};
   EXPECT_THAT(ranked(row, alternating, Protocol::psb, Ties::index).runs,
               ElementsAre(RankRun{1, 1}, RankRun{2, 0}, RankRun{1, 1}));
@@ -125,7 +125,7 @@ TEST(RankedList, TargetsAndQueriesMayDiffer) {
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{1, 0}, RankRun{1, 1}));
 }
 
-TEST(RankedList, JudgementsSayWhatIsRelevant) {
+TEST(RankedList, JudgementsDetermineRelevance) {
   RetrievalTask task = leave_one_out(alternating);
   task.judged = {{}, {}, {1, 3}, {}, {}};
   const RankedList list = list_of(std::vector<double>{0, 1, 2, 3, 4}, task);
@@ -185,7 +185,7 @@ TEST(RankedList, CountsHits) {
   EXPECT_EQ(gain_of_hits(list, [](std::size_t rank) { return static_cast<double>(rank); }), 2 + 3 + 5);
 }
 
-TEST(RankedList, TakesTheMeanOverOpenOrders) {
+TEST(RankedList, AveragesOverAllOrdersOfTies) {
   // Ranks 2 to 4 with two hits in any order.
   const RankedList list = list_of_runs({{1, 1}, {3, 2}});
   EXPECT_DOUBLE_EQ(hits_among_first(list, 3), 1 + 2 * 2.0 / 3);
@@ -229,14 +229,14 @@ RetrievalTask graded_task() {
   return task;
 }
 
-TEST(RankedList, KnowsTheGradesOfItsHits) {
+TEST(RankedList, HasTheGradesOfItsHits) {
   const RankedList list = list_of(std::vector<double>{0, 1, 9, 3, 2}, graded_task());
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1, 0, 1}, RankRun{1, 1, 0, 3}, RankRun{1, 0}, RankRun{1, 1, 0, 2}));
   EXPECT_THAT(list.grades, ElementsAre(3, 2, 1));
   EXPECT_EQ(list.judged_misses, 1U);
 }
 
-TEST(RankedList, TiedGradesAreDecidedAsAsked) {
+TEST(RankedList, OrdersTiedGradesAsRequested) {
   const auto runs = [&](Ties ties) {
     return list_of(std::vector<double>{5, 5, 9, 5, 7}, graded_task(), {.protocol = Protocol::trec, .ties = ties}).runs;
   };

@@ -81,7 +81,7 @@ RC_GTEST_PROP(ConfusionMatrixProperty, ItsDiagonalIsTheNearestNeighbourMeasure, 
   }
 }
 
-TEST(ConfusionMatrix, RefusesWhatDoesNotFit) {
+TEST(ConfusionMatrix, RejectsInputsOfDifferentSizes) {
   const std::vector<int> labels = {0, 1, 0};
   const std::vector<Eigen::Index> queries = {0};
   const Nearest nearest = {1, 0, 1};

@@ -67,12 +67,12 @@ double false_positive_rate(ResamplingUnit unit, int data_sets) {
 }
 
 // 600 data sets: the count of a true 5 % has a standard deviation of 0.9 %.
-TEST(RandomisationTest, OverClassesFindsADifferenceThatIsNotThereAsOftenAsItSays) {
+TEST(RandomisationTest, OverClassesHasTheNominalErrorRate) {
   EXPECT_NEAR(false_positive_rate(ResamplingUnit::classes, 600), 0.05, 3 * 0.0089);
 }
 
 // Over queries, see test_bootstrap.cpp, 40 % of equally good methods are called different.
-TEST(RandomisationTest, OverQueriesFindsTooManyDifferences) {
+TEST(RandomisationTest, OverQueriesExceedsTheNominalErrorRateForClasses) {
   EXPECT_NEAR(false_positive_rate(ResamplingUnit::queries, 300), 0.40, 3 * 0.028);
 }
 
@@ -127,7 +127,7 @@ TEST(TukeyHsd, EqualMethodsAreNotDifferent) {
 }
 
 // Any pair of five equally good methods below 5 %: in 5 % of 400 data sets, with a standard deviation of 1.1 %.
-TEST(TukeyHsd, GoesWrongAnywhereAsOftenAsItSays) {
+TEST(TukeyHsd, HasTheNominalFamilywiseErrorRate) {
   int wrong = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
     if (tukey_hsd_p_values(random_units(20, 5, seed), {.resamples = 199}).minCoeff() <= 0.05) ++wrong;

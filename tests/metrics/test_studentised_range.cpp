@@ -36,7 +36,7 @@ TEST(StudentisedRange, IsItsOwnInverseForManyMethods) {
   }
 }
 
-TEST(StudentisedRange, RunsFromNothingToCertainty) {
+TEST(StudentisedRange, IsACumulativeDistribution) {
   EXPECT_EQ(studentised_range_probability(0, 5), 0);
   EXPECT_EQ(studentised_range_probability(-1, 5), 0);
   EXPECT_EQ(studentised_range_probability(std::numeric_limits<double>::infinity(), 5), 1);

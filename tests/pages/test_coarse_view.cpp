@@ -25,7 +25,7 @@ TEST(CoarseShape, LooksLikeTheShapeWithFewFaces) {
   }
 }
 
-TEST(CoarseShape, OfASoupTooWhoseEdgesNoneShares) {
+TEST(CoarseShape, SimplifiesSoups) {
   const Shape soup = test::soup(test::sphere(1, 5));
   const Shape coarse = coarse_shape(soup, 300);
   EXPECT_LE(coarse.triangles.rows(), 300);
@@ -34,7 +34,7 @@ TEST(CoarseShape, OfASoupTooWhoseEdgesNoneShares) {
 }
 
 /// Triangles that have nothing to do with each other, which no edge collapse makes fewer.
-TEST(CoarseShape, StaysWithinItsLimitWhateverTheMesh) {
+TEST(CoarseShape, StaysWithinItsLimit) {
   Shape scattered{.vertices = 10 * Points::Random(3000, 3), .triangles = Triangles(1000, 3)};
   for (std::int32_t f = 0; f < 1000; ++f) scattered.triangles.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
   const Shape coarse = coarse_shape(scattered, 200);
@@ -57,7 +57,7 @@ TEST(CoarseShape, KeepsTheLargestFacesWhereNoGridKeepsAny) {
   EXPECT_GT(surface_area(coarse), 0.2 * surface_area(needles));
 }
 
-TEST(CoarseShape, ASmallShapeStaysAsItIs) {
+TEST(CoarseShape, KeepsSmallShapes) {
   const Shape sphere = test::sphere(1, 2);
   EXPECT_EQ(coarse_shape(sphere, sphere.triangles.rows()).triangles, sphere.triangles);
 }
@@ -97,7 +97,7 @@ TEST(CarriedValues, TheTwoSidesOfASheetStayApart) {
   }
 }
 
-TEST(CarriedValues, ValuesThatAreMissingAreLeftOutAndStayMissingWhereThereIsNoOther) {
+TEST(CarriedValues, MissingValuesAreIgnoredUnlessAllAreMissing) {
   const Samples from = sample_shape(test::sphere(1, 4), SampleSite::faces);
   const Samples to = sample_shape(test::sphere(1, 1), SampleSite::faces);
   const CarriedValues carried(from, to);
@@ -108,7 +108,7 @@ TEST(CarriedValues, ValuesThatAreMissingAreLeftOutAndStayMissingWhereThereIsNoOt
   EXPECT_TRUE(carried.means(values).array().isNaN().all());
 }
 
-TEST(CoarseView, KeepsWhatEachBallHas) {
+TEST(CoarseView, KeepsPartsAndValuesOfEachBall) {
   const ShapeView fine = test_view::balls();
   const Samples samples = sample_shape(fine.shape, fine.site);
   const ShapeView coarse = coarse_view(fine, samples, 400);

@@ -32,7 +32,7 @@ TEST(PlaneEmbedding, RestoresPointsOfThePlaneUpToMotion) {
   }
 }
 
-TEST(PlaneEmbedding, ModelsWithoutDistancesHaveNoPlace) {
+TEST(PlaneEmbedding, ModelsWithoutDistancesHaveNoPosition) {
   Eigen::MatrixX2d points(3, 2);
   points << 0, 0, 4, 0, 0, 3;
   Eigen::MatrixXd distances = Eigen::MatrixXd::Constant(4, 4, infinity);

@@ -37,9 +37,9 @@ TEST(Rounded, KeepsTheLeadingDigits) {
   EXPECT_TRUE(std::isinf(rounded_to_digits(std::numeric_limits<double>::infinity(), 3)));
 }
 
-TEST(HtmlText, HasNoMarkup) { EXPECT_EQ(html_text("<a href=\"x\">&amp;"), "&lt;a href=&quot;x&quot;&gt;&amp;amp;"); }
+TEST(HtmlText, EscapesMarkup) { EXPECT_EQ(html_text("<a href=\"x\">&amp;"), "&lt;a href=&quot;x&quot;&gt;&amp;amp;"); }
 
-TEST(ScriptData, CannotEndTheScriptAndReadsBackTheSame) {
+TEST(ScriptData, EscapesTheEndOfTheScript) {
   const nlohmann::ordered_json json{{"</script><!--", "a < b"}};
   const std::string text = script_data(json);
   EXPECT_THAT(text, Not(HasSubstr("<")));
@@ -47,7 +47,7 @@ TEST(ScriptData, CannotEndTheScriptAndReadsBackTheSame) {
   EXPECT_EQ(nlohmann::ordered_json::parse(script_data({{"bytes", "\xff"}}))["bytes"], R"(\xFF)");
 }
 
-TEST(FilledPage, AMarkInWhatGoesThereIsTextLikeAnyOther) {
+TEST(FilledPage, DoesNotFillPlaceholdersInInsertedText) {
   const std::array<std::pair<std::string_view, std::string_view>, 2> marks{{{"{{a}}", "[{{b}}]"}, {"{{b}}", "{{a}}"}}};
   EXPECT_EQ(filled_page("x{{a}}y{{b}}z", marks), "x[{{b}}]y{{a}}z");
 }

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(LeaderboardPage, NoNameCanBreakThePage) {
+TEST(LeaderboardPage, EscapesNames) {
   const std::string page = leaderboard_page(test_leaderboard::sample_leaderboard().page);
   EXPECT_EQ(test::occurrences(page, "</script>"), 3U) << "the library, the data, the scripts";
   EXPECT_EQ(test::occurrences(page, "</title>"), 1U);

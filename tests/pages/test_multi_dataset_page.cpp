@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(MultiDatasetPage, NoNameCanBreakThePage) {
+TEST(MultiDatasetPage, EscapesNames) {
   const std::string page = multi_dataset_page(test_multi_dataset::sample_multi_dataset().page);
   EXPECT_EQ(test::occurrences(page, "</script>"), 3U) << "the library, the data, the scripts";
   EXPECT_EQ(test::occurrences(page, "</title>"), 1U);

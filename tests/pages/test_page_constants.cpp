@@ -7,7 +7,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(PageConstants, AreThoseOfTheScripts) {
+TEST(PageConstants, MatchTheScripts) {
   EXPECT_EQ(read_file_bytes(SHAPEGAUGE_PAGE_CONSTANTS), page_constants_script())
       << "to write the file anew, build the target update_page_constants";
 }

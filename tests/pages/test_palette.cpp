@@ -43,7 +43,7 @@ double contrast(const std::string& style, const std::string& first, const std::s
   return std::max(ratio, 1 / ratio);
 }
 
-TEST(Palette, CanBeReadOnPaper) {
+TEST(Palette, HasSufficientContrast) {
   const std::string style = palette_style();
   const std::string dark = style.substr(style.find(":root[data-theme=\"dark\"]"));
   for (const std::string& theme : {style, dark}) {
@@ -67,7 +67,7 @@ TEST(Palette, ShadesOfTheAccentAreOfItsColour) {
   EXPECT_EQ(themes, 3);
 }
 
-TEST(CssColour, HasTwoDigitsAChannel) { EXPECT_EQ(css_colour({0, 10, 255}), "#000aff"); }
+TEST(CssColour, HasTwoDigitsPerChannel) { EXPECT_EQ(css_colour({0, 10, 255}), "#000aff"); }
 
 }  // namespace
 }  // namespace shapegauge

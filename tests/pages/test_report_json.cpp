@@ -40,14 +40,14 @@ TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
   EXPECT_EQ(json["scale"], 4);
 }
 
-TEST(HeatMap, OfAnyOtherMatrixHasAllCellsAndTheDiagonalPlaysNoPart) {
+TEST(HeatMap, OfAnAsymmetricMatrixHasAllCells) {
   const DistanceMatrix distances{{9, 1}, {3, 9}};
   const auto json = heat_map(overview_of(distances, std::vector<int>{0, 0}));
   EXPECT_EQ(json["symmetric"], false);
   EXPECT_EQ(json["values"], packed_numbers(Eigen::VectorXd{{0, 1, 3, 0}})["values"]);
 }
 
-TEST(HeatMap, OfManyModelsIsOfTheMeansOfBlocks) {
+TEST(HeatMap, OfManyModelsContainsMeansOfBlocks) {
   const Eigen::Index models = 2 * largest_heat_map + 1;
   DistanceMatrix distances = DistanceMatrix::Constant(models, models, 6);
   distances.diagonal().setConstant(1e9);
@@ -61,7 +61,7 @@ TEST(HeatMap, OfManyModelsIsOfTheMeansOfBlocks) {
   EXPECT_EQ(json["values"].get<std::string>().substr(0, 4), base64(std::string("\xa9\xaa\xfe", 3)));
 }
 
-TEST(ReportJson, HoldsTheFiguresOfTheEvaluations) {
+TEST(ReportJson, ContainsTheScores) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto json = report_json(sample.report);
   ASSERT_EQ(json["methods"].size(), 3U);
@@ -127,7 +127,7 @@ TEST(ReportJson, HistogramsAreOfTheMethodOrOfItsParts) {
   EXPECT_EQ(methods[2]["parts"], (std::vector{0, 1}));
 }
 
-TEST(ReportJson, IntervalsSettingsAndLeaksAreThoseOfTheReport) {
+TEST(ReportJson, ContainsIntervalsSettingsAndLeaks) {
   const Report& report = test_report::hostile_report().report;
   const auto json = report_json(report);
   const auto& method = json["methods"][1];
@@ -145,14 +145,14 @@ TEST(ReportJson, IntervalsSettingsAndLeaksAreThoseOfTheReport) {
   EXPECT_FALSE(report_json(test_report::plain_report().report)["methods"][0]["evaluations"][0].contains("intervals"));
 }
 
-TEST(ReportJson, PicturesAreThereOrNot) {
+TEST(ReportJson, PicturesAreOptional) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto pictures = report_json(sample.report)["pictures"];
   EXPECT_EQ(pictures["png"][7], base64(sample.report.pictures.png[7]));
   EXPECT_TRUE(report_json(test_report::plain_report().report)["pictures"].is_null());
 }
 
-TEST(ReportJson, ViewsAreThereOrNot) {
+TEST(ReportJson, ViewsAreOptional) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto views = report_json(sample.report)["views"];
   ASSERT_EQ(views["shapes"].size(), sample.report.ids.size());

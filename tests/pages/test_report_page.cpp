@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(ReportPage, NoNameCanBreakThePage) {
+TEST(ReportPage, EscapesNames) {
   const std::string page = report_page(test_report::hostile_report().report);
   EXPECT_EQ(test::occurrences(page, "</script>"), 3U) << "the library, the data, the scripts";
   EXPECT_EQ(test::occurrences(page, "</title>"), 1U);
@@ -27,7 +27,7 @@ TEST(ReportPage, NoNameCanBreakThePage) {
   EXPECT_EQ(data["methods"][1]["name"], report.methods[1].name);
 }
 
-TEST(ReportPage, AsksForNothingButItselfAndLeavesNoMarkOpen) {
+TEST(ReportPage, LoadsNoResourcesAndFillsEveryPlaceholder) {
   const std::string page = report_page(test_report::plain_report().report);
   for (const char* word : {" src=\"", " href=\"http", "@import", "url("}) EXPECT_THAT(page, Not(HasSubstr(word)));
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));

@@ -27,7 +27,7 @@ TEST(SearchPage, HasEachShapeOnceAndTheAnswers) {
   EXPECT_EQ(data["facts"][0], "2 queries");
 }
 
-TEST(SearchPage, NamesAreTextAndNoMarkup) {
+TEST(SearchPage, EscapesNames) {
   const std::string page = search_page(test_view::sample_search());
   EXPECT_THAT(page, HasSubstr("<title>&lt;b&gt;title&lt;/b&gt; {{script}}"));
   EXPECT_THAT(page, Not(HasSubstr("query </script>")));

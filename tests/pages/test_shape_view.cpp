@@ -78,7 +78,7 @@ Points corner_points(const Json& json) {
   return points;
 }
 
-TEST(ShapeViewJson, HoldsTheTrianglesInTheirOrderToASixtyThousandthOfTheSide) {
+TEST(ShapeViewJson, KeepsTheOrderOfTrianglesAndRoundsCoordinates) {
   const Shape mesh = test::permuted(test::torus(3, 1, 40, 20), 1).shape;
   const Json json = shape_view_json({.name = "torus", .shape = mesh});
   ASSERT_EQ(json["triangles"]["count"], mesh.triangles.rows());
@@ -119,7 +119,7 @@ TEST(ShapeViewJson, MissingValuesHaveALevelOfTheirOwn) {
   EXPECT_EQ(field["high"], 2);
 }
 
-TEST(ShapeViewJson, TheFirstPositionIsThatOfPictures) {
+TEST(ShapeViewJson, InitialViewMatchesPictures) {
   const ShapeView view = test_view::balls();
   const Json axes = shape_view_json(view)["axes"];
   Eigen::Matrix3d rows;
@@ -133,7 +133,7 @@ TEST(ShapeViewJson, TheFirstPositionIsThatOfPictures) {
   EXPECT_GT(rows.row(1).dot(look.up), 0);
 }
 
-TEST(ShapeViewJson, PartsAndNormalsAreThereOrNot) {
+TEST(ShapeViewJson, PartsAndNormalsAreOptional) {
   const ShapeView view = test_view::balls();
   const Json json = shape_view_json(view);
   const std::vector<int> parts = shorts_of(json["parts"][0]["values"]);
@@ -169,13 +169,13 @@ TEST(ShapeViewJson, ACloudIsItsPointsWithHexagonsAsPicturesHaveThem) {
   }
 }
 
-TEST(ShapeViewJson, WithoutExtentThereIsNothingToShow) {
+TEST(ShapeViewJson, RejectsShapesWithoutExtent) {
   EXPECT_THROW(
       shape_view_json({.name = "", .shape = {.vertices = Points::Ones(3, 3), .triangles = Triangles{{0, 1, 2}}}}),
       InputError);
 }
 
-TEST(CentralRange, LeavesOutTwoPercentOfTheAreaOnEitherSide) {
+TEST(CentralRange, ExcludesTwoPercentOfTheAreaAtEachEnd) {
   ScalarField field{.values = Eigen::VectorXd::LinSpaced(101, 0, 100), .weights = Eigen::VectorXd::Ones(101)};
   field.values[50] = std::nan("");
   const Interval range = central_range(field).value();
@@ -185,7 +185,7 @@ TEST(CentralRange, LeavesOutTwoPercentOfTheAreaOnEitherSide) {
   EXPECT_FALSE(central_range(field).has_value());
 }
 
-TEST(ShapeViewPicture, IsSquareAndSeeThroughAroundTheShape) {
+TEST(ShapeViewPicture, IsSquareWithATransparentBackground) {
   const std::string png = shape_view_picture(test_view::balls(), 64);
   png_image header = {};
   header.version = PNG_IMAGE_VERSION;
@@ -206,7 +206,7 @@ TEST(ShapeViewPicture, IsSquareAndSeeThroughAroundTheShape) {
   EXPECT_GT(dark, 10);
 }
 
-TEST(ViewPage, NoNameCanBreakIt) {
+TEST(ViewPage, EscapesNames) {
   const std::string html = view_page(test_view::page());
   EXPECT_EQ(test::occurrences(html, "</script>"), 3U) << "the libraries, the data, the scripts";
   EXPECT_THAT(html, HasSubstr("<title>Balls &amp; &lt;clouds&gt; "));
@@ -216,7 +216,7 @@ TEST(ViewPage, NoNameCanBreakIt) {
   EXPECT_EQ(data["missing"][0], "broken<i>.off");
 }
 
-TEST(ViewPage, AsksForNothingButItselfAndLeavesNoMarkOpen) {
+TEST(ViewPage, LoadsNoResourcesAndFillsEveryPlaceholder) {
   const std::string html = view_page(test_view::page());
   for (const char* word : {" src=\"http", " href=\"http", "@import", "{{title}}", "{{style}}", "{{main}}",
                            "{{libraries}}", "{{data}}", "{{script}}"}) {

@@ -37,7 +37,7 @@ def test_settings_after_an_object_are_those_after_arrays(mesh):
     np.testing.assert_array_equal(sg.segment(mesh, "paper", parts=2), sg.segment(*both, "paper", parts=2))
 
 
-def test_arrays_may_be_given_by_name_and_clouds_before_words():
+def test_arrays_by_name_and_clouds_before_words():
     by_name = sg.sdf(vertices=VERTICES, faces=FACES, offset=0.1).values
     np.testing.assert_array_equal(by_name, sg.sdf(VERTICES, faces=FACES, method="offset_sdf", offset=0.1).values)
     np.testing.assert_array_equal(sg.describe(VERTICES, "d2"), sg.describe(VERTICES, None, "d2"))
@@ -179,7 +179,7 @@ CALLS = [
 
 
 @pytest.mark.parametrize("call, words", CALLS)
-def test_unusable_arguments_are_one_clear_error(call, words):
+def test_invalid_arguments_raise_one_error(call, words):
     with pytest.raises((sg.InputError, TypeError), match=words) as caught:
         call()
     assert "\n" not in str(caught.value) and "json.exception" not in str(caught.value)
@@ -211,7 +211,7 @@ def test_strings_must_be_unicode_text():
             call()
 
 
-def test_settings_may_not_contain_themselves():
+def test_recursive_settings_are_errors():
     configuration = {"name": "endless", "signatures": []}
     configuration["signatures"].append({"more": configuration})
     with pytest.raises(sg.InputError, match="^configuration contains itself, or is nested more than 100 deep$"):

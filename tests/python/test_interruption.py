@@ -122,7 +122,7 @@ def test_ctrl_c_stops_an_experiment_and_leaves_no_results(tmp_path):
     assert not (tmp_path / "out" / "manifest.json").exists() and not (tmp_path / "out" / ".shapegauge-lock").exists()
 
 
-def test_after_an_interruption_everything_works_as_before():
+def test_computing_works_after_an_interruption():
     distances, labels = toy()
     before = sg.evaluate(distances, labels).micro
 
@@ -141,7 +141,7 @@ def test_after_an_interruption_everything_works_as_before():
     assert sg.evaluate(distances, labels).micro == before
 
 
-def test_handlers_that_do_not_raise_stop_nothing():
+def test_handlers_without_exceptions_do_not_interrupt():
     distances, labels = toy()
     heard = []
     earlier = signal.signal(signal.SIGALRM, lambda *_: heard.append(1))

@@ -74,7 +74,7 @@ def test_missing_targets_are_named_by_their_own_rows():
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_models_of_no_class_are_no_queries_and_relevant_to_none():
+def test_unlabelled_models_are_neither_queries_nor_relevant():
     scores = sg.evaluate(DISTANCES, ["a", "a", None, "b", "b", "", "b"], missing_labels="no_class")
     assert scores.queries.tolist() == [0, 1, 3, 4, 6]
     assert set(scores.per_class) == {"a", "b"}

@@ -57,7 +57,7 @@ def shuffled(names):
     return [names[i] for i in SHUFFLED]
 
 
-def test_rows_in_one_order_are_those_of_the_arrays(table):
+def test_frames_with_equal_orders_match_arrays(table):
     series, frame = table
     expected = sg.evaluate(DISTANCES, LABELS).micro
     assert sg.evaluate(frame(DISTANCES, NAMES, NAMES), series(LABELS, NAMES)).micro == expected

@@ -87,7 +87,7 @@ def test_plot_draws_the_curve():
     np.testing.assert_array_equal(first.get_ydata(), scores.precision)
 
 
-def test_intervals_are_those_of_the_command_line(tmp_path):
+def test_intervals_match_the_command_line(tmp_path):
     distances, labels = toy()
     np.save(tmp_path / "d.npy", distances)
     (tmp_path / "labels.csv").write_text("".join(f"{label}\n" for label in labels))
@@ -152,7 +152,7 @@ def test_subclasses_and_labels_of_any_type_are_compared(labels, subclasses):
     assert scores.micro == expected.micro
 
 
-def test_relevance_takes_the_place_of_labels():
+def test_relevance_replaces_labels():
     distances, labels = toy()
     same = np.equal.outer(labels, labels)
     by_labels = sg.evaluate(distances, labels, protocol="trec")
@@ -189,7 +189,7 @@ def test_rows_may_be_queries_to_other_models():
         sg.evaluate(np.zeros((2, 4)), ["a", "b"], targets=["a"])
 
 
-def test_run_takes_a_dict_and_tells_how_far_it_is(tmp_path, monkeypatch):
+def test_run_takes_a_dict_and_reports_progress(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with open(f"{CONFIGS}/quickstart.json", encoding="utf-8") as file:
         configuration = json.load(file)

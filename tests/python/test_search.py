@@ -44,7 +44,7 @@ def test_index_knows_its_shapes(models):
     assert len(sg.Index(models, method=METHOD, cache="", update=False)) == 8
 
 
-def test_answers_are_those_of_the_command_line(models, tmp_path):
+def test_search_matches_the_command_line(models, tmp_path):
     index = opened(models)
     method = tmp_path / "quick.json"
     method.write_text(json.dumps({**METHOD, "dataset": {"layout": "folders", "root": "."}}))
@@ -95,7 +95,7 @@ def test_reranked_answers_and_pages(models, tmp_path):
     assert all(0 <= done <= total for _, done, total in told)
 
 
-def test_a_page_overwrites_no_input_and_nothing_unasked(models, tmp_path):
+def test_a_page_overwrites_other_files_only_on_request(models, tmp_path):
     index = opened(models)
     query = models / "flat0.off"
     before = {path: path.read_bytes() for path in (query, pathlib.Path(index.file))}
@@ -117,7 +117,7 @@ def test_a_page_overwrites_no_input_and_nothing_unasked(models, tmp_path):
     assert "flat0.off" in page.read_text()
 
 
-def test_follows_files_and_keeps_to_its_own_method(models):
+def test_index_follows_files_and_keeps_its_method(models):
     opened(models)
     (models / "broken.off").unlink()
     index = sg.Index(models, method=METHOD, cache="")

@@ -33,7 +33,7 @@ def test_a_shape_comes_back_from_its_file(torus, torus_file):
 
 @pytest.mark.parametrize("method", ["offset_sdf", "cone_sdf"])
 @pytest.mark.parametrize("at", ["faces", "vertices"])
-def test_the_sdf_is_the_command_lines(torus_file, tmp_path, method, at):
+def test_sdf_matches_the_command_line(torus_file, tmp_path, method, at):
     shape = sg.read(torus_file)
     values, weights = sg.sdf(shape, method=method, at=at)
     offset = ["--offset", "0.05"] if method == "offset_sdf" else []
@@ -110,14 +110,14 @@ def test_any_field_of_configurations(torus):
         sg.field(*torus, type="cone_sdf", wrong=1)
 
 
-def test_segments_are_the_command_lines(torus_file, tmp_path):
+def test_segments_match_the_command_line(torus_file, tmp_path):
     labels = sg.segment(sg.read(torus_file), parts=3)
     program("segment", torus_file, "--parts", 3, "-o", tmp_path / "torus.seg")
     np.testing.assert_array_equal(labels, np.loadtxt(tmp_path / "torus.seg", dtype=int))
     assert labels.dtype == np.int32
 
 
-def test_segments_of_the_paper_are_the_command_lines(torus_file, tmp_path):
+def test_segments_of_the_paper_match_the_command_line(torus_file, tmp_path):
     labels = sg.segment(sg.read(torus_file), method="paper", field="cone_sdf", parts=2)
     arguments = ["--method", "paper", "--field", "cone_sdf", "--parts", 2]
     program("segment", torus_file, *arguments, "-o", tmp_path / "torus.seg")
@@ -132,13 +132,13 @@ def test_segment_refuses_settings_that_it_does_not_have(torus_file, settings):
         sg.segment(sg.read(torus_file), **settings)
 
 
-def test_features_are_the_command_lines(torus_file, tmp_path):
+def test_features_match_the_command_line(torus_file, tmp_path):
     features = sg.describe(sg.read(torus_file), descriptor="d2", points=500)
     program("describe", torus_file, "--descriptor", "d2", "--set", "points=500", "-o", tmp_path / "d2.npy")
     np.testing.assert_array_equal(features, np.load(tmp_path / "d2.npy")[0].astype(np.float32))
 
 
-def test_scores_are_those_known_by_hand():
+def test_scores_match_a_hand_computation():
     scores = sg.evaluate(*toy(), name="toy")
     assert scores["NN"] == pytest.approx(4 / 7)
     assert scores.macro["FT"] == pytest.approx((1 / 3 + 1 / 2) / 2)
@@ -151,7 +151,7 @@ def test_scores_are_those_known_by_hand():
         scores["no such measure"]
 
 
-def test_scores_and_comparisons_are_the_command_lines(tmp_path):
+def test_scores_and_comparisons_match_the_command_line(tmp_path):
     generator = np.random.default_rng(5)
     labels = np.repeat(np.arange(12), 6)
     places = labels[:, None] + generator.normal(size=(72, 3))
@@ -170,7 +170,7 @@ def test_scores_and_comparisons_are_the_command_lines(tmp_path):
     assert "first" in repr(comparison) and r"\begin" in comparison.to_latex() and "|" in comparison.to_markdown()
 
 
-def test_reranked_distances_are_the_command_lines(tmp_path):
+def test_reranked_distances_match_the_command_line(tmp_path):
     distances, _ = toy()
     np.save(tmp_path / "toy.npy", distances)
     program("rerank", tmp_path / "toy.npy", "--neighbours", 3, "-o", tmp_path / "better.npy")
@@ -208,7 +208,7 @@ def test_features_do_not_depend_on_the_unit():
 SMALL = ["dataset.generate.classes=2", "dataset.generate.models_per_class=3", "dataset.generate.faces=1000"]
 
 
-def test_an_experiment_gives_the_command_lines_files(tmp_path):
+def test_an_experiment_writes_the_files_of_the_command_line(tmp_path):
     configuration = os.path.join(CONFIGS, "quickstart.json")
     done = sg.run(configuration, tmp_path / "python", settings=SMALL, cache="")
     sets = [word for one in SMALL for word in ("--set", one)]
@@ -218,7 +218,7 @@ def test_an_experiment_gives_the_command_lines_files(tmp_path):
     assert done.left_out == [] and "Results in" in repr(done)
 
 
-def test_a_segmentation_experiment_gives_the_command_lines_files(tmp_path):
+def test_a_segmentation_experiment_writes_the_files_of_the_command_line(tmp_path):
     document = {
         "name": "parts",
         "dataset": {"generate": {"classes": 1, "models_per_class": 2, "faces": 1000}},

@@ -43,7 +43,7 @@ def in_python(sentence):
     return re.sub(r"--(\w+) ([\d.]+)", r"\1=\2", re.sub(r"--(\w+) auto\b", r"\1='auto'", sentence))
 
 
-def test_leaks_are_warned_of(tmp_path):
+def test_offsets_below_the_gaps_warn(tmp_path):
     sg.write(tmp_path / "open.off", VERTICES, OPEN)
     shape = sg.read(tmp_path / "open.off")
     for offset in (0.02, "auto"):
@@ -69,7 +69,7 @@ def test_leaks_are_warned_of(tmp_path):
     assert found == []
 
 
-def test_the_offset_that_was_chosen_is_told(tmp_path):
+def test_the_chosen_offset_is_reported(tmp_path):
     sg.write(tmp_path / "cloud.ply", VERTICES)
     field, found = warned(lambda: sg.sdf(sg.read(tmp_path / "cloud.ply"), offset="auto"))
     program("sdf", tmp_path / "cloud.ply", "--method", "offset_sdf", "--offset", "auto", "--timings", tmp_path / "t.json",
@@ -136,7 +136,7 @@ def test_outliers_are_removed_on_request_or_by_auto(tmp_path):
     assert sorted(in_python(line) for line in lines) == sorted(told)
 
 
-def test_outliers_have_no_part_and_no_features():
+def test_outliers_have_neither_part_nor_features():
     points = ball_with_outliers(2)
     labels, told = warned(lambda: sg.segment(points, remove_outliers=True))
     assert (labels[[0, -1]] == -1).all() and (labels[1:-1] == sg.segment(points[1:-1])).all() and len(told) == 1
@@ -146,7 +146,7 @@ def test_outliers_have_no_part_and_no_features():
     assert any("outliers" in sentence for sentence in told)
 
 
-def test_normals_of_zero_are_none():
+def test_zero_normals_are_missing():
     points = ball_with_outliers(0)
     zero = np.zeros_like(points)
     assert (sg.sdf(points, offset="auto", normals=zero).values == sg.sdf(points, offset="auto").values).all()
@@ -188,7 +188,7 @@ def test_reranking_warns_as_the_command_line_does(tmp_path):
     assert "looks like a matrix of similarities; re-ranking takes distances" in found[0]
 
 
-def test_similarities_are_told_with_the_packages_argument():
+def test_apparent_similarities_name_the_argument():
     distances, labels = untied()
     similarities = distances.max() - distances
     _, found = warned(lambda: sg.evaluate(similarities, labels))

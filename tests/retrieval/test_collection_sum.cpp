@@ -80,7 +80,7 @@ TEST(CollectionSum, ACopyOfAMemberHasTheMembersRow) {
   }
 }
 
-TEST(CollectionSum, AModelFromElsewhereIsScaledByItsOwnNearest) {
+TEST(CollectionSum, AnExternalModelIsScaledByItsNearest) {
   const std::vector matrices = {point_distances(grouped_points(30, 3), 1)};
   const std::vector<RowSource> rows{rows_of(matrices.front())};
   const std::vector<double> one = {1};
@@ -105,7 +105,7 @@ TEST(CollectionSum, AQueryAmongDoublesIsScaledByAHundredthOfTheMedian) {
   EXPECT_GT(scales.least, 0);
 }
 
-TEST(CollectionSum, RefusesWeightsAndUnitsThatMeanNothing) {
+TEST(CollectionSum, RejectsInvalidWeightsAndUnits) {
   const Terms terms(grouped_points(20, 5));
   std::vector<RowSource> rows;
   for (const DistanceMatrix& matrix : terms.matrices) rows.push_back(rows_of(matrix));

@@ -97,14 +97,14 @@ DistanceMatrix averaged_reference(const DistanceMatrix& distances, const std::ve
   return with_original(similarities, distances, std::ranges::max(counts), tie);
 }
 
-TEST(Diffusion, IsWhatTheDefinitionSays) {
+TEST(Diffusion, MatchesTheDefinition) {
   const DistanceMatrix distances = distances_of(arcs(15, 3, 1));
   const DistanceMatrix expected = diffusion_reference(distances, 6, 0.9, 0.01);
   const DistanceMatrix found = diffused(distances, {.neighbours = 6, .damping = 0.9, .tie = 0.01});
   EXPECT_LT(largest_difference(found, (expected + expected.transpose()) / 2), 1e-9);
 }
 
-TEST(Diffusion, InvertsToTheBitAsEigen) {
+TEST(Diffusion, InverseMatchesEigenToTheBit) {
   for (const Eigen::Index size : {1, 3, 31, 32, 65, 129, 300, 517}) {
     const DistanceMatrix distances = distances_of(arcs(size, 1, 1));
     const DiffusionOptions options{.neighbours = 5, .tie = 0};
@@ -118,7 +118,7 @@ TEST(Diffusion, InvertsToTheBitAsEigen) {
   }
 }
 
-TEST(Diffusion, OfInfiniteDistancesIsWhatTheDefinitionSays) {
+TEST(Diffusion, MatchesTheDefinitionWithInfiniteDistances) {
   const DistanceMatrix distances = with_gaps(distances_of(arcs(20, 3, 1)));
   const DistanceMatrix expected = diffusion_reference(distances, 6, 0.9, 0.01);
   const DiffusionOptions options{.neighbours = 6, .damping = 0.9, .tie = 0.01};
@@ -129,7 +129,7 @@ TEST(Diffusion, OfInfiniteDistancesIsWhatTheDefinitionSays) {
   EXPECT_LT(infinite, (distances.array() == no_neighbour).count());  // walks connect some
 }
 
-TEST(Diffusion, RowsFromTheSparseSystemAreThoseOfTheDenseOne) {
+TEST(Diffusion, SparseRowsMatchTheDenseSolution) {
   const DistanceMatrix distances = distances_of(arcs(100, 3, 2));  // more than one block of rows
   const DistanceMatrix by_rows = diffused_by_rows(distances);
   const DistanceMatrix symmetric = (by_rows + by_rows.transpose()) / 2;
@@ -155,7 +155,7 @@ TEST(Diffusion, TiesKeepTheOriginalOrder) {
   }
 }
 
-TEST(AveragedDiffusion, IsWhatTheDefinitionSays) {
+TEST(AveragedDiffusion, MatchesTheDefinition) {
   const DistanceMatrix plain = distances_of(arcs(20, 3, 1));
   for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
     const DistanceMatrix expected = averaged_reference(distances, {4, 6, 11}, 0.9, 0.01);
@@ -179,7 +179,7 @@ TEST(AveragedDiffusion, NeedsNoNumberOfNeighboursThatFitsTheClasses) {
   }
 }
 
-TEST(DiffusedDiagonal, IsThatOfTheInverse) {
+TEST(DiffusedDiagonal, MatchesTheInverse) {
   const DistanceMatrix distances = distances_of(arcs(40, 3, 5));
   for (const double damping : {0.0, 0.3, 0.95}) {
     const auto graph = diffusion_graph(nearest_models(120, 7, rows_of(distances)), 7);

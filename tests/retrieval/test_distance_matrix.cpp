@@ -30,7 +30,7 @@ DistanceMatrix with_threads(const Signatures& signatures, std::size_t threads) {
   return distance_matrix(signatures);
 }
 
-TEST(DistanceMatrix, KnowsItsDistances) {
+TEST(DistanceMatrix, ListsItsDistances) {
   EXPECT_THAT(distances().names(),
               testing::ElementsAre("l1", "l2", "cosine", "chi2", "hellinger", "jensen-shannon", "emd"));
 }
@@ -52,7 +52,7 @@ TEST(DistanceMatrix, SameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(with_threads(signatures, 5), one);
 }
 
-TEST(DistanceMatrix, RowsAreThoseOfTheWhole) {
+TEST(DistanceMatrix, RowsMatchTheWholeMatrix) {
   const Signatures signatures = random_signatures(101, 43, 11);
   for (const std::string& distance : distances().names()) {
     const DistanceMatrix whole = distance_matrix(signatures, distance);
@@ -64,7 +64,7 @@ TEST(DistanceMatrix, RowsAreThoseOfTheWhole) {
   EXPECT_THROW(distance_rows(signatures, 100, 2, distances().at("l1")), ArgumentError);
 }
 
-TEST(DistanceMatrix, BlocksAreThoseOfTheWholeWhereverTheyBegin) {
+TEST(DistanceMatrix, BlocksMatchTheWholeMatrix) {
   const Signatures signatures = random_signatures(7, 5, 4);
   const DistanceMatrix whole = distance_matrix(signatures, "l2");
   for (const Eigen::Index first : {0, 2, 4}) {

@@ -97,7 +97,7 @@ TEST(DistanceRegistry, TakesADistanceFromOutsideTheLibrary) {
   EXPECT_EQ(distance_matrix(signatures, "chebyshev"), (DistanceMatrix{{0, 3, 2}, {3, 0, 4}, {2, 4, 0}}));
 }
 
-TEST(DistanceRegistry, RefusesWhatItCouldNotServe) {
+TEST(DistanceRegistry, RejectsIncompleteEntries) {
   const auto zero = [](std::span<const float>, std::span<const float>) { return 0.0; };
   EXPECT_THROW(distances().add({.name = "", .function = zero}), ArgumentError);
   EXPECT_THROW(distances().add({.name = "l1", .function = zero}), ArgumentError);

@@ -15,7 +15,7 @@ DistanceMatrix features_with_offset(double offset) {
   return DistanceMatrix{{0, 1.25, 3}, {1, 4.5, 2}, {5, 9.75, 6}, {2, 3, 3.5}}.array() + offset;
 }
 
-TEST(CheckFeatures, SayNothingOfUsualFeatures) {
+TEST(CheckFeatures, AcceptOrdinaryFeatures) {
   EXPECT_FALSE(check_features(features_with_offset(0)));
   EXPECT_FALSE(check_features(features_with_offset(0.1)));
 }

@@ -66,7 +66,7 @@ TEST(SumOfDistances, DoesNotDependOnTheScaleOfAMatrix) {
   EXPECT_EQ(sum_of_distances(plain, equal), sum_of_distances(scaled, equal));
 }
 
-TEST(FusionOfRanks, ReciprocalRanksAsTheDefinitionSays) {
+TEST(FusionOfRanks, ReciprocalRanksMatchTheDefinition) {
   const DistanceMatrix a = line_distances({0, 1, 3});
   const std::vector one = {a};
   const std::vector<double> weight = {1};
@@ -78,7 +78,7 @@ TEST(FusionOfRanks, ReciprocalRanksAsTheDefinitionSays) {
   EXPECT_EQ(fused, DistanceMatrix(fused.transpose()));
 }
 
-TEST(FusionOfRanks, BordaCountsThoseBehind) {
+TEST(FusionOfRanks, BordaCountsLowerRankedModels) {
   const DistanceMatrix a = line_distances({0, 1, 3});
   const DistanceMatrix b = line_distances({0, 3, 1});
   const std::vector both = {a, b};
@@ -99,7 +99,7 @@ TEST(FusionOfRanks, OnlyOrdersMatter) {
   }
 }
 
-TEST(FusionOfRanks, AWeightOfZeroLeavesAMatrixOut) {
+TEST(FusionOfRanks, AWeightOfZeroExcludesAMatrix) {
   const DistanceMatrix a = random_distances(30, 1);
   const DistanceMatrix b = random_distances(30, 2);
   const std::vector both = {a, b};
@@ -128,7 +128,7 @@ TEST(SumOfDistances, InfiniteStaysInfiniteAndScalesAreOfTheOthers) {
   }
 }
 
-TEST(SumOfDistances, HugeDistancesAreLikeOthers) {
+TEST(SumOfDistances, HandlesHugeDistances) {
   const DistanceMatrix a = random_distances(20, 1);
   const DistanceMatrix b = random_distances(20, 2);
   const std::vector plain = {a, b};
@@ -174,7 +174,7 @@ DistanceMatrix local_reference(const std::vector<DistanceMatrix>& matrices, cons
 
 const std::vector<double> unequal = {1, 0.25};
 
-TEST(LocalScale, IsWhatTheDefinitionSays) {
+TEST(LocalScale, MatchesTheDefinition) {
   const std::vector plain = {random_distances(40, 1), test::distances_of(test::arcs(20, 2, 2))};
   std::vector gaps = plain;
   gaps[1] = test::with_gaps(gaps[1]);
@@ -253,7 +253,7 @@ double common(const std::set<Eigen::Index>& a, const std::set<Eigen::Index>& b) 
   return static_cast<double>(std::ranges::count_if(a, [&](Eigen::Index model) { return b.contains(model); }));
 }
 
-TEST(SumWeights, AreWhatTheDefinitionSays) {
+TEST(SumWeights, MatchTheDefinition) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(1, 2), random_distances(30, 3)};
   const std::vector<double> given = {1, 0.5, 2};
   const std::vector<double> found = sum_weights(matrices, given, SumWeights::agreement);
@@ -300,7 +300,7 @@ TEST(SumWeights, OfPermutedModelsAreTheSameWithEqualDistancesToo) {
   EXPECT_LT(test::largest_difference(found, sum(order, order)), 1e-12);
 }
 
-TEST(SumWeights, AreAsGivenWhereNothingIsFound) {
+TEST(SumWeights, FallBackToTheGivenWeights) {
   const std::vector<DistanceMatrix> constant = {DistanceMatrix::Constant(20, 20, 1),
                                                 DistanceMatrix::Constant(20, 20, 2)};
   const std::vector<DistanceMatrix> one = {DistanceMatrix::Zero(1, 1), DistanceMatrix::Zero(1, 1)};
@@ -319,7 +319,7 @@ TEST(LocalSpread, IsTheSameAsRanks) {
             sum_of_distances(matrices, unequal, DistanceScale::ranks));
 }
 
-TEST(Disagreement, IsBetweenMatricesThatFindDifferentGroups) {
+TEST(Disagreement, FindsMatricesWithDifferentGroups) {
   const DistanceMatrix groups = test::distances_of(test::clusters(20, 6, 1));
   const std::vector<Eigen::Index> order = test::random_order(120, 5);
   const std::vector<DistanceMatrix> others = {groups, groups.cwiseAbs2(), groups(order, order)};
@@ -343,7 +343,7 @@ TEST(Fusion, SameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(std::memcmp(one.data(), on(4).data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
-TEST(FusionOfRanks, WhatNobodyRanksStaysInfinite) {
+TEST(FusionOfRanks, UnrankedModelsStayInfinite) {
   DistanceMatrix a = line_distances({0, 1, 3, 4});
   const DistanceMatrix b = a;
   for (const Eigen::Index i : {0, 1, 2}) a(i, 3) = a(3, i) = unreachable;
@@ -360,7 +360,7 @@ TEST(FusionOfRanks, WhatNobodyRanksStaysInfinite) {
   }
 }
 
-TEST(Fusion, RefusesWhatCannotBeAdded) {
+TEST(Fusion, RejectsIncompatibleMatrices) {
   const DistanceMatrix a = random_distances(5, 1);
   DistanceMatrix broken = a;
   broken(1, 2) = std::numeric_limits<double>::quiet_NaN();

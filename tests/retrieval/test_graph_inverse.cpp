@@ -44,7 +44,7 @@ TEST_P(GraphInverse, HasThisDiagonal) {
   }
 }
 
-TEST_P(GraphInverse, DenseInverseIsThatOfEigenToTheBit) {
+TEST_P(GraphInverse, DenseInverseMatchesEigenToTheBit) {
   EXPECT_EQ(positive_definite_inverse(system_), system_.llt().solve(Eigen::MatrixXd::Identity(50, 50)));
 }
 

@@ -40,7 +40,7 @@ TEST(Histogram, CountsEachValueByItsWeight) {
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.375F, 0.625F}));
 }
 
-TEST(Histogram, ABinHoldsItsLowerBorderAndTheLastBinBoth) {
+TEST(Histogram, BinsIncludeTheirLowerBoundAndTheLastAlsoTheUpper) {
   const auto result = histogram(evenly_weighted({0, 1, 2, 3, 4}), {0, 4}, with_bins(4));
   EXPECT_EQ(bins_of(result), (std::vector<float>{0.2F, 0.2F, 0.2F, 0.4F}));
 }
@@ -66,7 +66,7 @@ TEST(Histogram, ARangeNoWiderThanRoundingPutsAllInTheFirstBin) {
   EXPECT_EQ(bins_of(result), (std::vector<float>{1, 0, 0}));
 }
 
-TEST(Histogram, RefusesWhatHasNoHistogram) {
+TEST(Histogram, RejectsInputWithoutAHistogram) {
   const Interval range{0, 1};
   EXPECT_THROW(histogram(evenly_weighted({}), range, {}), ArgumentError);
   EXPECT_THROW(histogram(evenly_weighted({nan, nan}), range, {}), ArgumentError);
@@ -122,19 +122,19 @@ RC_GTEST_PROP(Histogram, SumsToOneAndDoesNotDependOnTheScaleOfWeights, ()) {
   RC_ASSERT(histogram(scaled, {0, 1}, options) == result);
 }
 
-TEST(ValueRange, IsThatOfFiniteValuesOfPositiveWeight) {
+TEST(ValueRange, EnclosesFiniteValuesOfPositiveWeight) {
   const auto range = value_range(field_of({3, nan, -infinity, infinity, -7, 5, 99}, {1, 1, 1, 1, 1, 2, 0}));
   ASSERT_TRUE(range);
   EXPECT_EQ(range->low, -7);
   EXPECT_EQ(range->high, 5);
 }
 
-TEST(ValueRange, IsNothingWhereNothingCounts) {
+TEST(ValueRange, IsEmptyWithoutValidValues) {
   EXPECT_FALSE(value_range(evenly_weighted({})));
   EXPECT_FALSE(value_range(field_of({nan, 1}, {1, 0})));
 }
 
-TEST(EnclosingInterval, HoldsAllIntervalsTightly) {
+TEST(EnclosingInterval, IsTheSmallestEnclosingInterval) {
   const std::vector<Interval> intervals = {{2, 3}, {-1, 0}, {0, 2.5}};
   const Interval enclosing = enclosing_interval(intervals);
   EXPECT_EQ(enclosing.low, -1);
@@ -199,7 +199,7 @@ TEST(GaussianSmoothing, MassAtABorderIsMirrored) {
   EXPECT_EQ(result[5], 0);
 }
 
-TEST(GaussianSmoothing, RefusesWhatIsOutOfRange) {
+TEST(GaussianSmoothing, RejectsWidthsOutOfRange) {
   const Eigen::VectorXd histogram = Eigen::VectorXd::Ones(3);
   EXPECT_THROW(smooth_gaussian(Eigen::VectorXd(), 1), ArgumentError);
   EXPECT_THROW(smooth_gaussian(histogram, -0.5), ArgumentError);
@@ -252,7 +252,7 @@ TEST(Concatenate, WorksRowByRow) {
   EXPECT_EQ(concatenate(parts), expected);
 }
 
-TEST(Concatenate, RefusesWhatCannotBeNormalised) {
+TEST(Concatenate, RejectsHistogramsThatCannotBeNormalised) {
   EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{}), ArgumentError);
   EXPECT_THROW(concatenate(std::vector<Signatures>{}), ArgumentError);
   EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({0, 0})}), ArgumentError);

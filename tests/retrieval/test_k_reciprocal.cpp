@@ -86,7 +86,7 @@ TEST(KReciprocal, NeighboursOfEachOtherAreNearerThanOthers) {
   EXPECT_NEAR(found(3, 4), 1, 1e-12);
 }
 
-TEST(KReciprocal, IsWhatTheDefinitionSays) {
+TEST(KReciprocal, MatchesTheDefinition) {
   for (const DistanceMatrix& plain : {distances_of(arcs(9, 3, 1)), distances_of(clusters(8, 4, 2))}) {
     for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
       for (const int k1 : {5, 8}) {

@@ -9,7 +9,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(MeanDistanceToNearest, IsThatOfTheTenNearest) {
+TEST(MeanDistanceToNearest, UsesTheTenNearest) {
   std::vector<double> distances{50};
   for (int i = 12; i > 0; --i) distances.push_back(i);
   EXPECT_DOUBLE_EQ(mean_distance_to_nearest(distances), 5.5);

@@ -71,7 +71,7 @@ TEST(MutualRanks, DependOnOrdersOnly) {
   EXPECT_EQ(log_ranks(1e300 * matrix.cwiseSqrt()), log_ranks(matrix));
 }
 
-TEST(MutualRanks, AQueryNearerThanTheNearestHasARankBelowOne) {
+TEST(MutualRanks, AQueryCloserThanTheNearestHasRankBelowOne) {
   const std::vector<double> line{0, 2, 4};
   const Eigen::RowVectorXd at_ranks = distances_at_ranks(line, 0);
   EXPECT_EQ(at_ranks, (Eigen::RowVectorXd{{2, 4}}));

@@ -18,7 +18,7 @@ DistanceMatrix with_a_far_model() {
                         {unreachable, unreachable, unreachable, 0}};
 }
 
-TEST(NearestModels, AreInOrderWithTiesByIndexAndWithoutTheInfinitelyFar) {
+TEST(NearestModels, AreSortedWithTiesByIndexAndExcludeInfiniteDistances) {
   const DistanceMatrix matrix = with_a_far_model();
   const NearestModels nearest = nearest_models(4, 2, rows_of(matrix));
   EXPECT_EQ(nearest.indices.row(0), (Eigen::RowVector2i{2, 1}));
@@ -44,7 +44,7 @@ TEST(NearestModels, RefuseWrongNumbers) {
   EXPECT_THROW(rows_of(wide), ArgumentError);
 }
 
-TEST(NearestModels, NameTheWrongDistance) {
+TEST(NearestModels, NameTheInvalidDistance) {
   for (const double wrong : {-1.0, std::nan("")}) {
     DistanceMatrix matrix = DistanceMatrix::Ones(300, 300);  // of two blocks
     matrix(270, 3) = wrong;
@@ -82,7 +82,7 @@ TEST(MeanDistance, IgnoresInfiniteOnesIfThereAreFiniteOnes) {
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd(0)), 0);
 }
 
-TEST(SafeFactor, BringsExtremeDistancesWhereTheirSquaresExist) {
+TEST(SafeFactor, ScalesExtremeDistancesToFiniteSquares) {
   EXPECT_EQ(safe_factor(1), 1);
   EXPECT_EQ(safe_factor(0), 1);
   for (const double extreme : {1e300, 1e-300}) {

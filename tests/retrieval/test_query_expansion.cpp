@@ -42,7 +42,7 @@ DistanceMatrix expansion_reference(const DistanceMatrix& distances, std::size_t 
   return mean_with_transposed(result);
 }
 
-TEST(QueryExpansion, IsWhatTheDefinitionSays) {
+TEST(QueryExpansion, MatchesTheDefinition) {
   const DistanceMatrix plain = distances_of(arcs(15, 3, 1));
   for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
     expect_near(query_expansion(distances, {.neighbours = 4}), expansion_reference(distances, 4), 1e-12);

@@ -76,7 +76,7 @@ TEST_P(Reranking, SameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(std::memcmp(one.data(), four.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
-TEST_P(Reranking, FewModelsAndEqualOnesAreNoTrouble) {
+TEST_P(Reranking, HandlesFewAndEqualModels) {
   for (const Eigen::Index size : {1, 2, 3}) {
     const DistanceMatrix found = GetParam().rerank(distances_of(arcs(size, 1, 1)));
     EXPECT_EQ(found.rows(), size);
@@ -94,7 +94,7 @@ DistanceMatrix with_isolated_model(const DistanceMatrix& distances) {
   return result;
 }
 
-TEST_P(Reranking, AModelWithoutNeighboursStaysSoAndChangesNothingForTheOthers) {
+TEST_P(Reranking, IsolatedModelsDoNotAffectOthers) {
   const DistanceMatrix distances = distances_of(arcs(25, 3, 5));
   const DistanceMatrix expected = with_isolated_model(GetParam().rerank(distances));
   expect_near(GetParam().rerank(with_isolated_model(distances)), expected, 2e-6);
@@ -104,7 +104,7 @@ TEST_P(Reranking, AModelWithoutNeighboursStaysSoAndChangesNothingForTheOthers) {
   EXPECT_EQ(GetParam().rerank(nothing), all_isolated);
 }
 
-TEST_P(Reranking, HugeAndTinyDistancesAreLikeOthers) {
+TEST_P(Reranking, HandlesHugeAndTinyDistances) {
   const DistanceMatrix distances = distances_of(arcs(25, 3, 5));
   const DistanceMatrix expected = GetParam().rerank(distances);
   const bool has_unit = std::string_view(GetParam().name).ends_with("query_expansion");
@@ -126,7 +126,7 @@ TEST_P(Reranking, OneFarModelLeavesAllDistancesFinite) {
   }
 }
 
-TEST_P(Reranking, TheDiagonalPlaysNoPart) {
+TEST_P(Reranking, IgnoresTheDiagonal) {
   DistanceMatrix distances = distances_of(arcs(10, 3, 5));
   const DistanceMatrix expected = GetParam().rerank(distances);
   for (const double own : {no_neighbour, 1e308, 0.5}) {
@@ -146,7 +146,7 @@ TEST_P(Reranking, CanBeInterrupted) {
                Interrupted);
 }
 
-TEST_P(Reranking, RefusesDistancesThatAreNone) {
+TEST_P(Reranking, RejectsInvalidDistances) {
   DistanceMatrix distances = distances_of(arcs(5, 2, 1));
   distances(2, 3) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(GetParam().rerank(distances), ArgumentError);
@@ -154,7 +154,7 @@ TEST_P(Reranking, RefusesDistancesThatAreNone) {
   EXPECT_THROW(GetParam().rerank(distances), ArgumentError);
 }
 
-TEST(NearestModels, AreInOrderAndTheLesserIndexFirst) {
+TEST(NearestModels, AreSortedWithTiesByIndex) {
   DistanceMatrix distances(4, 4);
   distances << 0, 2, 1, 2, 2, 0, 3, 1, 1, 3, 0, 3, 2, 1, 3, 0;
   const NearestModels nearest = nearest_models(4, 2, rows_of(distances));

@@ -22,7 +22,7 @@ std::vector<PartExample> examples(int count, std::uint64_t seed) {
   return result;
 }
 
-TEST(PartModelTraining, LearnsWhatIsNotLinear) {
+TEST(PartModelTraining, LearnsANonLinearFunction) {
   const PartModel model = train_part_model(examples(4000, 1), {.networks = 2, .epochs = 40});
   int right = 0;
   const std::vector<PartExample> others = examples(1000, 2);
@@ -56,12 +56,12 @@ TEST(PartModelTraining, IsRepeatable) {
   EXPECT_EQ(first.output_bias, second.output_bias);
 }
 
-TEST(PartModelTraining, RefusesNothingToLearn) {
+TEST(PartModelTraining, RejectsAnEmptyTrainingSet) {
   EXPECT_THROW(train_part_model({}, {}), ArgumentError);
   EXPECT_THROW(train_part_model(examples(5, 1), {.hidden_units = 0}), ArgumentError);
 }
 
-TEST(PartExamples, SayHowManyPairsPeoplePutTogether) {
+TEST(PartExamples, HaveTheMeanNumberOfPairsThatPeopleJoin) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 1, 1};
   const Eigen::MatrixXd together = pairs_together(patch, 2, {{7, 7, 7, 7, 9}, {1, 2, 2, 2, 2}});
   EXPECT_DOUBLE_EQ(together(0, 1), (4 + 3) / 2.0);

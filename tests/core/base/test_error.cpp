@@ -7,7 +7,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(Printable, ControlCharactersAreReplacedAndTheRestIsCut) {
+TEST(Printable, ReplacesControlCharactersAndCutsLongText) {
   EXPECT_EQ(printable("", 3), "");
   EXPECT_EQ(printable("abc", 3), "abc");
   EXPECT_EQ(printable("abcd", 3), "abc...");
@@ -15,7 +15,7 @@ TEST(Printable, ControlCharactersAreReplacedAndTheRestIsCut) {
   EXPECT_EQ(printable("\xC3\xA9", 10), "\xC3\xA9");
 }
 
-TEST(Printable, NothingThatATerminalObeysIsLeft) {
+TEST(Printable, ReplacesTerminalEscapes) {
   EXPECT_EQ(printable("a\x1b[31mb"), "a?[31mb");
   EXPECT_EQ(printable("\xC2\x9B"
                       "31m"),
@@ -28,12 +28,12 @@ TEST(Printable, NothingThatATerminalObeysIsLeft) {
   EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");
 }
 
-TEST(Printable, NothingThatTurnsTheTextIsLeft) {
+TEST(Printable, ReplacesBidirectionalControls) {
   EXPECT_EQ(printable("a\u202Eb\u2066c\u200Fd\u061C"), "a?b?c?d?");
   EXPECT_EQ(printable("\u200D\u2010\u2029\u202F\u2065\u206A"), "\u200D\u2010\u2029\u202F\u2065\u206A");
 }
 
-TEST(Printable, WhatIsNotUtf8IsReplacedAndNoCharacterIsCut) {
+TEST(Printable, ReplacesInvalidUtf8AndCutsBetweenCharacters) {
   EXPECT_EQ(printable("caf\xE9"), "caf?");
   EXPECT_EQ(printable("\xE0\x80\x80"), "???");
   EXPECT_EQ(printable("\xED\xA0\x80"), "???");
@@ -43,7 +43,7 @@ TEST(Printable, WhatIsNotUtf8IsReplacedAndNoCharacterIsCut) {
   EXPECT_EQ(printable("a\xC3\xA9", 2), "a...");
 }
 
-TEST(InputError, IsPrintableWhateverItNames) {
+TEST(InputError, HasAPrintableMessage) {
   EXPECT_STREQ(InputError("cannot read a\x1b]0;title\n.off").what(), "cannot read a?]0;title?.off");
 }
 

@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(Cancellation, RunsTheWorkAndThrowsWhatItThrows) {
+TEST(Cancellation, RunsTheWorkAndPassesOnItsExceptions) {
   Cancellation cancellation;
   int done = 0;
   cancellation.run([&] { ++done; });
@@ -23,7 +23,7 @@ TEST(Cancellation, RunsTheWorkAndThrowsWhatItThrows) {
   EXPECT_NO_THROW(cancellation.run([] { check_interruption(); }));
 }
 
-TEST(Cancellation, RunsNothingThatIsCancelledBefore) {
+TEST(Cancellation, DoesNotStartCancelledWork) {
   Cancellation cancellation;
   cancellation.cancel();
   EXPECT_TRUE(cancellation.requested());
@@ -61,7 +61,7 @@ TEST(Cancellation, EndsASerialLoop) {
   EXPECT_THROW(cancellation.run([] {}), Interrupted);
 }
 
-TEST(Cancellation, LeavesOtherWorkAlone) {
+TEST(Cancellation, DoesNotAffectOtherWork) {
   Cancellation cancelled;
   cancelled.cancel();
   Cancellation other;

@@ -10,14 +10,14 @@ namespace shapegauge {
 
 namespace {
 
-TEST(Median, OfSortedNumbersIsInTheMiddle) {
+TEST(Median, IsTheMiddleOfSortedNumbers) {
   EXPECT_EQ(sorted_median(std::vector<double>{4}), 4);
   EXPECT_EQ(sorted_median(std::vector<double>{1, 4}), 2.5);
   EXPECT_EQ(sorted_median(std::vector<double>{1, 4, 9}), 4);
   EXPECT_EQ(sorted_median(std::vector<double>{1, 4, 9, 100}), 6.5);
 }
 
-TEST(Median, UpperMedianIsThatOfTheSortedNumbers) {
+TEST(Median, UpperMedianMatchesSorting) {
   RandomNumbers random(1);
   for (std::size_t count = 1; count < 50; ++count) {
     std::vector<double> values(count);

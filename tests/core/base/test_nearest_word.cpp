@@ -16,9 +16,9 @@ TEST(EditDistance, CountsEdits) {
   EXPECT_EQ(edit_distance("", "abc"), 3U);
 }
 
-TEST(EditDistance, SwapOfNeighboursIsOneEdit) { EXPECT_EQ(edit_distance("filed", "field"), 1U); }
+TEST(EditDistance, SwappingNeighboursIsOneEdit) { EXPECT_EQ(edit_distance("filed", "field"), 1U); }
 
-TEST(EditDistance, CaseDoesNotCount) { EXPECT_EQ(edit_distance("Embree", "EMBREE"), 0U); }
+TEST(EditDistance, IgnoresCase) { EXPECT_EQ(edit_distance("Embree", "EMBREE"), 0U); }
 
 RC_GTEST_PROP(EditDistance, IsSymmetricAndBoundedByTheLongerWord, (const std::string& a, const std::string& b)) {
   RC_ASSERT(edit_distance(a, b) == edit_distance(b, a));
@@ -28,19 +28,19 @@ RC_GTEST_PROP(EditDistance, IsSymmetricAndBoundedByTheLongerWord, (const std::st
 
 const std::vector<std::string> settings{"bins", "range", "smoothing_bins"};
 
-TEST(NearestWord, FindsWhatWasMeant) {
+TEST(NearestWord, FindsTheIntendedWord) {
   EXPECT_EQ(nearest_word("bin", settings), "bins");
   EXPECT_EQ(nearest_word("smoothing", settings), std::nullopt);
   EXPECT_EQ(nearest_word("smooting_bin", settings), "smoothing_bins");
 }
 
-TEST(NearestWord, NothingForAnotherWord) { EXPECT_EQ(nearest_word("colour", settings), std::nullopt); }
+TEST(NearestWord, FindsNothingForUnrelatedWords) { EXPECT_EQ(nearest_word("colour", settings), std::nullopt); }
 
-TEST(NearestWord, AShortWordIsNotNearToEverything) {
+TEST(NearestWord, ShortWordsMatchFewWords) {
   EXPECT_EQ(nearest_word("xy", std::vector<std::string>{"l1", "at"}), std::nullopt);
 }
 
-TEST(NearestWord, EndlessWordsAreNotCompared) {
+TEST(NearestWord, SkipsVeryLongWords) {
   const std::string endless(1'000'000, 'x');
   EXPECT_EQ(nearest_word(endless, std::vector<std::string>{endless + 'y'}), std::nullopt);
 }
@@ -51,7 +51,7 @@ TEST(Suggestion, NamesTheNearestOrAll) {
   EXPECT_EQ(suggestion("colour", {}), "");
 }
 
-TEST(NoSuchWord, NamesTheKindAndTheBeginningOfTheWord) {
+TEST(NoSuchWord, NamesTheKindAndTheStartOfTheWord) {
   EXPECT_EQ(unknown_word_message("setting", "rnage", settings),
             "there is no setting \"rnage\"; did you mean \"range\"?");
   EXPECT_EQ(unknown_word_message("setting", std::string(50, 'x'), {}),

@@ -66,7 +66,7 @@ TEST(OptionParameters, HaveTheKindsAndDefaultsOfTheMembers) {
   EXPECT_TRUE(values.boolean("wanted"));
 }
 
-TEST(OptionParameters, BecomeOptionsAgain) {
+TEST(OptionParameters, ConvertBackToOptions) {
   ParameterValues values(sample_parameters);
   values.set("count", std::int64_t{7});
   values.set("wanted", false);
@@ -77,7 +77,7 @@ TEST(OptionParameters, BecomeOptionsAgain) {
   EXPECT_THROW(values.set("count", std::int64_t{10}), InputError);
 }
 
-TEST(OptionParameters, EnumerationsAreWords) {
+TEST(OptionParameters, WriteEnumerationsAsWords) {
   EXPECT_EQ(word_parameters[0].kind, ParameterKind::choice);
   EXPECT_TRUE(word_parameters[1].required());
   ParameterValues values(word_parameters);
@@ -92,7 +92,7 @@ TEST(OptionParameters, EnumerationsAreWords) {
   EXPECT_THROW(check_options("x", word_table, {.inner = {.count = 0}}), InputError);
 }
 
-TEST(OptionParameters, ListsAreOfOneNumberOfSeveralOrAutomatic) {
+TEST(OptionParameters, ListsHoldOneOrSeveralNumbersOrAuto) {
   ParameterValues values(sample_parameters);
   const auto sizes = [&] { return options_from(sample_table, values).sizes; };
   EXPECT_EQ(sizes(), (IntegerList{2, 4}));
@@ -108,7 +108,7 @@ TEST(OptionParameters, ListsAreOfOneNumberOfSeveralOrAutomatic) {
   EXPECT_THROW(IntegerList(std::vector<std::int64_t>(17, 1)), ArgumentError);
 }
 
-TEST(OptionParameters, AreFoundByNameAndMayBeDescribedAnew) {
+TEST(OptionParameters, AreFoundByNameAndCanBeRedescribed) {
   EXPECT_EQ(parameter_named("share", sample_table).bounds.high, 1);
   EXPECT_EQ(parameter_named("sizes", sample_table).kind, ParameterKind::integers);
   constexpr auto count = with_description("Another one.", sample_table[0]);
@@ -127,7 +127,7 @@ TEST(OptionParameters, ValuesOfOptionsMakeTheSameOptions) {
   EXPECT_THROW(values_of(sample_parameters, sample_table, {.count = 0}), InputError);
 }
 
-TEST(OptionParameters, BoundsHoldForOptionsToo) {
+TEST(OptionParameters, OptionsAreCheckedAgainstBounds) {
   EXPECT_NO_THROW(check_options("x", sample_table, SampleOptions{}));
   EXPECT_THROW(check_options("x", sample_table, {.count = 0}), InputError);
   EXPECT_THROW(check_options("x", sample_table, {.share = 1}), InputError);

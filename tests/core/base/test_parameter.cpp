@@ -69,7 +69,7 @@ TEST(ParameterValues, BeginWithTheDefaults) {
   EXPECT_THROW(values.require_complete(), InputError);  // the offset has no default
 }
 
-TEST(ParameterValues, TakeWhatTheParametersAllow) {
+TEST(ParameterValues, AcceptValidValues) {
   ParameterValues values(parameters);
   values.set("offset", 1);  // a whole number is a number
   values.set("rays", 100);
@@ -84,7 +84,7 @@ TEST(ParameterValues, TakeWhatTheParametersAllow) {
   EXPECT_EQ(values.word("offset"), "auto");
 }
 
-TEST(ParameterValues, AWordOutlivesItsSource) {
+TEST(ParameterValues, WordsOutliveTheirSource) {
   ParameterValues values(parameters);
   {
     std::string source = "cgal";
@@ -94,7 +94,7 @@ TEST(ParameterValues, AWordOutlivesItsSource) {
   EXPECT_EQ(values.word("engine"), "cgal");
 }
 
-TEST(ParameterValues, RejectEverythingElse) {
+TEST(ParameterValues, RejectInvalidValues) {
   ParameterValues values(parameters);
   EXPECT_THROW(values.set("offset", 0.0), InputError);
   EXPECT_THROW(values.set("offset", std::string_view("embree")), InputError);
@@ -109,7 +109,7 @@ TEST(ParameterValues, RejectEverythingElse) {
   EXPECT_EQ(values.integer("rays"), 25) << "a rejected value leaves the old one";
 }
 
-TEST(ParseValue, ReadsWhatTextsSpell) {
+TEST(ParseValue, ParsesValidText) {
   EXPECT_EQ(parse_value(parameters[0], "2e-1"), ParameterValue(0.2));
   EXPECT_EQ(parse_value(parameters[0], "auto"), ParameterValue("auto"));
   EXPECT_EQ(parse_value(parameters[1], "7"), ParameterValue(std::int64_t{7}));
@@ -121,7 +121,7 @@ TEST(ParseValue, ReadsWhatTextsSpell) {
   EXPECT_EQ(to_string(parse_value(sizes, "3,1,2")), "3,1,2");
 }
 
-TEST(ParseValue, RefusesOtherText) {
+TEST(ParseValue, RejectsInvalidText) {
   constexpr Parameter sizes{.name = "sizes", .kind = ParameterKind::integers, .bounds = {.low = 1}, .description = ""};
   for (const std::string_view text : {"", "3,", ",3", "3;4", "3 4", "0", "1,2,3,4,5,6,7,8,9,1,2,3,4,5,6,7,8", "1.5"}) {
     EXPECT_THROW(parse_value(sizes, text), InputError) << text;
@@ -136,7 +136,7 @@ TEST(ParseValue, RefusesOtherText) {
   EXPECT_THROW(parse_value(parameters[3], "other"), InputError);
 }
 
-TEST(ParameterValues, SayWhatIsLegal) {
+TEST(ParameterValues, ErrorsStateTheValidValues) {
   ParameterValues values(parameters);
   const auto message_of = [&](std::string_view name, const ParameterValue& value) -> std::string {
     try {

@@ -11,7 +11,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(RandomNumbers, AStreamRepeatsAndStreamsDiffer) {
+TEST(RandomNumbers, StreamsAreReproducibleAndDifferent) {
   RandomNumbers a(5, 1);
   RandomNumbers b(5, 1);
   RandomNumbers other_stream(5, 2);
@@ -24,7 +24,7 @@ TEST(RandomNumbers, AStreamRepeatsAndStreamsDiffer) {
   }
 }
 
-TEST(RandomNumbers, NoTwoStreamsOfASeedBeginAlike) {
+TEST(RandomNumbers, StreamsOfOneSeedBeginDifferently) {
   std::set<std::uint64_t> first;
   for (std::uint64_t stream = 0; stream < 1000; ++stream) first.insert(RandomNumbers(5, stream).next());
   EXPECT_EQ(first.size(), 1000U);
@@ -48,7 +48,7 @@ TEST(RandomNumbers, UniformStaysInRangeAndHasItsMeanAndVariance) {
   EXPECT_NEAR(squares / n - mean * mean, 3, 0.05);
 }
 
-TEST(RandomNumbers, BelowDrawsEveryNumberAboutAsOften) {
+TEST(RandomNumbers, BelowIsUniform) {
   RandomNumbers random(1);
   constexpr int n = 70000;
   std::array<int, 7> drawn{};
@@ -58,7 +58,7 @@ TEST(RandomNumbers, BelowDrawsEveryNumberAboutAsOften) {
   EXPECT_EQ(random.below(1), 0U);
 }
 
-TEST(RandomSubset, HasTheSizeAskedForAndTakesEveryItemEquallyOften) {
+TEST(RandomSubset, HasTheRequestedSizeAndIsUniform) {
   RandomNumbers random(2);
   std::array<int, 8> times{};
   for (int i = 0; i < 40000; ++i) {

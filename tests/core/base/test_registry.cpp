@@ -29,7 +29,7 @@ void check_visible(const Colour& colour) {
   if (colour.wavelength < 380 || colour.wavelength > 750) throw ArgumentError("cannot be seen: " + colour.name);
 }
 
-TEST(Registry, HasTheLibrarysEntriesThenThoseAddedInTheirOrder) {
+TEST(Registry, ListsBuiltInEntriesThenAddedOnesInOrder) {
   Registry<Colour> colours("colour", {{"red", 700}, {"green", 530}}, has_functions<>);
   colours.add({"blue", 470});
   EXPECT_THAT(colours.names(), ElementsAre("red", "green", "blue"));
@@ -39,7 +39,7 @@ TEST(Registry, HasTheLibrarysEntriesThenThoseAddedInTheirOrder) {
   EXPECT_EQ(colours.find_if([](const Colour& colour) { return colour.wavelength < 600; })->name, "green");
 }
 
-TEST(Registry, RefusesAnEntryWithoutANameOrWithOneThatIsTakenOrUnusable) {
+TEST(Registry, RejectsEntriesWithMissingTakenOrInvalidNames) {
   Registry<Colour> colours("colour", {{"red", 700}}, has_functions<>, check_visible);
   EXPECT_THROW(colours.add({"", 500}), InputError);
   EXPECT_THROW(colours.add({"red", 690}), InputError);
@@ -58,7 +58,7 @@ TEST(Registry, RefusesAnEntryWithoutItsFunctions) {
   EXPECT_THAT(mixtures.names(), ElementsAre("grey"));
 }
 
-TEST(Registry, SaysWhatWasProbablyMeant) {
+TEST(Registry, SuggestsTheNearestName) {
   const Registry<Colour> colours("colour", {{"red", 700}, {"green", 530}}, has_functions<>);
   EXPECT_THAT([&] { return colours.at("gren"); },
               ThrowsMessage<InputError>(R"(there is no colour "gren"; did you mean "green"?)"));
@@ -66,7 +66,7 @@ TEST(Registry, SaysWhatWasProbablyMeant) {
               ThrowsMessage<InputError>(R"(there is no colour "ultramarine"; known here: "red", "green")"));
 }
 
-TEST(Registry, EntriesStayWhereTheyAreWhileThreadsAddOthers) {
+TEST(Registry, AddressesOfEntriesAreStableUnderConcurrentAdds) {
   Registry<Colour> colours("colour", {{"red", 700}}, has_functions<>);
   const Colour& red = colours.at("red");
   std::vector<std::thread> threads;

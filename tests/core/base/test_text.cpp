@@ -24,25 +24,25 @@ TEST(Lines, EndInLfOrCrLf) {
   EXPECT_THAT(split_lines(""), ElementsAre());
 }
 
-TEST(Lines, AByteOrderMarkIsNoPartOfTheFirstLine) {
+TEST(Lines, SkipAByteOrderMark) {
   EXPECT_THAT(split_lines("\xEF\xBB\xBFx\ny"), ElementsAre("x", "y"));
   EXPECT_THAT(split_lines("\xEF\xBB\xBF"), ElementsAre());
 }
 
-TEST(Lines, OuterBlanksGo) {
+TEST(Lines, AreTrimmed) {
   EXPECT_EQ(trim(" \ta b\t "), "a b");
   EXPECT_EQ(trim(" \t"), "");
   EXPECT_EQ(trim(""), "");
 }
 
-TEST(LowerCase, ChangesTheCapitalsOfAsciiAlone) {
+TEST(LowerCase, ChangesAsciiCapitalsOnly) {
   EXPECT_EQ(lower_case(".OFF"), ".off");
   EXPECT_EQ(lower_case("AZaz09@[`{ -"), "azaz09@[`{ -");
   EXPECT_EQ(lower_case("\xC3\x89"), "\xC3\x89");
   EXPECT_EQ(lower_case(""), "");
 }
 
-TEST(ParseNumber, TakesTheUsualSpellings) {
+TEST(ParseNumber, AcceptsCommonNotations) {
   EXPECT_EQ(parse_number("1"), 1.0);
   EXPECT_EQ(parse_number("+.5"), 0.5);
   EXPECT_EQ(parse_number("-2e-3"), -2e-3);
@@ -52,23 +52,23 @@ TEST(ParseNumber, TakesTheUsualSpellings) {
   EXPECT_TRUE(std::isnan(parse_number("nan").value()));
 }
 
-TEST(ParseNumber, RefusesAllElse) {
+TEST(ParseNumber, RejectsOtherText) {
   for (const char* const word : {"", "+", "+-1", "++1", "1,5", "1 ", " 1", "0x10", "one", "1e", "1e999", "T1"}) {
     EXPECT_FALSE(parse_number(word)) << word;
   }
 }
 
-RC_GTEST_PROP(ParseNumber, ReadsBackWhatIsWrittenShortest, (double value)) {
+RC_GTEST_PROP(ParseNumber, ReadsBackShortestRepresentations, (double value)) {
   RC_ASSERT(parse_number(fmt::format("{}", value)) == value);
 }
 
-TEST(Counted, HasTheWordForOneOrForSeveral) {
+TEST(Counted, UsesSingularAndPlural) {
   EXPECT_EQ(count_text(1, "row", "rows"), "1 row");
   EXPECT_EQ(count_text(0, "row", "rows"), "0 rows");
   EXPECT_EQ(count_text(1234, "row", "rows"), "1234 rows");
 }
 
-TEST(TwoDigits, HaveNoShortExponent) {
+TEST(TwoDigits, NeverUseAnExponent) {
   EXPECT_EQ(two_digits(0.1234), "0.12");
   EXPECT_EQ(two_digits(99.4), "99");
   EXPECT_EQ(two_digits(99.9), "100");
@@ -76,7 +76,7 @@ TEST(TwoDigits, HaveNoShortExponent) {
   EXPECT_EQ(two_digits(1e9), "1e+09");
 }
 
-TEST(PlainNumber, HasItsDigitsAndNoExponent) {
+TEST(PlainNumber, NeverUsesAnExponent) {
   const std::vector<std::pair<double, std::string>> cases{{0, "0"},
                                                           {6, "6"},
                                                           {1.7320508, "1.73205"},
@@ -87,7 +87,7 @@ TEST(PlainNumber, HasItsDigitsAndNoExponent) {
   for (const auto& [number, text] : cases) EXPECT_EQ(plain_number(number, 6), text);
 }
 
-TEST(QuotedWord, StandsInQuotationMarksOnOneLine) {
+TEST(QuotedWord, IsQuotedOnOneLine) {
   EXPECT_EQ(quoted_word("T12"), "\"T12\"");
   EXPECT_EQ(quoted_word(""), "\"\"");
   EXPECT_EQ(quoted_word(std::string_view("a\nb\0c\x7f", 6)), "\"a?b?c?\"");

@@ -37,7 +37,7 @@ ScalarField noisy_step(const Samples& samples, double noise) {
   return field;
 }
 
-TEST(Bilateral, AStepSurvivesAndNoiseGoes) {
+TEST(Bilateral, KeepsStepsAndRemovesNoise) {
   for (const Site& site : sites()) {
     const ScalarField field = noisy_step(site.samples, 0.1);
     const ScalarField smooth =
@@ -51,7 +51,7 @@ TEST(Bilateral, AStepSurvivesAndNoiseGoes) {
   }
 }
 
-TEST(Bilateral, AWideGaussianOfValuesOnlyBlurs) {
+TEST(Bilateral, BecomesAPlainBlurForLargeValueWidths) {
   const Site site = sites()[1];
   const ScalarField step = noisy_step(site.samples, 0);
   const BilateralOptions options = {.iterations = 3, .spatial_width = 0.05, .value_width = 100};
@@ -59,7 +59,7 @@ TEST(Bilateral, AWideGaussianOfValuesOnlyBlurs) {
   EXPECT_GT((blurred.values - step.values).cwiseAbs().maxCoeff(), 0.25);
 }
 
-TEST(Bilateral, ValuesStayBetweenTheLeastAndTheGreatest) {
+TEST(Bilateral, StaysWithinTheRangeOfTheValues) {
   const Site site = sites()[0];
   const ScalarField field = noisy_step(site.samples, 1);
   const ScalarField smooth = bilateral_smoothing(site.shape, site.samples, field, {.iterations = 2});
@@ -76,7 +76,7 @@ TEST(Bilateral, NoIterationsAndNoDifferencesChangeNothing) {
   EXPECT_TRUE(bilateral_smoothing(site.shape, site.samples, flat).values.isApprox(flat.values, 1e-14));
 }
 
-TEST(Bilateral, WhatIsNotANumberStaysAndDoesNotSpread) {
+TEST(Bilateral, KeepsNanAndDoesNotSpreadIt) {
   const Site site = sites()[0];
   ScalarField field = noisy_step(site.samples, 0.1);
   field.values[10] = std::numeric_limits<double>::quiet_NaN();

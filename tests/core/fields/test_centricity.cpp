@@ -68,7 +68,7 @@ TEST(CentricityOfDisc, IsTwoThirdsOfTheRadiusInTheMiddle) {
   EXPECT_NEAR(at_vertices(disc(12), {.measure = Centricity::eccentricity})[0], 1, 0.03);
 }
 
-TEST(CentricityOfDisc, AllSourcesAreTheDefinition) {
+TEST(CentricityOfDisc, MatchesTheDefinitionWithAllSources) {
   const Shape shape = disc(4);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const GeodesicDistances distances = geodesic_distances(shape);
@@ -115,13 +115,13 @@ TEST(Centricity, FacesAndSurfaceSamplesLieBetweenTheirCorners) {
   EXPECT_NEAR(at_faces[0], corners(shape.triangles.row(0)).mean(), 1e-12);
 }
 
-TEST(Centricity, InterpolationIsExactForWhatIsLinear) {
+TEST(Centricity, InterpolatesLinearFieldsExactly) {
   const Shape shape = sphere(1, 1);
   const Samples surface = sample_surface(shape, 100);
   EXPECT_LT((at_samples(shape, surface, shape.vertices) - surface.points).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(Centricity, SomeOfACloudsPointsHaveTheValuesOfAll) {
+TEST(Centricity, SubsetsOfACloudHaveTheSameValues) {
   const Shape cloud = test::random_points(sphere(1, 2), 300, 1);
   const Samples some = sample_surface(cloud, 40);
   EXPECT_EQ(at_samples(cloud, some, cloud.vertices), some.points);
@@ -136,7 +136,7 @@ TEST(Centricity, CloudsAndSeveralComponentsHaveFiniteValues) {
   EXPECT_TRUE(at_vertices(pair).allFinite());
 }
 
-TEST(Centricity, RefusesWhatIsOutOfRange) {
+TEST(Centricity, RejectsOptionsOutOfRange) {
   const Shape shape = sphere(1, 1);
   EXPECT_THROW(at_vertices(shape, {.sources = 0}), InputError);
   EXPECT_THROW(centricity(shape, sample_shape(sphere(1, 2), SampleSite::vertices)), InputError);

@@ -85,7 +85,7 @@ TEST(DoubledTriangles, DoNotChangeHeatKernels) {
   });
 }
 
-TEST(DoubledTriangles, AreSmoothedWithTheirFirst) {
+TEST(DoubledTriangles, AreSmoothedLikeTheFirstCopy) {
   for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
     const auto smooth = [](const Shape& mesh) {
       const Samples samples = sample_shape(mesh, SampleSite::faces);

@@ -55,7 +55,7 @@ Eigen::VectorXd values_of(const FieldSettings& settings, const Shape& shape) {
   return compute(make_field(settings), shape).values;
 }
 
-TEST(MakeField, OffsetSdfIsThatOfTheCore) {
+TEST(MakeField, OffsetSdfMatchesTheFunction) {
   const Shape shape = test::sphere(1, 1);
   const FieldValues computed = compute(make_field(settings_of("offset_sdf", {{"offset", 0.03}}, vertex_plan)), shape);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
@@ -63,7 +63,7 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
   EXPECT_EQ(computed.outcomes.at("total"), static_cast<std::size_t>(shape.vertices.rows()));
 }
 
-TEST(MakeField, TakesTheAccuracyOfTheOffsetSdf) {
+TEST(MakeField, AppliesTheAccuracyOfTheOffsetSdf) {
   const Shape shape = test::torus(1, 0.4, 24, 12);
   const Samples samples = sample_shape(shape, SampleSite::faces);
   for (const auto& [word, accuracy] : {std::pair("fast", OffsetAccuracy::fast),
@@ -75,7 +75,7 @@ TEST(MakeField, TakesTheAccuracyOfTheOffsetSdf) {
   EXPECT_THROW(settings_of("offset_sdf", {{"accuracy", "finest"}}), InputError);
 }
 
-TEST(MakeField, TakesTheGeodesicsOfCentricity) {
+TEST(MakeField, AppliesTheGeodesicMethodOfCentricity) {
   const Shape shape = test::torus(1, 0.4, 12, 8);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const auto by = [&](GeodesicMethod method) {
@@ -89,7 +89,7 @@ TEST(MakeField, TakesTheGeodesicsOfCentricity) {
   }
 }
 
-TEST(WeightsWarning, IsOfAreasThatCannotBeComputed) {
+TEST(WeightsWarning, WarnsOfUndefinedAreas) {
   const Shape box = test::box({1, 2, 3}, 1);
   for (const double scale : {1.0, 1e30, 1e-30}) {
     const Shape scaled = test::transformed(box, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
@@ -104,7 +104,7 @@ TEST(WeightsWarning, IsOfAreasThatCannotBeComputed) {
   EXPECT_THAT(warning_at(1e-160), HasSubstr("too small")) << "subnormal";
 }
 
-TEST(OutcomeWarnings, AreOfSamplesThatUsersShouldKnowOf) {
+TEST(OutcomeWarnings, WarnOfNotableSampleOutcomes) {
   EXPECT_TRUE(outcome_warnings({{"total", 9}, {"direct", 9}, {"missing", 0}}).empty());
   const std::vector<std::string> warnings =
       outcome_warnings({{"total", 9}, {"undecided", 1}, {"missing", 2}, {"enlarged", 9}});
@@ -113,7 +113,7 @@ TEST(OutcomeWarnings, AreOfSamplesThatUsersShouldKnowOf) {
   EXPECT_THAT(warnings[2], HasSubstr("larger offset"));
 }
 
-TEST(MakeField, ConeSdfIsThatOfTheCore) {
+TEST(MakeField, ConeSdfMatchesTheFunction) {
   const Shape shape = test::sphere(1, 1);
   const Field field = make_field(settings_of("cone_sdf", {{"rays", 9}, {"opening_angle_degrees", 40}}));
   EXPECT_EQ(field.settings.samples.site, SampleSite::faces);
@@ -125,7 +125,7 @@ TEST(MakeField, ConeSdfIsThatOfTheCore) {
   EXPECT_EQ(computed.outcomes, (FieldOutcomes{{"total", 80}, {"missing", 0}}));
 }
 
-TEST(MakeField, CentricityIsThatOfTheLibrary) {
+TEST(MakeField, CentricityMatchesTheFunction) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const Samples samples = take_samples(shape, {});
   const CentricityOptions options{.measure = Centricity::eccentricity, .sources = 9};
@@ -134,7 +134,7 @@ TEST(MakeField, CentricityIsThatOfTheLibrary) {
   EXPECT_EQ(values_of(settings_of("centricity"), shape), centricity(shape, samples));
 }
 
-TEST(MakeField, FieldsOnTheProxyAreThoseOfItsSource) {
+TEST(MakeField, FieldsOnTheProxyMatchTheProxySource) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const Samples samples = take_samples(shape, {});
   ProxySource source(shape);
@@ -148,7 +148,7 @@ TEST(MakeField, FieldsOnTheProxyAreThoseOfItsSource) {
   EXPECT_THROW(make_field(settings_of("centricity", {{"on", "proxy"}, {"method", "heat"}})), InputError);
 }
 
-TEST(MakeField, HeatKernelsAreColumnsOfTheLibrarys) {
+TEST(MakeField, HeatKernelsMatchTheFunction) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const double area = surface_area(shape);
   const Spectrum spectrum = laplacian_spectrum(shape, 20);
@@ -163,7 +163,7 @@ TEST(MakeField, HeatKernelsAreColumnsOfTheLibrarys) {
   EXPECT_THROW(make_field(settings_of("wave_kernel", {{"energy", 16}})), InputError);
 }
 
-TEST(MakeField, AnyFieldMayBeSmoothed) {
+TEST(MakeField, SmoothsAnyField) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const Samples samples = take_samples(shape, {});
   const FieldSettings plain = settings_of("cone_sdf", {{"rays", 5}});
@@ -176,7 +176,7 @@ TEST(MakeField, AnyFieldMayBeSmoothed) {
   EXPECT_FALSE(make_field(plain).versions.contains("bilateral"));
 }
 
-TEST(MakeField, SecondsAreOfAllThatIsDone) {
+TEST(MakeField, SecondsIncludeAllSteps) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   EXPECT_GT(compute(make_field(settings_of("centricity")), shape).query_seconds, 0) << "of a field that tells none";
   field_types().add({.name = "test_seconds",
@@ -195,7 +195,7 @@ TEST(MakeField, SecondsAreOfAllThatIsDone) {
   EXPECT_GT(smooth.query_seconds, 0) << "of smoothing";
 }
 
-TEST(MakeField, AMissingValueIsCounted) {
+TEST(MakeField, CountsMissingValues) {
   // A single triangle: rays hit nothing.
   Shape shape;
   shape.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -214,11 +214,11 @@ TEST(MakeField, TheAutomaticOffsetIsReported) {
   EXPECT_EQ(computed.values, offset_sdf(shape, take_samples(shape, {}), options).values);
 }
 
-TEST(MakeField, AValueThatIsNeededIsNotLeftOut) {
+TEST(MakeField, RequiresMandatorySettings) {
   EXPECT_THAT(test::input_error_of([] { make_field(settings_of("offset_sdf")); }), HasSubstr("offset is missing"));
 }
 
-TEST(MakeField, AFieldKnowsItsDimension) {
+TEST(MakeField, HasADimension) {
   const auto dimension = [](const FieldSettings& settings) { return make_field(settings).dimension; };
   EXPECT_EQ(dimension(settings_of("offset_sdf", {{"offset", 0.05}})), FieldDimension::length);
   EXPECT_EQ(dimension(settings_of("cone_sdf")), FieldDimension::length);
@@ -252,7 +252,7 @@ Eigen::VectorXd zero_if_missing(const Eigen::VectorXd& values) {
   return values.unaryExpr([](double value) { return std::isnan(value) ? 0.0 : value; });
 }
 
-TEST(MakeField, ValuesFollowTheScaleByTheirDimension) {
+TEST(MakeField, ValuesScaleByTheirDimension) {
   for (const FieldSettings& settings : settings_of_all_types()) {
     const Shape shape = boxes_for(settings);
     const Shape larger = test::transformed(shape, 3, Eigen::Matrix3d::Identity(), {0, 0, 0});
@@ -294,7 +294,7 @@ TEST(FieldTypes, HaveEachSettingOnce) {
   }
 }
 
-TEST(FieldTypes, RefuseWhatNoConfigurationCouldName) {
+TEST(FieldTypes, RejectInvalidNames) {
   const auto make = field_types().at("offset_sdf").make;
   EXPECT_THROW(field_types().add({"offset_sdf", "", {}, make}), ArgumentError);
   EXPECT_THROW(field_types().add({"", "", {}, make}), ArgumentError);
@@ -316,7 +316,7 @@ TEST(FieldTypes, NeedAValueForEachSample) {
   EXPECT_THROW(compute(field, test::sphere(1, 1)), std::logic_error);
 }
 
-TEST(FieldTypes, AnUnknownOneIsAnError) {
+TEST(FieldTypes, RejectUnknownTypes) {
   EXPECT_THAT(test::input_error_of([] { field_settings("offset_sfd"); }), HasSubstr("did you mean \"offset_sdf\"?"));
 }
 

@@ -62,7 +62,7 @@ TEST(Geodesics, SegmentsAcrossEdgesShortenTheWorstCase) {
   EXPECT_NEAR(found[n * (n + 1)], std::sqrt(2.0), 1e-9);
 }
 
-TEST(Geodesics, PathsGoRoundTheEndsOfAnEdge) {
+TEST(Geodesics, PathsPassTheEndOfAnEdgeIfTheLineMissesIt) {
   // The straight line between the corners opposite the edge passes beyond its upper end, or its lower one.
   for (const double sign : {1.0, -1.0}) {
     Shape kite{.vertices = Points{{0, -0.5, 0}, {0, 0.5, 0}, {-1, 1.5, 0}, {1, 2.5, 0}}, .triangles = {}};
@@ -87,7 +87,7 @@ TEST(Geodesics, GraphIsNeverShorterThanExact) {
   EXPECT_LT((graph - exact).maxCoeff(), 0.08 * exact.maxCoeff());
 }
 
-TEST(Geodesics, ASoupIsTheMeshThatItsPlacesMake) {
+TEST(Geodesics, WeldSoups) {
   const Shape shape = sphere(1, 2);
   const Shape pieces = soup(shape);
   for (const GeodesicMethod method : {GeodesicMethod::graph, GeodesicMethod::heat, GeodesicMethod::exact}) {
@@ -99,7 +99,7 @@ TEST(Geodesics, ASoupIsTheMeshThatItsPlacesMake) {
   }
 }
 
-TEST(Geodesics, FollowTheOrderAndTheScale) {
+TEST(Geodesics, ScaleAndPermuteWithTheShape) {
   const Shape shape = box({1, 2, 0.5}, 4);
   const auto [other, vertices, triangles] = permuted(shape, 1);
   const Shape larger = transformed(other, 3, test::rotation(2), {1, 2, 3});
@@ -110,13 +110,13 @@ TEST(Geodesics, FollowTheOrderAndTheScale) {
   }
 }
 
-TEST(Geodesics, ACloudsNeighboursStandForItsSurface) {
+TEST(Geodesics, CloudsUsePathsBetweenNeighbours) {
   const Shape shape = sphere(1, 4);
   const Eigen::VectorXd found = geodesic_distances(cloud_of(shape))(0);
   EXPECT_LT((found - great_circles(shape, 0)).cwiseAbs().maxCoeff(), 0.06 * std::numbers::pi);
 }
 
-TEST(Geodesics, ComponentsAreJoinedWhereTheyAreNearest) {
+TEST(Geodesics, JoinComponentsAtTheirNearestPoints) {
   const Shape ball = sphere(1, 3);
   const Shape far = transformed(ball, 1, Eigen::Matrix3d::Identity(), {10, 0, 0});
   const Shape pair = joined({ball, far});
@@ -129,7 +129,7 @@ TEST(Geodesics, ComponentsAreJoinedWhereTheyAreNearest) {
   EXPECT_NEAR(distance, 2 * std::numbers::pi + 8, 0.8);
 }
 
-TEST(Geodesics, AThousandPiecesHaveFiniteDistances) {
+TEST(Geodesics, AreFiniteAcrossAThousandComponents) {
   std::vector<Shape> pieces;
   for (int i = 0; i < 1000; ++i) {
     pieces.push_back(transformed(box({1, 1, 1}, 1), 0.1, test::rotation(static_cast<unsigned>(i)),
@@ -149,7 +149,7 @@ TEST(Geodesics, UnusedVerticesHaveNoDistance) {
   EXPECT_TRUE(distances.head(distances.size() - 1).allFinite());
 }
 
-TEST(Geodesics, HeatAndExactRefuseWhatIsNotOneManifold) {
+TEST(Geodesics, HeatAndExactRejectNonManifoldShapes) {
   const Shape two = joined({sphere(1, 1), transformed(sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
   Shape fin = sphere(1, 1);  // with a third triangle on an edge
   fin.vertices.conservativeResize(fin.vertices.rows() + 1, 3);

@@ -16,7 +16,7 @@ using test::sphere;
 
 Spectrum spectrum_of(const Shape& shape, int count = 40) { return laplacian_spectrum(shape, count); }
 
-TEST(HeatKernel, OfASphereIsTheSameEverywhereAndAsTheSeriesSays) {
+TEST(HeatKernel, MatchesTheSeriesOnASphere) {
   const Shape shape = sphere(1, 4);
   const double area = surface_area(shape);
   const Spectrum spectrum = spectrum_of(shape, 49);
@@ -41,7 +41,7 @@ TEST(HeatKernel, MeanByAreaIsTheTrace) {
   EXPECT_NEAR(mean, (-0.5 * spectrum.eigenvalues).array().exp().sum(), 1e-6);
 }
 
-TEST(HeatKernel, SpreadsEvenlyInTheEndAndIsGreatestAtTheEnds) {
+TEST(HeatKernel, BecomesUniformAndIsLargestAtTips) {
   const Shape shape = test::box({0.4, 0.4, 3}, 12);
   const Spectrum spectrum = spectrum_of(shape);
   const Eigen::VectorXd late = heat_kernel_signature(spectrum, surface_area(shape), 100);
@@ -148,7 +148,7 @@ double wave_kernel_by_definition(const Spectrum& spectrum, Eigen::Index vertex, 
   return area * sum / weights;
 }
 
-TEST(HeatKernel, WaveKernelSignatureIsWhatTheDefinitionSays) {
+TEST(HeatKernel, WaveKernelSignatureMatchesTheDefinition) {
   const Shape shape = test::capsule(0.3, 2, 12, 8);
   const Spectrum spectrum = spectrum_of(shape, 20);
   const double area = surface_area(shape);

@@ -20,14 +20,14 @@ Eigen::VectorXd at_faces(const Shape& shape,
                         {.separation_angle_degrees = separation_angle_degrees});
 }
 
-TEST(InscribedBall, OfASphereIsItsDiameter) {
+TEST(InscribedBall, OfASphereHasItsDiameter) {
   const Shape shape = test::sphere(2, 4);
   const Eigen::VectorXd diameters = at_faces(shape);
   EXPECT_NEAR(diameters.minCoeff(), 4, 0.06);
   EXPECT_LE(diameters.maxCoeff(), 4);
 }
 
-TEST(InscribedBall, OfABoxIsItsThicknessOrTwiceTheDistanceToAnEdge) {
+TEST(InscribedBall, OfABoxHasItsThicknessOrTwiceTheDistanceToAnEdge) {
   const Shape shape = test::box({4, 3, 1}, 12);
   const Samples samples = sample_shape(shape, SampleSite::faces);
   const Eigen::VectorXd diameters = inscribed_ball(shape, samples, {.separation_angle_degrees = 60});
@@ -145,7 +145,7 @@ TEST(InscribedBall, MovesAndScalesWithTheShape) {
   EXPECT_TRUE(at_faces(moved).isApprox(50 * at_faces(shape), 1e-7));
 }
 
-TEST(InscribedBall, FarFromTheOriginIsThatOfTheSameRoundedShapeAtTheOrigin) {
+TEST(InscribedBall, DoesNotDependOnTheDistanceFromTheOrigin) {
   for (const double distance : {1e7, 1e8, 1e9}) {
     Shape far = test::torus(2, 0.7, 30, 18);
     far.vertices.array() += distance;
@@ -163,7 +163,7 @@ TEST(InscribedBall, IgnoresVerticesWithoutTriangles) {
   EXPECT_EQ(at_faces(shape), expected);
 }
 
-TEST(InscribedBall, MissesWhereNothingStopsTheBall) {
+TEST(InscribedBall, IsMissingWithoutAContact) {
   Shape sheet;
   sheet.vertices.resize(3, 3);
   sheet.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;

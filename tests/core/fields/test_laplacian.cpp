@@ -48,7 +48,7 @@ TEST(Laplacian, EnergyOfALinearFunctionIsTheAreaTimesItsSquaredSlope) {
   EXPECT_NEAR(values.dot(laplacian.stiffness * values), 2 * 25, 1e-9);
 }
 
-TEST(Laplacian, EigenvaluesOfTheUnitSphereAreThoseOfSphericalHarmonics) {
+TEST(Laplacian, EigenvaluesOfTheUnitSphereMatchSphericalHarmonics) {
   const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), 25);
   Eigen::Index k = 0;
   for (int l = 0; l < 5; ++l) {
@@ -59,7 +59,7 @@ TEST(Laplacian, EigenvaluesOfTheUnitSphereAreThoseOfSphericalHarmonics) {
   }
 }
 
-TEST(Laplacian, NoCopyOfAMultipleEigenvalueIsLeftOut) {
+TEST(Laplacian, KeepsMultipleEigenvalues) {
   // 17 to 24 eigenvalues end among the nine copies of 20, which the mesh divides into four and five.
   for (const int count : {17, 18, 19, 20, 21, 22, 23, 24, 100}) {
     const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), count);
@@ -70,7 +70,7 @@ TEST(Laplacian, NoCopyOfAMultipleEigenvalueIsLeftOut) {
   }
 }
 
-TEST(Laplacian, EigenvaluesOfARectangleAreThoseOfCosines) {
+TEST(Laplacian, EigenvaluesOfARectangleMatchCosines) {
   const Spectrum spectrum = laplacian_spectrum(rectangle(24), 6);
   const double unit = std::numbers::pi * std::numbers::pi;  // of pi^2 (i^2 / 4 + j^2)
   const std::vector<double> expected = {0, unit / 4, unit, unit, unit * 5 / 4, unit * 2};
@@ -102,7 +102,7 @@ TEST(Laplacian, SpectrumDoesNotChangeWithMotionOrderOrSoup) {
   EXPECT_LT((laplacian_spectrum(test::soup(shape), 10).eigenvalues - expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-TEST(Laplacian, EachComponentHasItsZero) {
+TEST(Laplacian, HasOneZeroEigenvaluePerComponent) {
   const Shape ball = sphere(1, 2);
   const Shape pair = test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {4, 0, 0})});
   const Spectrum spectrum = laplacian_spectrum(pair, 8);
@@ -110,12 +110,12 @@ TEST(Laplacian, EachComponentHasItsZero) {
   EXPECT_NEAR(spectrum.eigenvalues[2], 2, 0.1);
 }
 
-TEST(Laplacian, FewVerticesHaveFewEigenvalues) {
+TEST(Laplacian, HasNoMoreEigenvaluesThanVertices) {
   const Shape cube = test::box({1, 1, 1}, 1);
   EXPECT_EQ(laplacian_spectrum(cube, 100).eigenvalues.size(), cube.vertices.rows());
 }
 
-TEST(Laplacian, TrianglesWithoutAreaAndUnusedVerticesDoNotMatter) {
+TEST(Laplacian, IgnoresDegenerateTrianglesAndUnusedVertices) {
   Shape shape = sphere(1, 2);
   const Eigen::VectorXd expected = laplacian_spectrum(shape, 5).eigenvalues;
   const Eigen::Index unused = shape.vertices.rows();
@@ -128,7 +128,7 @@ TEST(Laplacian, TrianglesWithoutAreaAndUnusedVerticesDoNotMatter) {
   EXPECT_TRUE(spectrum.eigenvectors.row(unused).array().isNaN().all());
 }
 
-TEST(Laplacian, HasAZeroForEachComponentBesidesThoseAskedFor) {
+TEST(Laplacian, SpectrumAddsOneZeroPerComponent) {
   std::vector<Shape> spheres;
   for (int i = 0; i < 4; ++i) {
     spheres.push_back(test::transformed(sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {3.0 * i, 0, 0}));
@@ -152,7 +152,7 @@ TEST(Laplacian, RefusesThousandsOfComponents) {
   EXPECT_EQ(laplacian_spectrum(scales, 5).eigenvalues.size(), 5);  // coincident vertices are welded
 }
 
-TEST(Laplacian, RefusesCloudsAndWhatHasNoArea) {
+TEST(Laplacian, RejectsCloudsAndShapesWithoutArea) {
   EXPECT_THROW(laplacian_spectrum(Shape{sphere(1, 1).vertices, {}}, 5), InputError);
   Shape line = test::box({1, 1, 1}, 1);
   line.vertices.rightCols<2>().setZero();

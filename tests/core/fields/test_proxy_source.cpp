@@ -60,7 +60,7 @@ TEST(ProxySource, InterpolationKeepsConstantsAndBounds) {
   }
 }
 
-TEST(ProxySource, AtAPointOfTheProxyItsValueCountsMost) {
+TEST(ProxySource, WeighsTheNearestProxyPointMost) {
   const Shape sphere = test::sphere(1, 4);
   ProxySource source(sphere);
   const SurfaceProxy& proxy = source.proxy();
@@ -93,7 +93,7 @@ TEST(ProxySource, SpectrumDoesNotDependOnTheOrderOfRequests) {
   EXPECT_TRUE(many.eigenvalues.head(10).isApprox(few.eigenvalues, 1e-6));
 }
 
-TEST(ProxySource, OfAFewPointsHasFewEigenvaluesAndLandmarks) {
+TEST(ProxySource, HasNoMoreEigenvaluesAndLandmarksThanPoints) {
   const Shape tetrahedron{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {}};
   ProxySource source(tetrahedron);
   EXPECT_EQ(source.proxy().points.rows(), 4);

@@ -32,7 +32,7 @@ auto throws_cannot_write(const std::filesystem::path& path, const std::string& r
   return ThrowsMessage<InputError>(AllOf(StartsWith("cannot write " + path.string()), EndsWith(reason)));
 }
 
-TEST(MappedFile, HasTheBytesAlsoAfterTheFileIsReplacedOrRemoved) {
+TEST(MappedFile, KeepsTheBytesOfAReplacedOrRemovedFile) {
   const TemporaryFolder folder;
   const std::string bytes("a\0b\r\n", 5);
   const auto path = folder.file("in", bytes);
@@ -44,14 +44,14 @@ TEST(MappedFile, HasTheBytesAlsoAfterTheFileIsReplacedOrRemoved) {
   EXPECT_EQ(mapped.bytes, bytes);
 }
 
-TEST(MappedFile, FailsAsReadingDoes) {
+TEST(MappedFile, FailsWithTheErrorsOfReading) {
   const TemporaryFolder folder;
   for (const auto& path : {folder.path(), folder.path() / "absent", folder.file("empty", "")}) {
     EXPECT_THAT([&] { map_file(path); }, ThrowsMessage<InputError>(StartsWith("cannot read " + path.string())));
   }
 }
 
-TEST(AtomicFile, WritesTheBytesAndNothingElse) {
+TEST(AtomicFile, WritesExactlyTheBytes) {
   const TemporaryFolder folder;
   const std::string bytes("a\0b\r\n", 5);
   write_file_atomically(folder.path() / "out", bytes);
@@ -67,7 +67,7 @@ TEST(AtomicFile, ReplacesAnEarlierFile) {
   EXPECT_EQ(folder.size(), 1U);
 }
 
-TEST(AtomicFile, IsReadableAsTheUmaskSays) {
+TEST(AtomicFile, HasThePermissionsOfTheUmask) {
   const TemporaryFolder folder;
   const mode_t before = ::umask(027);
   write_file_atomically(folder.path() / "out", "x");
@@ -116,7 +116,7 @@ TEST(AtomicFile, FollowsASymbolicLink) {
   EXPECT_EQ(bytes_of(path), "new");
 }
 
-TEST(AtomicFile, WritesToADeviceAndLeavesItOne) {
+TEST(AtomicFile, WritesToDevicesWithoutReplacingThem) {
   write_file_atomically("/dev/null", "x");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
@@ -163,7 +163,7 @@ class FileSizeLimit {
   void (*handler_)(int);
 };
 
-TEST(AtomicFile, FailureHalfwayLeavesTheEarlierFileAndNoOther) {
+TEST(AtomicFile, AFailedWriteKeepsTheEarlierFileOnly) {
   const TemporaryFolder folder;
   const auto path = folder.file("out", "old");
   {
@@ -175,7 +175,7 @@ TEST(AtomicFile, FailureHalfwayLeavesTheEarlierFileAndNoOther) {
   EXPECT_EQ(folder.size(), 1U);
 }
 
-TEST(AtomicFile, WritersOfTheSameFileDoNotMix) {
+TEST(AtomicFile, ConcurrentWritersDoNotMix) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "out";
   std::vector<std::jthread> threads;

@@ -72,7 +72,7 @@ double volume_of(const Shape& shape) {
   return six / 6;
 }
 
-TEST_F(Gltf, ReadsAMeshWhoseBufferIsBesideIt) {
+TEST_F(Gltf, ReadsABufferInAnotherFile) {
   const Shape shape = read(document(R"({"mesh": 0})"));
   ASSERT_EQ(shape.vertices.rows(), 4);
   ASSERT_EQ(shape.triangles.rows(), 4);
@@ -82,7 +82,7 @@ TEST_F(Gltf, ReadsAMeshWhoseBufferIsBesideIt) {
   EXPECT_THAT(gltf_neighbours(read_shape_source(at("shape.gltf"))), testing::ElementsAre("tetrahedron.bin"));
 }
 
-TEST_F(Gltf, NodesPlaceTheirMeshes) {
+TEST_F(Gltf, AppliesNodeTransforms) {
   // Scaled by 2 along x, rotated by 90 degrees about z, then translated by the parent.
   const Shape shape = read(document(R"({"children": [1, 2], "translation": [10, 0, 0]},
       {"mesh": 0, "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "scale": [2, 1, 1]},
@@ -93,7 +93,7 @@ TEST_F(Gltf, NodesPlaceTheirMeshes) {
   EXPECT_EQ(shape.triangles.row(5), (Eigen::RowVector3i(4, 5, 7)));
 }
 
-TEST_F(Gltf, AMirroredMeshFacesOutwards) {
+TEST_F(Gltf, ReversesTrianglesOfMirroredNodes) {
   EXPECT_DOUBLE_EQ(volume_of(read(document(R"({"mesh": 0, "scale": [-3, 1, 1]})"))), 0.5);
 }
 
@@ -130,7 +130,7 @@ TEST_F(Gltf, ReadsStripsFansAndPoints) {
   EXPECT_EQ(cloud.vertices.rows(), 4);
 }
 
-TEST_F(Gltf, NormalisedWholeNumbersAreFractions) {
+TEST_F(Gltf, ReadsNormalisedIntegers) {
   // The tetrahedron in bytes, of which 127 is 1; -127 and -128 are both -1.
   test::write_text(at("tetrahedron.bin"), bytes_of<std::int8_t>({0, 0, 0, 127, 0, -128, 0, 127, -127, 0, 0, 127}) +
                                               std::string(36, '\0') +
@@ -164,7 +164,7 @@ TEST_F(Gltf, SparseAccessorsReplacePositions) {
   EXPECT_EQ(zeros.vertices.row(2), Eigen::RowVector3d(7, 8, 9));
 }
 
-TEST_F(Gltf, RefusesWhatDoesNotFit) {
+TEST_F(Gltf, RejectsInconsistentFiles) {
   const std::string whole = document(R"({"mesh": 0})");
   EXPECT_THAT(error_of(with_change(whole, R"("count": 4)", R"("count": 5)")), HasSubstr("buffer view 0"));
   EXPECT_THAT(error_of(with_change(whole, R"("byteLength": 24)", R"("byteLength": 2400)")), HasSubstr("buffer view 1"));

@@ -48,7 +48,7 @@ TEST(IndependentReader, ReadsTheSameInEveryFormat) {
   }
 }
 
-TEST(IndependentReader, ReadsWhatTheLibraryWrites) {
+TEST(IndependentReader, ReadsFilesOfTheLibrary) {
   const test::TemporaryFolder folder;
   const Shape shape = test::torus(3, 1, 20, 30);
   for (const std::string_view extension : written_shape_extensions()) {

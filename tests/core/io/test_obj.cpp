@@ -33,7 +33,7 @@ TEST(ReadObj, FacesBeforeTheirVertices) {
   expect_obj_tetrahedron("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" + obj_vertices);
 }
 
-TEST(ReadObj, OtherStatementsArePassedOver) {
+TEST(ReadObj, IgnoresOtherStatements) {
   expect_obj_tetrahedron(
       "mtllib a b.mtl\no v\ng f 1\ns off\nusemtl f\nvp 0.1\n" + obj_vertices +
       "l 1 2\np 1\nsurf 0 1 0 1 1 2 3 4\ncurv 0 1 1 2 3\nf 1 3 2\nf 1 2 4\n# f 1 1 1\nf 1 4 3 # f\n\n  f 2 3 4");
@@ -54,7 +54,7 @@ TEST(ReadObj, ByteOrderMarkAndCarriageReturns) {
       "\xEF\xBB\xBFv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nv 0 0 1\r\nf 1 3 2\r\nf 1 2 4\r\nf 1 4 3\r\nf 2 3 4\r\n");
 }
 
-TEST(ReadObj, PolygonsBecomeFansAndSmallerFacesLeaveNone) {
+TEST(ReadObj, PolygonsBecomeFansAndSmallerFacesVanish) {
   const Shape shape = read_obj(obj_vertices + "f 4 3 2 1\nf 1 2\nf 1\nf\n", "t.obj");
   EXPECT_EQ(shape.triangles, (Triangles(2, 3) << 3, 2, 1, 3, 1, 0).finished());
 }
@@ -65,7 +65,7 @@ TEST(ReadObj, WithoutFacesItIsAPointCloud) {
   EXPECT_EQ(shape.triangles.rows(), 0);
 }
 
-TEST(ReadObj, NormalsOfACloudCountWhereThereAreAsManyAsPoints) {
+TEST(ReadObj, UsesCloudNormalsIfTheirNumberMatches) {
   const std::string normals = "vn 0 0 2\nvn 1 0 0\nvn 0 0 0\n";
   EXPECT_EQ(read_obj(obj_vertices + normals, "t.obj").normals.rows(), 0);
   const Shape shape = read_obj(normals + obj_vertices + "vn 0 -1 0\n", "t.obj");
@@ -99,7 +99,7 @@ TEST(ReadObj, RefusesTextThatIsNotAMesh) {
                        [](const std::string& text) { read_obj(text, "t.obj"); });
 }
 
-TEST(ReadObj, HeaderAloneCanBeChecked) {
+TEST(ReadObj, ChecksTheHeaderAlone) {
   EXPECT_NO_THROW(check_obj_header("# v\no x\nv 0", "t.obj"));
   EXPECT_THROW(check_obj_header("# v 0 0 0\nvn 0 0 1\n", "t.obj"), InputError);
 }

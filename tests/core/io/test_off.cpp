@@ -102,7 +102,7 @@ TEST(ReadOff, WithoutFacesItIsAPointCloud) {
   EXPECT_EQ(shape.triangles.rows(), 0);
 }
 
-TEST(ReadOff, NormalsOfACloudAreThoseThatTheKeywordAnnounces) {
+TEST(ReadOff, ReadsCloudNormalsOfNoffFiles) {
   const std::string lines = "0 0 0 0 0 2 9 9 9 9\n1 0 0 0 0 0 9 9 9 9\n";
   const Points expected = (Points(2, 3) << 0, 0, 1, 0, 0, 0).finished();
   for (const std::string& text :
@@ -177,7 +177,7 @@ TEST(ReadOff, RefusesDamagedBinaryFiles) {
       [](const std::string& text) { read_off(text, "t.off"); });
 }
 
-TEST(ReadOff, HeaderAloneCanBeChecked) {
+TEST(ReadOff, ChecksTheHeaderAlone) {
   EXPECT_NO_THROW(check_off_header("OFF\n4 4 6\n", "t.off"));
   EXPECT_NO_THROW(check_off_header("OFF BINARY\n", "t.off"));
   EXPECT_THROW(check_off_header("OFF\n", "t.off"), InputError);
@@ -205,7 +205,7 @@ TEST(WriteOff, CloudsHaveTheirNormals) {
   EXPECT_EQ(test::bytes_of(folder.path() / "t.off"), "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
 }
 
-TEST(ReadOff, AFaceAfterTheLastIsAWrongCountAndOtherDataIsIgnored) {
+TEST(ReadOff, RejectsExtraFacesAndIgnoresOtherTrailingData) {
   const std::string counts_and_vertices = "OFF\n4 1 0\n" + off_vertices;
   EXPECT_THAT(test::input_error_of([&] { read_off(counts_and_vertices + "3 0 1 2\n3 0 2 3\n", "t.off"); }),
               ::testing::HasSubstr("t.off:7: another face"));

@@ -32,7 +32,7 @@ class CheckedOutputFiles : public test::FolderTest {
   fs::path other_ = folder_.file("other.off", "OFF\n");
 };
 
-TEST_F(CheckedOutputFiles, NewFilesAndAbsentOnesPass) {
+TEST_F(CheckedOutputFiles, AcceptNewFiles) {
   EXPECT_EQ(refusal({{.path = at("new.csv"), .what = "--output", .extensions = {".csv"}},
                      {.path = {}, .what = "--plot"},
                      {.path = at("absent/new.csv"), .what = "--table"}}),
@@ -40,7 +40,7 @@ TEST_F(CheckedOutputFiles, NewFilesAndAbsentOnesPass) {
   EXPECT_EQ(refusal({}), "");
 }
 
-TEST_F(CheckedOutputFiles, AFileThatAnotherProgramCreatesMeanwhileStays) {
+TEST_F(CheckedOutputFiles, KeepFilesCreatedMeanwhile) {
   for (const bool replace : {false, true}) {
     const fs::path path = at(replace ? "replaced" : "new");
     ASSERT_EQ(refusal({{.path = path, .what = "--output"}}, replace), "");
@@ -79,7 +79,7 @@ TEST_F(CheckedOutputFiles, OnlyWithReplaceMayAnInputBeReplaced) {
   EXPECT_EQ(refusal({output}, true), "");
 }
 
-TEST_F(CheckedOutputFiles, TwoOutputsDiffer) {
+TEST_F(CheckedOutputFiles, MustDiffer) {
   fs::create_directory(at("folder"));
   fs::create_symlink("new.csv", at("link.csv"));  // whose file does not exist yet
   for (const char* name : {"new.csv", "./new.csv", "folder/../new.csv", "link.csv"}) {
@@ -90,7 +90,7 @@ TEST_F(CheckedOutputFiles, TwoOutputsDiffer) {
   EXPECT_EQ(refusal({{.path = at("new.csv"), .what = "--table"}, {.path = at("newer.csv"), .what = "--plot"}}), "");
 }
 
-TEST_F(CheckedOutputFiles, ExistingFilesStayWithoutReplace) {
+TEST_F(CheckedOutputFiles, ExistingFilesNeedReplace) {
   const fs::path old = folder_.file("old.csv", "1\n");
   EXPECT_THAT(refusal({{.path = old, .what = "--output"}}), HasSubstr("old.csv exists; give another name"));
   EXPECT_EQ(refusal({{.path = old, .what = "--output"}}, true), "");
@@ -98,7 +98,7 @@ TEST_F(CheckedOutputFiles, ExistingFilesStayWithoutReplace) {
   EXPECT_THAT(refusal({{.path = folder_.path(), .what = "--output"}}), HasSubstr("is a folder; name a file"));
 }
 
-TEST_F(CheckedOutputFiles, ExtensionsAreThoseOfTheFormats) {
+TEST_F(CheckedOutputFiles, NeedTheExtensionOfTheirFormat) {
   const auto named = [&](const char* name) {
     return refusal({{.path = at(name), .what = "--output", .extensions = {".csv", ".npy"}}});
   };
@@ -106,7 +106,7 @@ TEST_F(CheckedOutputFiles, ExtensionsAreThoseOfTheFormats) {
   for (const char* name : {"new.npy", "new.CSV", "new"}) EXPECT_EQ(named(name), "") << name;
 }
 
-TEST_F(CheckedOutputFiles, StandardStreamsAreUsedOnce) {
+TEST_F(CheckedOutputFiles, AStandardStreamIsUsedOnce) {
   const OutputFile stream{.path = "-", .what = "--output", .takes_stream = true};
   EXPECT_EQ(refusal({stream}), "");
   EXPECT_THAT(refusal({{.path = "-", .what = "--plot"}}), HasSubstr("--plot must be a file, not standard output"));

@@ -49,7 +49,7 @@ TEST(ReadPly, Ascii) {
   expect_same(read_ply(ascii(vertex_header + face_header, ply_vertices + ply_faces), "t.ply"), tetrahedron());
 }
 
-TEST(ReadPly, OtherPropertiesAndElementsArePassedOver) {
+TEST(ReadPly, IgnoresOtherPropertiesAndElements) {
   expect_same(read_ply(as_ascii_ply(tetrahedron()), "t.ply"), tetrahedron());
 }
 
@@ -62,7 +62,7 @@ TEST(ReadPly, BinaryOfEitherByteOrderAndPrecision) {
   }
 }
 
-TEST(ReadPly, BinaryBodyThatBeginsLikeALineEnd) {
+TEST(ReadPly, BinaryBodyMayBeginWithALineFeed) {
   // 2.0f with a last byte of 0x0A or 0x0D is the body's first byte in little-endian order.
   for (const std::string line_end : {"\n", "\r", "\r\n"}) {
     for (const char first : {'\n', '\r'}) {
@@ -82,7 +82,7 @@ TEST(ReadPly, BinaryBodyThatBeginsLikeALineEnd) {
   }
 }
 
-TEST(ReadPly, OtherPropertiesMayBeNoNumber) {
+TEST(ReadPly, OtherPropertiesMayBeNan) {
   const Shape shape =
       read_ply(ascii("element vertex 1\nproperty float quality\nproperty float x\nproperty float y\nproperty "
                      "float z\n",
@@ -101,7 +101,7 @@ TEST(ReadPly, CoordinatesInAnotherOrderAndIntegers) {
   EXPECT_EQ(shape.vertices, (Points(1, 3) << 1, 2, 3).finished());
 }
 
-TEST(ReadPly, PolygonsBecomeFansAndSmallerFacesLeaveNone) {
+TEST(ReadPly, PolygonsBecomeFansAndSmallerFacesVanish) {
   const Shape shape =
       read_ply(ascii(vertex_header + face_header, ply_vertices + "4 3 2 1 0\n2 0 1\n1 3\n0\n"), "t.ply");
   EXPECT_EQ(shape.triangles, (Triangles(2, 3) << 3, 2, 1, 3, 1, 0).finished());
@@ -123,7 +123,7 @@ TEST(ReadPly, NormalsOfACloud) {
   EXPECT_EQ(read_ply(ascii(header + "property float n\n", body), "t.ply").normals.rows(), 0);  // no ny
 }
 
-TEST(ReadPly, NormalsOfAMeshMayBeNoNumber) {
+TEST(ReadPly, NormalsOfAMeshMayBeNan) {
   const std::string header = vertex_header + "property float nx\nproperty float ny\nproperty float nz\n";
   const std::string lines = "0 0 0 nan 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n0 0 1 0 0 0\n";
   expect_same(read_ply(ascii(header + face_header, lines + ply_faces), "t.ply"), tetrahedron());
@@ -274,7 +274,7 @@ TEST(WritePly, WrongNumberOfValuesOrColoursIsAnError) {
               ThrowsMessage<InputError>(EndsWith("4 values and 4 colours for 3 samples")));
 }
 
-TEST(ReadPly, ATypeHasItsRangeUnderBothNames) {
+TEST(ReadPly, TypesHaveTwoNamesAndOneRange) {
   const auto coordinate = [](const std::string& type, auto number) {
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty " + type +
                         " x\nproperty uchar y\nproperty uchar z\nend_header\n";

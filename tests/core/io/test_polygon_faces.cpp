@@ -101,7 +101,7 @@ TEST(PolygonFaces, OfConcavePolygonsCoverThemOnce) {
   }
 }
 
-TEST(PolygonFaces, OfAnEdgeInsideAndBackCoverThePolygonOnce) {
+TEST(PolygonFaces, WithAnInwardEdgeCoverThePolygonOnce) {
   // A square whose last corner but one is inside it: the fan about the first corner folds over.
   const Corners square = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 4, 0}, {2, 1, 0}, {2, 4, 0}, {0, 4, 0}};
   expect_covered(square, 16);
@@ -149,7 +149,7 @@ TEST(PolygonFaces, OfNearlyPlanarPolygonsCoverThem) {
   EXPECT_NEAR(surface_area(shape), area_of_u, 0.01 * area_of_u);
 }
 
-TEST(PolygonFaces, OfAnEdgeToAHoleAndBackLeaveTheHoleOut) {
+TEST(PolygonFaces, WithABridgeToAHoleExcludeTheHole) {
   const Corners frame = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                          {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
   expect_covered(frame, 12);
@@ -162,7 +162,7 @@ TEST(PolygonFaces, ThatTouchThemselvesAreCovered) {
   expect_covered({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 0, 0}, {0, 2, 0}}, 4);
 }
 
-TEST(PolygonFaces, ThatCrossThemselvesOrHaveNoPlaneAreFans) {
+TEST(PolygonFaces, OfSelfIntersectingPolygonsAreFans) {
   EXPECT_EQ(triangles_of(read({{0, 0, 0}, {3, 3, 0}, {3, 0, 0}, {0, 1, 0}})), fan(4)) << "a bow";
   EXPECT_EQ(triangles_of(read({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}})), fan(4)) << "without area";
   EXPECT_EQ(triangles_of(read({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {2, 2, 2}, {5, 5, 5}})), fan(5)) << "a line";
@@ -171,7 +171,7 @@ TEST(PolygonFaces, ThatCrossThemselvesOrHaveNoPlaneAreFans) {
   EXPECT_EQ(triangles_of(read({five[0], five[2], five[4], five[1], five[3]})), fan(5)) << "a pentagram";
 }
 
-TEST(PolygonFaces, AreReadAlikeFromEveryFormat) {
+TEST(PolygonFaces, AreTheSameInEveryFormat) {
   std::string off = "OFF\n8 1 0\n";
   std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n";
@@ -185,7 +185,7 @@ TEST(PolygonFaces, AreReadAlikeFromEveryFormat) {
   EXPECT_EQ(triangles_of(read_ply(ply + "8 0 1 2 3 4 5 6 7\n", "shape")), expected);
 }
 
-TEST(PolygonFaces, AreRememberedUnlessTheyAreTheTriangles) {
+TEST(PolygonFaces, AreRecordedOnlyIfNotAllTriangles) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
   const Shape triangles = read_obj(vertices + "f 1 2 3\nf 1 3 4\n", "shape");
   EXPECT_FALSE(has_polygons(triangles));
@@ -205,7 +205,7 @@ TEST(PolygonFaces, AreRememberedUnlessTheyAreTheTriangles) {
   EXPECT_EQ(polygon_count(flawed), 2);
 }
 
-TEST(PolygonFaces, OfManyCornersAreTriangulatedAtOnceAndOfMoreAreRefused) {
+TEST(PolygonFaces, OfManyCornersAreFastAndOfTooManyRejected) {
   const int most = static_cast<int>(max_polygon_corners);
   const Shape shape = read(star(most, 0.9));
   EXPECT_EQ(shape.triangles.rows(), most - 2);
@@ -223,7 +223,7 @@ TEST(PolygonFaces, OfManyCornersAreTriangulatedAtOnceAndOfMoreAreRefused) {
   EXPECT_THAT(test::input_error_of([&] { read_ply(ply + count + corners + "\n", "shape"); }), too_many);
 }
 
-TEST(PolygonFaces, WhereManyCornersMeetAreTriangulatedAtOnce) {
+TEST(PolygonFaces, OfManyCoincidentCornersAreFast) {
   constexpr int petals = 20000;
   Corners polygon;
   double area = 0;

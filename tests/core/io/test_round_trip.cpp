@@ -145,7 +145,7 @@ class RandomOffWriter {
   std::string text_;
 };
 
-RC_GTEST_PROP(RoundTrip, OffAsAnybodyMightWriteIt, (unsigned seed)) {
+RC_GTEST_PROP(RoundTrip, ReadsOffInVariousStyles, (unsigned seed)) {
   const Polygons polygons = *any_polygons(false);
   const std::string text = RandomOffWriter(seed).write(polygons);
   RC_LOG(text);

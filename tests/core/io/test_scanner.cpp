@@ -54,7 +54,7 @@ std::vector<std::string> literal_words(const std::string& text) {
   return words;
 }
 
-TEST(TextScanner, WordsStandBetweenBlanksAndComments) {
+TEST(TextScanner, SplitsWordsAtBlanksAndComments) {
   EXPECT_THAT(scanned_words("one  two\t# three\n\r\n four#4\r#five\r\nsix"),
               ElementsAre("one", "two", "four#4", "six"));
   EXPECT_THAT(scanned_words("\xEF\xBB\xBFone"), ElementsAre("one")) << "after a byte order mark";
@@ -62,7 +62,7 @@ TEST(TextScanner, WordsStandBetweenBlanksAndComments) {
   EXPECT_TRUE(scanned_words("# nothing").empty());
 }
 
-RC_GTEST_PROP(TextScanner, WordsAreThoseOfTheDefinition, ()) {
+RC_GTEST_PROP(TextScanner, WordsMatchTheDefinition, ()) {
   const auto text = *rc::gen::container<std::string>(rc::gen::element('a', '1', '#', ' ', '\t', '\n', '\r'));
   RC_ASSERT(scanned_words(text) == literal_words(text));
 }
@@ -90,7 +90,7 @@ std::optional<std::int64_t> integer_of(const std::string& text) {
   return value;
 }
 
-TEST(TextScanner, NumbersHaveTheUsualForms) {
+TEST(TextScanner, AcceptsCommonNumberFormats) {
   EXPECT_EQ(number_of("1.5"), 1.5);
   EXPECT_EQ(number_of(" # first\n-.25e1 7"), -2.5);
   EXPECT_EQ(number_of("+3"), 3);
@@ -104,7 +104,7 @@ TEST(TextScanner, NumbersHaveTheUsualForms) {
   }
 }
 
-TEST(TextScanner, IntegersAreWhole) {
+TEST(TextScanner, RejectsFractionsAsIntegers) {
   EXPECT_EQ(integer_of("7"), 7);
   EXPECT_EQ(integer_of("+7 8"), 7);
   EXPECT_EQ(integer_of("-9223372036854775808"), std::numeric_limits<std::int64_t>::min());
@@ -113,7 +113,7 @@ TEST(TextScanner, IntegersAreWhole) {
   }
 }
 
-RC_GTEST_PROP(TextScanner, NumbersAreReadBack, (const std::vector<double>& numbers, std::int64_t last)) {
+RC_GTEST_PROP(TextScanner, ReadsBackWrittenNumbers, (const std::vector<double>& numbers, std::int64_t last)) {
   std::string text;
   for (const double number : numbers) text += fmt::format("{}{}", number, *rc::gen::element(" ", "\r\n", "#c\n", "\t"));
   text += std::to_string(last);
@@ -131,7 +131,7 @@ RC_GTEST_PROP(TextScanner, NumbersAreReadBack, (const std::vector<double>& numbe
   RC_ASSERT(!scanner.read_integer(value, "a number"));
 }
 
-TEST(TextScanner, ErrorsHaveTheLineOfTheWord) {
+TEST(TextScanner, ErrorsNameTheLine) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     const std::string text = "1" + end + "# two" + end + end + "  4 x" + end + "5";
     TextScanner scanner(text, scanned_name);
@@ -189,7 +189,7 @@ TEST(TextScanner, SkipsWordsAndCharacters) {
   EXPECT_FALSE(scanner.skip_words(1));
 }
 
-TEST(ByteScanner, ReadsNumbersOfEitherOrder) {
+TEST(ByteScanner, ReadsBothByteOrders) {
   using namespace std::string_literals;
   const std::string bytes = "\x01\x02\x03\x04\xFF\x3F\x80\x00\x00"s;
   ByteScanner big(bytes, std::endian::big);

@@ -79,7 +79,7 @@ TEST(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
   EXPECT_EQ(read_shape(folder.file("c.dat", of_off)).triangles.rows(), 4);
 }
 
-TEST(ReadShape, CommonFormatsThatAreNotReadComeWithAdvice) {
+TEST(ReadShape, UnsupportedFormatsGiveAdvice) {
   const TemporaryFolder folder;
   for (const char* name : {"part.STEP", "scene.fbx", "scan.las", "print.3mf"}) {
     test::write_text(folder.path() / name, "anything");
@@ -88,7 +88,7 @@ TEST(ReadShape, CommonFormatsThatAreNotReadComeWithAdvice) {
   EXPECT_FALSE(unsupported_format_advice("x.off"));
 }
 
-TEST(ReadShape, RefusesWhatIsNotAShapeFile) {
+TEST(ReadShape, RejectsFilesThatAreNoShapes) {
   const TemporaryFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
   std::filesystem::create_directory(folder.path() / "folder.off");
@@ -122,7 +122,7 @@ TEST(ReadShape, FileWithoutVerticesIsAnError) {
   }
 }
 
-TEST(ReadShape, HeaderBehindALongCommentIsFound) {
+TEST(ReadShape, FindsTheHeaderAfterALongComment) {
   const TemporaryFolder folder;
   const std::string comment = "# " + std::string(200'000, 'x') + "\n";
   EXPECT_NO_THROW(check_shape_header(folder.file("t.off", comment + test::as_ascii_off(tetrahedron()))));
@@ -130,7 +130,7 @@ TEST(ReadShape, HeaderBehindALongCommentIsFound) {
   EXPECT_THROW(check_shape_header(folder.file("u.off", comment + "hello")), InputError);
 }
 
-TEST(ShapeWriter, WritesWhatTheExtensionSays) {
+TEST(ShapeWriter, SelectsTheFormatByExtension) {
   const TemporaryFolder folder;
   for (const auto& [name, begin] : {std::pair{"t.off", "OFF"}, {"t.PLY", "ply"}, {"t.obj", "v 0"}, {"t.Stl", "bin"}}) {
     const auto path = folder.path() / name;
@@ -141,11 +141,11 @@ TEST(ShapeWriter, WritesWhatTheExtensionSays) {
   }
 }
 
-TEST(ShapeWriter, RefusesAnotherExtension) {
+TEST(ShapeWriter, RejectsUnknownExtensions) {
   for (const char* const name : {"t.xyz", "t.doc", "t"}) EXPECT_THROW(shape_writer(name), InputError) << name;
 }
 
-TEST(ShapeWriter, RefusesWhatCouldNotBeReadAgain) {
+TEST(ShapeWriter, RejectsShapesThatCannotBeReadAgain) {
   const TemporaryFolder folder;
   Shape not_finite = tetrahedron();
   not_finite.vertices(2, 1) = std::numeric_limits<double>::infinity();
@@ -159,7 +159,7 @@ TEST(ShapeWriter, RefusesWhatCouldNotBeReadAgain) {
   }
 }
 
-TEST(ShapeFormats, ExtensionsAreInLowerCaseAndOfOneFormat) {
+TEST(ShapeFormats, ExtensionsAreLowerCaseAndUnique) {
   std::set<std::string_view> seen;
   for (const std::string_view extension : shape_extensions()) {
     EXPECT_TRUE(extension.starts_with('.')) << extension;
@@ -173,7 +173,7 @@ TEST(ShapeFormats, ExtensionsAreInLowerCaseAndOfOneFormat) {
   }
 }
 
-TEST(ShapeFormats, NamesOfShapeFilesLoseTheirExtension) {
+TEST(ShapeFormats, NamesOfModelsOmitTheExtension) {
   EXPECT_EQ(without_shape_extension("T12.off"), "T12");
   EXPECT_EQ(without_shape_extension("T12.PlY"), "T12");
   EXPECT_EQ(without_shape_extension("a.off.pwn"), "a.off");
@@ -183,7 +183,7 @@ TEST(ShapeFormats, NamesOfShapeFilesLoseTheirExtension) {
 }
 
 /// Minimal format as a user of the library would add it.
-TEST(RegisterShapeFormat, AddsOneOfAUsersOwn) {
+TEST(RegisterShapeFormat, AddsAUserDefinedEntry) {
   static constexpr std::array<std::string_view, 1> extensions{".point"};
   const ShapeFormat format{.name = "point",
                            .description = "Three bytes: a point",
@@ -208,7 +208,7 @@ TEST(RegisterShapeFormat, AddsOneOfAUsersOwn) {
   EXPECT_THROW(shape_formats().add(format), InputError);
 }
 
-TEST(RegisterShapeFormat, RefusesOneThatCannotBeReadOrRecognised) {
+TEST(RegisterShapeFormat, RejectsFormatsWithoutReaderOrHeaderCheck) {
   ShapeFormat format = shape_formats().at("OFF");
   format.name = "test_unread";
   format.extensions = {};

@@ -32,7 +32,7 @@ SoupBuilder square_builder() {
   return builder;
 }
 
-TEST(SoupBuilder, NormalsAreThoseOfACloudWithOneForEachPoint) {
+TEST(SoupBuilder, KeepsNormalsOfCloudsWithOnePerPoint) {
   SoupBuilder cloud = square_builder();
   cloud.add_normal({0, 0, 5});
   cloud.add_normal({0, 0, 0});
@@ -52,7 +52,7 @@ TEST(SoupBuilder, NormalsAreThoseOfACloudWithOneForEachPoint) {
   EXPECT_EQ(cloud.shape().normals.rows(), 0) << "not of a mesh";
 }
 
-TEST(FirstLineOfData, IsWithoutBlanksAndComments) {
+TEST(FirstLineOfData, SkipsBlanksAndComments) {
   EXPECT_EQ(first_line_of_data("\xEF\xBB\xBF\r\n # one\r\t\n  OFF 1 \nnext"), "OFF 1");
   EXPECT_EQ(first_line_of_data("OFF"), "OFF");
   EXPECT_EQ(first_line_of_data("a # b"), "a # b");
@@ -60,7 +60,7 @@ TEST(FirstLineOfData, IsWithoutBlanksAndComments) {
   EXPECT_EQ(first_line_of_data(""), "");
 }
 
-RC_GTEST_PROP(AppendNumber, IsReadBackAndShort, (double number)) {
+RC_GTEST_PROP(AppendNumber, WritesTheShortestRoundTrip, (double number)) {
   std::string text = "x";
   append_number(text, number, ' ');
   RC_ASSERT(text.front() == 'x' && text.back() == ' ');
@@ -71,7 +71,7 @@ RC_GTEST_PROP(AppendNumber, IsReadBackAndShort, (double number)) {
   RC_ASSERT(text.size() <= 26U);
 }
 
-TEST(AppendNumber, TheLongestFit) {
+TEST(AppendNumber, WritesTheLongestNumbers) {
   for (const double number : {-std::numeric_limits<double>::max(), -std::numeric_limits<double>::denorm_min(),
                               -2.2250738585072014e-308, -1.7976931348623157e+308}) {
     std::string text;
@@ -84,7 +84,7 @@ TEST(AppendNumber, TheLongestFit) {
   EXPECT_EQ(text, "0.1 -2 1e+30\n");
 }
 
-TEST(RequireWritable, RefusesWhatCouldNotBeReadAgain) {
+TEST(RequireWritable, RejectsShapesThatCannotBeReadAgain) {
   const Shape mesh{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}}};
   const Shape cloud{mesh.vertices, {}, mesh.vertices};
   EXPECT_NO_THROW(require_writable("x", mesh));

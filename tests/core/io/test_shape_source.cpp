@@ -45,7 +45,7 @@ TEST_F(ReadNeighbour, FilesOfTheWorkingFolder) {
   std::filesystem::current_path(before);
 }
 
-TEST_F(ReadNeighbour, NothingOutsideOfTheFolder) {
+TEST_F(ReadNeighbour, RejectsFilesOutsideTheFolder) {
   const std::string absolute = at("outside.bin").string();
   for (const std::string& file :
        {std::string("../outside.bin"), std::string("parts/../../outside.bin"), std::string("parts/.."), absolute,
@@ -62,7 +62,7 @@ TEST_F(ReadNeighbour, MessagesNameBothFiles) {
   EXPECT_THAT([&] { return source().read_neighbour("../two.bin"); }, ThrowsMessage<InputError>(names_both));
 }
 
-TEST_F(ReadNeighbour, NoneWhereTheBytesAreNoFile) {
+TEST_F(ReadNeighbour, RejectsNeighboursOfStandardInput) {
   const ShapeSource stream{.bytes = "shape", .name = "standard input"};
   EXPECT_THROW(static_cast<void>(stream.read_neighbour("CMakeCache.txt")), InputError);
   EXPECT_THROW(static_cast<void>(stream.neighbour("parts/one.bin")), InputError);

@@ -49,7 +49,7 @@ TEST(ReadStl, AsciiOnOneLineInCapitalsAndOfTwoSolids) {
   EXPECT_EQ(shape.triangles, (Triangles(3, 3) << 0, 1, 2, 0, 1, 2, 0, 1, 2).finished());
 }
 
-TEST(ReadStl, ZeroAndMinusZeroAreOneVertex) {
+TEST(ReadStl, WeldsZeroAndMinusZero) {
   Shape shape = renumbered_tetrahedron();
   shape.vertices.row(3).setConstant(-0.0);
   const Shape read = read_stl(as_binary_stl(shape), "t.stl");
@@ -82,7 +82,7 @@ TEST(ReadStl, RefusesUnusableFiles) {
                        [](const std::string& file) { read_stl(file, "t.stl"); });
 }
 
-TEST(ReadStl, HeaderAloneCanBeChecked) {
+TEST(ReadStl, ChecksTheHeaderAlone) {
   EXPECT_NO_THROW(check_stl_header("solid x\n", "t.stl"));
   EXPECT_NO_THROW(check_stl_header(as_binary_stl(test::tetrahedron()).substr(0, 84), "t.stl"));
   EXPECT_THROW(check_stl_header("hello", "t.stl"), InputError);
@@ -130,7 +130,7 @@ TEST(WriteStl, LossOfPrecisionIsAWarning) {
   EXPECT_EQ(precision_warning("x.ply", shape), std::nullopt);
 }
 
-TEST(WriteStl, RefusesWhatTheFormatCannotHold) {
+TEST(WriteStl, RejectsShapesThatTheFormatCannotStore) {
   const test::TemporaryFolder folder;
   EXPECT_THROW(write_stl(folder.path() / "t.stl", test::small_cloud()), InputError);
   Shape large = test::tetrahedron();

@@ -156,7 +156,7 @@ TEST(ConstrainedDelaunay, OfAnOutlineWalkedBackAndForthHasItsArea) {
   }
 }
 
-TEST(ConstrainedDelaunay, OfAPolygonThatCrossesItselfIsEmpty) {
+TEST(ConstrainedDelaunay, OfASelfIntersectingPolygonIsEmpty) {
   EXPECT_TRUE(constrained_delaunay(FlatCorners{{0, 0}, {3, 3}, {3, 0}, {0, 1}}).empty());
   EXPECT_TRUE(constrained_delaunay(FlatCorners{{0, 0}, {1, 0}, {2, 0}, {3, 0}}).empty()) << "a line";
 }
@@ -177,7 +177,7 @@ double doubled_area_of(const std::vector<Eigen::Vector3d>& corners, const Polygo
   return (at(triangle[1]) - at(triangle[0])).cross(at(triangle[2]) - at(triangle[0])).dot(normal);
 }
 
-TEST(TrianglesInPlaceOfFan, AreGivenWhereTheFanOverlaps) {
+TEST(TrianglesInPlaceOfFan, ReplaceOverlappingFans) {
   const Eigen::Vector3d normal = Eigen::Vector3d(2, 1, 0).cross(Eigen::Vector3d(0.5, 0, 3)).normalized();
   int fans = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -225,7 +225,7 @@ TEST(TrianglesInPlaceOfFan, DoNotDependOnSizeAndPosition) {
   }
 }
 
-TEST(TrianglesInPlaceOfFan, AreNoneOfATriangleOrWithoutArea) {
+TEST(TrianglesInPlaceOfFan, AreNotNeededForTrianglesOrZeroArea) {
   EXPECT_TRUE(triangles_in_place_of_fan({}).empty());
   EXPECT_TRUE(triangles_in_place_of_fan(std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).empty());
   EXPECT_TRUE(triangles_in_place_of_fan(std::vector<Eigen::Vector3d>(7, Eigen::Vector3d(1, 2, 3))).empty());

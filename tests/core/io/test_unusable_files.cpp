@@ -88,7 +88,7 @@ TEST(UnusableFiles, DamagedBytesGiveAShapeOrAnInputError) {
   }
 }
 
-TEST(UnusableFiles, CountsThatTheFileCannotHoldTakeNoMemory) {
+TEST(UnusableFiles, ImpossibleCountsAllocateNoMemory) {
   const test::TemporaryFolder folder;
   const std::string ply_vertices = "element vertex 2000000000\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string ply_faces =

@@ -31,12 +31,12 @@ TEST(ReadXyz, SeparatorsCommentsAndLineEnds) {
   }
 }
 
-TEST(ReadXyz, ColumnsFourToSixAreNormalsWhereTheyHaveALengthOfAboutOne) {
+TEST(ReadXyz, ColumnsFourToSixAreNormalsIfOfUnitLength) {
   const Shape shape = expect_three_points("0 0 .5 0 0 1.02\n1 0 -2 0.6 0 -0.8\n0 1e3 0 0 0 0\n");
   EXPECT_TRUE(shape.normals.isApprox((Points(3, 3) << 0, 0, 1, 0.6, 0, -0.8, 0, 0, 0).finished(), 1e-15));
 }
 
-TEST(ReadXyz, FurtherColumnsArePassedOver) {
+TEST(ReadXyz, IgnoresFurtherColumns) {
   const Shape shape = expect_three_points("0 0 .5 0 0 1 255 x 0\n1 0 -2 0 0 -1 0 y nan\n0 1e3 0 1 0 0 0 z 0\n");
   EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, 0, -1, 1, 0, 0).finished());
 }
@@ -55,7 +55,7 @@ TEST(ReadXyz, ColoursAndOtherColumnsAreNoNormals) {
   }
 }
 
-TEST(ReadXyz, OneVectorInTenMayHaveAnotherLength) {
+TEST(ReadXyz, AllowsOneVectorInTenOfAnotherLength) {
   std::string text = "9 9 9 0 3 4\n";
   for (int i = 0; i < 8; ++i) text += "0 0 0 0 0 -1\n";
   EXPECT_EQ(read_xyz(text, "c.xyz").normals.rows(), 0);
@@ -64,12 +64,12 @@ TEST(ReadXyz, OneVectorInTenMayHaveAnotherLength) {
   EXPECT_TRUE(shape.normals.row(0).isApprox(Eigen::RowVector3d(0, 0.6, 0.8), 1e-15));
 }
 
-TEST(ReadXyz, PwnHasItsNormalsAfterItsPoints) {
+TEST(ReadXyz, PwnHasNormalsAfterThePoints) {
   const Shape shape = expect_three_points("3\n0 0 .5\n1 0 -2\n0 1e3 0\n0 0 1\n0 -5 0\n0 0 0\n");
   EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, -1, 0, 0, 0, 0).finished());
 }
 
-TEST(ReadXyz, OrOnTheSameLines) {
+TEST(ReadXyz, PwnMayHaveNormalsOnTheSameLines) {
   const Shape shape = expect_three_points("3\n0 0 .5 0 0 1\n1 0 -2 0 -1 0\n0 1e3 0 0 0 0\n");
   EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, -1, 0, 0, 0, 0).finished());
 }
@@ -84,8 +84,8 @@ TEST(ReadXyz, NormalsOfAnySizeBecomeUnitVectors) {
 }
 
 TEST(ReadXyz, RefusesUnusableLines) {
-  test::expect_refused({{"0 0 0\n1 2\n0 0 0\n", "c.xyz:2: 2 of a point's three"},
-                        {"0 0 0\n\n7\n", "c.xyz:3: 1 of a point's three"},
+  test::expect_refused({{"0 0 0\n1 2\n0 0 0\n", "c.xyz:2: expected 3 coordinates of a point, found 2"},
+                        {"0 0 0\n\n7\n", "c.xyz:3: expected 3 coordinates of a point, found 1"},
                         {"x,y\n0,0,0\n", "c.xyz:1: expected a coordinate"},
                         {"0 0 0\n0 zero 0\n", "c.xyz:2: expected a coordinate"},
                         {"0 0 0\n0 0 -inf\n", "c.xyz:2: a coordinate is not a finite number"},
@@ -106,7 +106,7 @@ TEST(ReadXyz, RefusesUnusableLines) {
                        [](const std::string& text) { read_xyz(text, "c.xyz"); });
 }
 
-TEST(ReadXyz, HeaderAloneCanBeChecked) {
+TEST(ReadXyz, ChecksTheHeaderAlone) {
   EXPECT_NO_THROW(check_xyz_header("# x\n 12\n0 0", "c.xyz"));
   EXPECT_NO_THROW(check_xyz_header("0 0 0\n0 0", "c.xyz"));
   EXPECT_THROW(check_xyz_header("hello\n", "c.xyz"), InputError);

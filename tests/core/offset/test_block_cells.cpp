@@ -45,7 +45,7 @@ BlockCells filled_cell_by_cell(BlockCells cells, BlockCells free) {
   }
 }
 
-TEST(BlockCells, AreFilledAcrossFaces) {
+TEST(BlockCells, FillAcrossFaces) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 500; ++i) {
     const BlockCells seeds = BlockCells{1} << (random() % cells_per_block);
@@ -55,7 +55,7 @@ TEST(BlockCells, AreFilledAcrossFaces) {
   }
 }
 
-TEST(BlockCells, TouchThoseOfTheNeighbourAcrossASide) {
+TEST(BlockCells, FindContactsAcrossASide) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 100; ++i) {
     const BlockCells cells = random();
@@ -71,7 +71,7 @@ TEST(BlockCells, TouchThoseOfTheNeighbourAcrossASide) {
   }
 }
 
-TEST(BlockCells, TouchANeighbourInEachOf26Directions) {
+TEST(BlockCells, FindContactsIn26Directions) {
   for (int i = 0; i < 27; ++i) {
     const Eigen::Vector3i direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
     // A cell touches the neighbour if a step in that direction leaves the block along every axis of the direction.

@@ -22,7 +22,7 @@ const std::vector<Eigen::Vector3i>& sizes_of_grids() {
   return sizes;
 }
 
-TEST(BlockGrid, OuterBlocksAreFartherThanTheOffsetFromTheBox) {
+TEST(BlockGrid, OuterBlocksAreBeyondTheOffset) {
   RandomNumbers random(1);
   for (int round = 0; round < 300; ++round) {
     const auto point = [&] {

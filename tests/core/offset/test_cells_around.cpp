@@ -41,7 +41,7 @@ struct LiteralCells {
   }
 };
 
-TEST(CellsAround, AreTheEightThatEncloseAPoint) {
+TEST(CellsAround, AreTheEightAroundAPoint) {
   const Exterior torus(test::torus(1, 0.4, 40, 20), 0.1, 0.025);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> coordinate(0, 1);

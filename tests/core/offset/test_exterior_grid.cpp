@@ -36,7 +36,7 @@ struct Flooded {
   ExteriorGrid exterior;
 };
 
-TEST(ExteriorGrid, OfASphereIsBeyondTheOffset) {
+TEST(ExteriorGrid, OfASphereStartsBeyondTheOffset) {
   const double r = 0.2;
   const Flooded flooded(test::sphere(1, 4), r, 0.05);
   const std::vector<bool> cells = exterior_cells(flooded.exterior);
@@ -117,7 +117,7 @@ bool is_exterior_cell(const ExteriorGrid& exterior, const Eigen::Vector3i& cell)
   return (exterior.exterior_cells(grid.block_index(in_grid / block_edge)) >> bit & 1U) != 0;
 }
 
-TEST(ExteriorGrid, CubesAreThoseWithAnExteriorCorner) {
+TEST(ExteriorGrid, CubesHaveAnExteriorCorner) {
   const double r = 0.1;
   const Shape torus = test::torus(1, 0.4, 40, 20);
   const BlockGrid grid(bounding_box(torus), r, r / 3);

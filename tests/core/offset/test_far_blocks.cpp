@@ -48,7 +48,7 @@ std::vector<std::uint8_t> random_blocks(const BlockGrid& grid, unsigned seed, do
   return marked;
 }
 
-TEST(FarBlocks, AreThoseThatABreadthFirstSearchReaches) {
+TEST(FarBlocks, MatchABreadthFirstSearch) {
   const BlockGrid grid = long_grid();
   ASSERT_GT(grid.blocks.x(), BlockRows::bits);
   for (unsigned seed = 0; seed < 30; ++seed) {
@@ -62,7 +62,7 @@ TEST(FarBlocks, AreThoseThatABreadthFirstSearchReaches) {
   }
 }
 
-TEST(FarBlocks, TouchTheCellsAtTheirSides) {
+TEST(FarBlocks, MarkTheCellsAtTheirSides) {
   const BlockGrid grid = long_grid();
   const std::vector<std::uint8_t> near_surface = random_blocks(grid, 1, 0.5);
   const FarBlocks far(grid, near_surface);

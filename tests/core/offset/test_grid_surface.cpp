@@ -88,7 +88,7 @@ TEST(GridSurface, FindRunsReturnsAllPointsWithinReach) {
   }
 }
 
-TEST(GridSurface, GroupsHaveTightBoxesAndAreSmallOnes) {
+TEST(GridSurface, GroupsAreSmallWithTightBoxes) {
   const Shape torus = test::torus(1, 0.4, 150, 100);
   const BlockGrid grid(bounding_box(torus), 0.2, 0.2 / 3);
   const GridSurface surface(grid, torus, 0.75, false);

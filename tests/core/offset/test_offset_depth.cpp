@@ -57,7 +57,7 @@ std::vector<OffsetDepthTask> places_about(const DepthGrid& of) {
   return tasks;
 }
 
-TEST(OffsetDepth, IsThatOfTheDistanceToTheSurface) {
+TEST(OffsetDepth, FollowsFromTheDistanceToTheSurface) {
   const DepthGrid of(test::torus(1, 0.4, 60, 40));
   std::vector<OffsetDepthTask> tasks = places_about(of);
   of.solve(tasks);

@@ -56,7 +56,7 @@ double exit_of_ball(const Eigen::Vector3d& origin, const Eigen::Vector3d& direct
   return -along + std::sqrt(along * along + radius * radius - origin.squaredNorm());
 }
 
-TEST(OffsetExit, OfASphereIsOnTheLargerSphere) {
+TEST(OffsetExit, OfASphereIsOnItsOffsetSphere) {
   const double r = 0.2;
   const Shape sphere = test::sphere(1, 5);
   const ExitOf exit(sphere, r);
@@ -131,7 +131,7 @@ TEST(OffsetExit, OfAConvexShapeIsWhereTheDistanceReachesTheOffset) {
   }
 }
 
-TEST(OffsetExit, OfATorusIsTheFirstPlaceOutsideOfItsOffset) {
+TEST(OffsetExit, OfATorusIsTheFirstPointOutsideItsOffset) {
   const double ring = 1;
   const double tube = 0.4;
   const double r = 0.1;
@@ -199,7 +199,7 @@ bool touches_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
   return false;
 }
 
-TEST(OffsetExit, IsTheFirstPlaceAtAnExteriorCellWhereNoTriangleIsCloserThanTheOffset) {
+TEST(OffsetExit, IsTheFirstPointAtAnExteriorCellBeyondTheOffset) {
   const double r = 0.05;
   const Shape shape = test::of_diagonal_1(test::star());
   const ExitOf exit(shape, r);

@@ -65,7 +65,7 @@ TEST(PointSearch, FindsThePointsWithinADistance) {
   }
 }
 
-TEST(ClosestTriangles, AreTheClosestOfThoseNearARegion) {
+TEST(ClosestTriangles, MatchExhaustiveSearchNearARegion) {
   RandomNumbers random(2);
   for (const Surface& of : surfaces()) {
     ClosestTriangles closest(of.grid, of.surface);
@@ -99,7 +99,7 @@ TEST(ClosestTriangles, AreTheClosestOfThoseNearARegion) {
   }
 }
 
-TEST(ClosestTriangles, WithinADistanceAreTheClosestOfAll) {
+TEST(ClosestTriangles, MatchExhaustiveSearchWithinADistance) {
   RandomNumbers random(3);
   for (const Surface& of : surfaces()) {
     ClosestTriangles closest(of.grid, of.surface);
@@ -134,7 +134,7 @@ TEST(ClosestTriangles, TiesGoToTheLowestIndexForEveryVectorWidth) {
   }
 }
 
-TEST(ClosestTriangles, AreNoneOfAPlaceThatIsNotFinite) {
+TEST(ClosestTriangles, AreNoneForNonFinitePoints) {
   const Surface of(test::sphere(1, 4), 0.2);
   ClosestTriangles closest(of.grid, of.surface);
   const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());

@@ -37,7 +37,7 @@ TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
   }
 }
 
-TEST(Decimate, ABoxLosesNothing) {
+TEST(Decimate, KeepsVolumeAndAreaOfABox) {
   const Shape box = test::box({1, 2, 3}, 8);
   const Shape coarse = decimate(box, 40);
   expect_valid(coarse);
@@ -60,7 +60,7 @@ TEST(Decimate, AnOpenPlateKeepsItsRim) {
   EXPECT_NEAR(surface_area(coarse), 2, 1e-12);
 }
 
-TEST(Decimate, TakesASoupForTheMeshItIs) {
+TEST(Decimate, WeldsSoups) {
   const Shape sphere = test::sphere(1, 3);
   const Shape coarse = decimate(test::soup(sphere), 200);
   EXPECT_TRUE(is_closed(coarse));
@@ -80,7 +80,7 @@ TEST(Decimate, KeepsTheOrientationOfEveryFace) {
   EXPECT_NEAR(outward / static_cast<double>(mixed.triangles.rows()), 0.5, 0.15);
 }
 
-TEST(Decimate, StaysClosedWhereSurfacesMeet) {
+TEST(Decimate, KeepsTouchingSurfacesClosed) {
   // Two boxes with a common edge, shared by four faces.
   const Shape box = test::box({1, 1, 1}, 6);
   const Shape pair = test::joined({box, test::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
@@ -99,19 +99,19 @@ TEST(Decimate, WorksOnBrokenMeshes) {
   EXPECT_LT(coarse.triangles.rows(), broken.triangles.rows() / 2 + 500);
 }
 
-TEST(Decimate, DoesNotDependOnSizeOrPlace) {
+TEST(Decimate, IsInvariantToSizeAndPosition) {
   const Shape torus = test::torus(3, 1, 40, 30);
   Shape tiny = torus;
   tiny.vertices *= 0x1p-200;
   EXPECT_EQ(decimate(tiny, 500).triangles, decimate(torus, 500).triangles);
 }
 
-TEST(Decimate, ReturnsASmallMeshAsItIs) {
+TEST(Decimate, ReturnsSmallMeshesUnchanged) {
   const Shape box = test::box({1, 1, 1}, 2);
   EXPECT_EQ(decimate(box, 48).triangles, box.triangles);
 }
 
-TEST(Decimate, RefusesWhatCannotBeDone) {
+TEST(Decimate, RejectsInvalidOptions) {
   Shape cloud;
   cloud.vertices = test::sphere(1, 2).vertices;
   EXPECT_THROW(decimate(cloud, 100), InputError);

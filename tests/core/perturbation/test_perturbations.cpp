@@ -47,7 +47,7 @@ TEST(PointInUnitBall, IsUniformInTheBall) {
   EXPECT_NEAR(in_half_radius / static_cast<double>(draws), 0.125, 0.0053);
 }
 
-TEST(UniformRotation, TurnsADirectionToAllDirectionsAlike) {
+TEST(UniformRotation, IsUniform) {
   RandomNumbers random(5);
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
@@ -65,7 +65,7 @@ TEST(UniformRotation, TurnsADirectionToAllDirectionsAlike) {
   EXPECT_LT((squares / draws - Eigen::Matrix3d::Constant(1. / 3)).cwiseAbs().maxCoeff(), 0.0048);
 }
 
-TEST(RandomSelection, HasExactlyTheRoundedNumber) {
+TEST(RandomSelection, HasTheRoundedSize) {
   RandomNumbers random(1);
   for (const auto& [count, fraction, expected] : {std::tuple{10, 0.0, 0},
                                                   {10, 1.0, 10},
@@ -79,7 +79,7 @@ TEST(RandomSelection, HasExactlyTheRoundedNumber) {
   }
 }
 
-TEST(RandomSelection, RefusesWhatIsNoFraction) {
+TEST(RandomSelection, RejectsInvalidFractions) {
   RandomNumbers random(1);
   for (const double fraction : {-0.1, 1.1, std::nan("")}) {
     EXPECT_THROW(random_selection(10, fraction, random), InputError);
@@ -97,7 +97,7 @@ TEST(WithoutElements, KeepsOrderAndVerticesOfAMesh) {
   EXPECT_EQ(rest.vertices, box.vertices);
 }
 
-TEST(WithoutElements, TakesNormalsAwayWithThePoints) {
+TEST(WithoutElements, RemovesNormalsWithTheirPoints) {
   Shape cloud;
   cloud.vertices = Points::Random(3, 3);
   cloud.normals = Points::Random(3, 3);
@@ -107,7 +107,7 @@ TEST(WithoutElements, TakesNormalsAwayWithThePoints) {
   EXPECT_EQ(rest.normals.row(1), cloud.normals.row(2));
 }
 
-TEST(WithoutElements, LeavesSomething) {
+TEST(WithoutElements, KeepsAtLeastOneElement) {
   EXPECT_THROW(without_elements(test::box({1, 1, 1}, 1), std::vector<bool>(12, true)), InputError);
   EXPECT_THROW(without_elements(Shape{}, {}), InputError);
 }
@@ -173,7 +173,7 @@ Shape thinned(const Shape& shape, double fraction, std::uint64_t seed) {
   return remove_faces(shape, fraction, random);
 }
 
-TEST(RemoveFaces, TakesTheRoundedNumberAway) {
+TEST(RemoveFaces, RemovesTheRoundedNumber) {
   const Shape sphere = test::sphere(1, 3);  // 1280 faces
   EXPECT_EQ(thinned(sphere, 0.15, 1).triangles.rows(), 1280 - 192);
   EXPECT_EQ(thinned(sphere, 0, 1).triangles, sphere.triangles);
@@ -199,7 +199,7 @@ Shape turned(const Shape& shape, double fraction, std::uint64_t seed) {
   return flip_orientation(shape, fraction, random);
 }
 
-TEST(FlipOrientation, TurnsExactlyTheFractionOver) {
+TEST(FlipOrientation, ReversesExactlyTheFraction) {
   const Shape sphere = test::sphere(1, 3);
   const Points before = sample_shape(sphere, SampleSite::faces).normals;
   for (const auto& [fraction, expected] : {std::pair{0.0, 0}, {0.25, 320}, {1.0, 1280}}) {
@@ -211,7 +211,7 @@ TEST(FlipOrientation, TurnsExactlyTheFractionOver) {
   EXPECT_NE(turned(sphere, 0.25, 1).triangles, turned(sphere, 0.25, 2).triangles);
 }
 
-TEST(FlipOrientation, TurnsTheNormalsOfACloud) {
+TEST(FlipOrientation, ReversesTheNormalsOfACloud) {
   Shape cloud;
   cloud.vertices = test::sphere(1, 1).vertices;
   EXPECT_EQ(turned(cloud, 1, 1).vertices, cloud.vertices);
@@ -219,7 +219,7 @@ TEST(FlipOrientation, TurnsTheNormalsOfACloud) {
   EXPECT_EQ(turned(cloud, 1, 1).normals, -cloud.vertices);
 }
 
-TEST(FlipOrientation, RefusesWhatIsNoFraction) { EXPECT_THROW(turned(test::box({1, 1, 1}, 1), 1.5, 1), InputError); }
+TEST(FlipOrientation, RejectsInvalidFractions) { EXPECT_THROW(turned(test::box({1, 1, 1}, 1), 1.5, 1), InputError); }
 
 Shape punched(const Shape& shape, const PunchHolesOptions& options, std::uint64_t seed) {
   RandomNumbers random(seed);
@@ -298,7 +298,7 @@ TEST(RandomMotion, IsASimilarityThatKeepsHandedness) {
   }
 }
 
-TEST(RandomMotion, ScalesAreSpreadOverTheirLogarithm) {
+TEST(RandomMotion, ScalesAreLogUniform) {
   const Shape box = test::box({1, 1, 1}, 1);
   constexpr int n = 2000;
   double sum = 0;
@@ -312,7 +312,7 @@ TEST(RandomMotion, ScalesAreSpreadOverTheirLogarithm) {
   EXPECT_NEAR(squares / n, 1. / 3, 5 * std::sqrt(4. / 45 / n));
 }
 
-TEST(RandomMotion, OfScaleOneKeepsSizesAndGoesNoFurtherThanTheDiagonal) {
+TEST(RandomMotion, WithoutScalingMovesByAtMostTheDiagonal) {
   const Shape box = test::box({1, 2, 3}, 1);
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Shape other = moved(box, 1, seed);
@@ -323,7 +323,7 @@ TEST(RandomMotion, OfScaleOneKeepsSizesAndGoesNoFurtherThanTheDiagonal) {
   }
 }
 
-TEST(RandomMotion, TurnsTheNormalsOfACloud) {
+TEST(RandomMotion, RotatesTheNormalsOfACloud) {
   Shape cloud;
   cloud.vertices = test::sphere(1, 2).vertices;
   cloud.normals = cloud.vertices;

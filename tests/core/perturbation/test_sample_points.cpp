@@ -38,7 +38,7 @@ TEST(SampleSurface, PointsLieOnTheSurfaceUniformlyByArea) {
   EXPECT_NEAR(near_end, 4000, 4 * std::sqrt(28000 * 1. / 7 * 6. / 7));
 }
 
-TEST(SampleSurface, EveryPartOfTheAreaHasItsPoint) {
+TEST(SampleSurface, IsStratified) {
   // 1280 triangles of nearly equal area, two points each: independent sampling would miss one in seven.
   const Shape sphere = test::sphere(1, 3);
   const Shape cloud = sampled(sphere, {.points = 2560, .with_normals = true}, 1);
@@ -49,7 +49,7 @@ TEST(SampleSurface, EveryPartOfTheAreaHasItsPoint) {
   EXPECT_GT(different, 1200);
 }
 
-TEST(SampleSurface, NormalsAreTheTriangles) {
+TEST(SampleSurface, NormalsAreThoseOfTheTriangles) {
   const Shape cloud = sampled(test::sphere(2, 4), {.points = 1000, .with_normals = true}, 1);
   ASSERT_EQ(cloud.normals.rows(), 1000);
   for (Eigen::Index i = 0; i < 1000; ++i) {
@@ -67,7 +67,7 @@ TEST(SampleSurface, DependsOnTheSeedAndNotOnSize) {
   EXPECT_EQ(sampled(tiny, {.points = 100}, 1).vertices, sampled(box, {.points = 100}, 1).vertices * 0x1p-100);
 }
 
-TEST(SampleSurface, PassesOverTrianglesWithoutArea) {
+TEST(SampleSurface, SkipsDegenerateTriangles) {
   Shape shape = test::box({1, 1, 1}, 1);
   Triangles triangles(14, 3);
   triangles << 0, 0, 1, shape.triangles, 1, 1, 1;
@@ -75,7 +75,7 @@ TEST(SampleSurface, PassesOverTrianglesWithoutArea) {
   EXPECT_TRUE(sampled(shape, {.points = 1000, .with_normals = true}, 1).normals.rowwise().norm().minCoeff() > 0.99);
 }
 
-TEST(SampleSurface, ThinsACloud) {
+TEST(SampleSurface, SelectsPointsOfACloud) {
   Shape cloud;
   cloud.vertices = test::sphere(1, 3).vertices;
   cloud.normals = cloud.vertices;
@@ -86,13 +86,13 @@ TEST(SampleSurface, ThinsACloud) {
   EXPECT_EQ(sampled(cloud, {.points = 100000}, 1).normals.rows(), 0);
 }
 
-TEST(SampleSurface, RefusesWhatHasNoArea) {
+TEST(SampleSurface, RejectsShapesWithoutArea) {
   EXPECT_THROW(sampled(Shape{}, {}, 1), InputError);
   EXPECT_THROW(sampled(test::box({1, 1, 1}, 1), {.points = 0}, 1), InputError);
   EXPECT_THROW(sampled(test::box({0, 0, 1}, 1), {}, 1), InputError);
 }
 
-TEST(VertexCloud, HasTheVerticesThatTrianglesUse) {
+TEST(VertexCloud, HasTheUsedVertices) {
   Shape sphere = test::sphere(1, 1);
   const Points used = sphere.vertices;
   sphere.vertices.conservativeResize(used.rows() + 1, 3);
@@ -102,7 +102,7 @@ TEST(VertexCloud, HasTheVerticesThatTrianglesUse) {
   EXPECT_EQ(cloud.vertices, used);
 }
 
-TEST(VertexCloud, OfACloudIsItsPoints) {
+TEST(VertexCloud, KeepsThePointsOfACloud) {
   const Points points = test::sphere(1, 1).vertices;
   const Shape cloud = vertex_cloud({points, {}, points});
   EXPECT_EQ(cloud.vertices, points);

@@ -26,7 +26,7 @@ Shape applied(std::string_view name, const Settings& settings, const Shape& shap
 const Shape sphere = test::sphere(1, 3);
 
 /// The entries do what their functions do, with the settings in the right places.
-TEST(ShapePerturbations, AreTheFunctionsOfTheirNames) {
+TEST(ShapePerturbations, CallTheFunctionsOfTheirNames) {
   const auto expect_same = [](const Shape& a, const Shape& b) {
     EXPECT_EQ(a.vertices, b.vertices);
     EXPECT_EQ(a.triangles, b.triangles);
@@ -65,7 +65,7 @@ TEST(ShapePerturbations, AreTheFunctionsOfTheirNames) {
               with_random([](RandomNumbers& random) { return random_motion(sphere, 3, random); }));
 }
 
-TEST(ShapePerturbations, HaveNamesOfTheirOwnAndWords) {
+TEST(ShapePerturbations, HaveUniqueNamesAndDescriptions) {
   std::set<std::string_view> names;
   for (const ShapePerturbation& entry : shape_perturbations().entries()) {
     EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
@@ -82,7 +82,7 @@ TEST(ShapePerturbations, HaveNamesOfTheirOwnAndWords) {
 }
 
 /// Registry and function accept the same parameters.
-TEST(ShapePerturbations, TheFunctionsHaveTheBoundsOfTheRegistry) {
+TEST(ShapePerturbations, FunctionsCheckTheBoundsOfTheRegistry) {
   RandomNumbers random(1);
   const Shape small = test::box({1, 1, 1}, 1);
   EXPECT_THROW(applied("vertex_noise", {{"amplitude", 1.001}}, small), InputError);
@@ -105,7 +105,7 @@ constexpr std::array stretch_parameters{Parameter{.name = "factor",
                                                   .description = "Of the stretch along x."}};
 
 /// Minimal perturbation as a user of the library would add it.
-TEST(RegisterShapePerturbation, AddsOneOfAUsersOwn) {
+TEST(RegisterShapePerturbation, AddsAUserDefinedEntry) {
   shape_perturbations().add({.name = "test_stretch",
                              .description = "Stretched along x.",
                              .parameters = stretch_parameters,

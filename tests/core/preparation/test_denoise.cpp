@@ -39,7 +39,7 @@ TEST(VertexNeighbours, OfATorusAreSixEach) {
   for (Eigen::Index v = 0; v < torus.vertices.rows(); ++v) EXPECT_EQ(neighbours.of(v).size(), 6U) << v;
 }
 
-TEST(VertexNeighbours, OfASoupAreThoseOfItsMesh) {
+TEST(VertexNeighbours, OfASoupMatchItsMesh) {
   const Shape torus = test::torus(2, 0.7, 8, 12);
   const Shape soup = test::soup(torus);
   const VertexNeighbours expected = vertex_neighbours(torus);
@@ -86,7 +86,7 @@ Shape with_isotropic_noise(const Shape& shape, double deviation) {
       random);
 }
 
-TEST(NoiseLevel, IsTheDeviationOfTheNoiseOfASphere) {
+TEST(NoiseLevel, MatchesTheNoiseOfASphere) {
   // The estimate's own error: 1.2 / sqrt(n), 1 % here; what the smoothing keeps of the noise lowers it by some per
   // cent. An edge is 0.038 long.
   const Shape sphere = test::sphere(1, 5);
@@ -129,7 +129,7 @@ TEST(NoiseLevel, DoesNotDependOnTheOrientation) {
   }
 }
 
-TEST(NoiseLevel, GoesWithTheScaleAndNotWithThePlace) {
+TEST(NoiseLevel, ScalesWithTheShapeAndIgnoresTranslation) {
   const Shape noisy = with_isotropic_noise(test::torus(2, 0.7, 40, 80), 0.02);
   const NoiseLevel level = level_of(noisy);
   for (const double scale : {1e-30, 1e-4, 1e30}) {
@@ -141,7 +141,7 @@ TEST(NoiseLevel, GoesWithTheScaleAndNotWithThePlace) {
   }
 }
 
-TEST(NoiseLevel, OfASoupIsThatOfItsMesh) {
+TEST(NoiseLevel, OfASoupMatchesItsMesh) {
   // Each vertex counts as often as it has triangles, six times as a rule.
   const Shape noisy = with_isotropic_noise(test::torus(2, 0.7, 40, 80), 0.02);
   const NoiseLevel mesh = level_of(noisy);
@@ -153,7 +153,7 @@ TEST(NoiseLevel, OfASoupIsThatOfItsMesh) {
   EXPECT_FALSE(is_noisy(far));
 }
 
-TEST(NoiseLevel, SaysNothingOfFewVertices) {
+TEST(NoiseLevel, IsUndefinedForFewVertices) {
   const Shape few = with_isotropic_noise(test::sphere(1, 2), 0.1);  // 162 vertices
   EXPECT_GE(level_of(few).relative(), 0.1);
   EXPECT_FALSE(is_noisy(few));
@@ -224,7 +224,7 @@ TEST(TaubinSmoothing, ScalesAWaveOnATorusMeshByTheTransferFunction) {
   }
 }
 
-TEST(TaubinSmoothing, KeepsWhatIsInThePassBandAndFadesWhatIsNot) {
+TEST(TaubinSmoothing, KeepsFrequenciesOfThePassBandOnly) {
   for (const double pass_band : {0.01, 0.02, 0.05, 0.1}) {
     for (int i = 0; i < 200; ++i) {
       const double k = 0.01 * i;
@@ -249,7 +249,7 @@ TEST(TaubinSmoothing, DoesNotShrinkASphere) {
   EXPECT_LT((smoothed - sphere.vertices).rowwise().norm().maxCoeff(), 1e-2);
 }
 
-TEST(TaubinSmoothing, LeavesVerticesWithoutNeighboursAndMovesThoseAtOnePlaceTogether) {
+TEST(TaubinSmoothing, KeepsIsolatedVerticesAndMovesCoincidentOnesTogether) {
   Shape soup = test::soup(test::box({1, 2, 3}, 3));
   soup.vertices.conservativeResize(soup.vertices.rows() + 1, 3);
   soup.vertices.bottomRows(1) << 0.1, 0.2, 0.3;
@@ -273,7 +273,7 @@ double distance_from_sphere(const Shape& shape) {
   return std::sqrt((shape.vertices.rowwise().norm().array() - 1).square().mean());
 }
 
-TEST(Denoise, BringsTheVerticesOfANoisySphereCloserToIt) {
+TEST(Denoise, MovesNoisyVerticesTowardsTheSphere) {
   // By how much, at least, for noise of a fraction of the diagonal: 3.1, 3.9, 4.7 and 5.2 times as measured. The edges
   // are 0.011 of the diagonal long.
   const Shape sphere = test::sphere(1, 5);
@@ -291,7 +291,7 @@ TEST(Denoise, BringsTheVerticesOfANoisySphereCloserToIt) {
   }
 }
 
-TEST(Denoise, SmoothsTheMoreTheMoreNoiseThereIs) {
+TEST(Denoise, SmoothsInProportionToTheNoise) {
   // 0.025 / (noise in edge lengths); an edge is 0.0107 of the diagonal long.
   const Shape sphere = test::sphere(1, 5);
   for (const auto& [noise, pass_band] : {std::pair(0.0025, 0.107), {0.005, 0.0535}, {0.05, 0.02}}) {
@@ -301,7 +301,7 @@ TEST(Denoise, SmoothsTheMoreTheMoreNoiseThereIs) {
   }
 }
 
-TEST(Denoise, LeavesCleanShapesAndCloudsBitForBit) {
+TEST(Denoise, KeepsCleanShapesAndCloudsUnchanged) {
   for (const Shape& shape : {test::sphere(1, 4), test::torus(2, 0.7, 30, 60), test::box({1, 2, 3}, 12),
                              test::capsule(0.5, 400, 48, 12), test::random_points(test::sphere(1, 4), 3000, 1)}) {
     const DenoisedShape result = denoised(shape);
@@ -311,7 +311,7 @@ TEST(Denoise, LeavesCleanShapesAndCloudsBitForBit) {
   }
 }
 
-TEST(Denoise, LeavesASoupConnected) {
+TEST(Denoise, MovesCoincidentVerticesOfASoupTogether) {
   RandomNumbers random(1);
   const Shape noisy = vertex_noise(test::sphere(1, 4), {.amplitude = 0.01}, random);
   const DenoisedShape mesh = denoised(noisy);

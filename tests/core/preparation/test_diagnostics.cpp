@@ -48,7 +48,7 @@ Shape moebius_strip(int n) {
   return strip;
 }
 
-TEST(Diagnose, ACubeIsSound) {
+TEST(Diagnose, ACubeHasNoDefects) {
   const ShapeDiagnostics found = diagnose(cube());
   EXPECT_TRUE(found.closed);
   EXPECT_EQ(found.vertices, 8U);
@@ -84,7 +84,7 @@ TEST(Diagnose, ATriangleTurnedOverMakesItsEdgesInconsistent) {
   EXPECT_EQ(diagnose(test::flipped(cube())).inconsistent_edges, 0U);
 }
 
-TEST(Diagnose, CountsComponentsThroughVerticesAtTheSamePlace) {
+TEST(Diagnose, ConnectsComponentsAtCoincidentVertices) {
   const auto beside = [](double x, double y) {
     return test::joined({cube(), test::transformed(cube(), 1, Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, 0))});
   };
@@ -97,7 +97,7 @@ TEST(Diagnose, CountsComponentsThroughVerticesAtTheSamePlace) {
   EXPECT_TRUE(touching.closed);
 }
 
-TEST(Diagnose, ABookOfThreePagesHasANonManifoldSpine) {
+TEST(Diagnose, ThreeTrianglesAtAnEdgeAreNonManifold) {
   Shape book;
   book.vertices = Points{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
   book.triangles = Triangles{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
@@ -117,7 +117,7 @@ TEST(Diagnose, AMoebiusStripCannotBeOriented) {
   EXPECT_EQ(found.edges, 80U) << "Euler characteristic 40 - 80 + 40 = 0";
 }
 
-TEST(Diagnose, AClosedMeshWithAnInnerWallHasNoInsideByParity) {
+TEST(Diagnose, AnInnerWallLeavesAMeshClosedButNonManifold) {
   // Two tetrahedra glued at a face; with that face kept, its edges have three triangles each.
   Shape pair;
   pair.vertices = Points{{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -149,7 +149,7 @@ TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
   EXPECT_TRUE(diagnose(twice).closed);
 }
 
-TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
+TEST(Diagnose, IsInvariantToOrderAndSize) {
   const Shape broken = with_triangle(
       with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), moebius_strip(9)}), 0, 1, 2), 5, 5, 9);
   const ShapeDiagnostics found = diagnose(broken);

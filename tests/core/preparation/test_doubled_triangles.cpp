@@ -19,7 +19,7 @@ namespace {
 
 using test::for_each_doubling;
 
-TEST(DoubledTriangles, PlayNoPartInTheDiagnosis) {
+TEST(DoubledTriangles, AreIgnoredByTheDiagnosis) {
   for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
     const ShapeDiagnostics expected = diagnose(shape);
     const ShapeDiagnostics found = diagnose(doubled.shape);
@@ -39,7 +39,7 @@ TEST(DoubledTriangles, PlayNoPartInTheDiagnosis) {
   });
 }
 
-TEST(DoubledTriangles, LeaveAClosedMeshClosedAndAnOpenOneOpen) {
+TEST(DoubledTriangles, DoNotChangeClosedness) {
   for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
     EXPECT_EQ(is_closed(doubled.shape), is_closed(shape));
     EXPECT_EQ(is_closed_and_oriented(doubled.shape), is_closed_and_oriented(shape));
@@ -54,7 +54,7 @@ TEST(DoubledTriangles, DoNotChangeTheScale) {
   });
 }
 
-TEST(DoubledTriangles, AreSmoothedWithTheirFirst) {
+TEST(DoubledTriangles, AreSmoothedLikeTheFirstCopy) {
   RandomNumbers random(1);
   const Shape noisy =
       vertex_noise(test::sphere(1, 4), {.amplitude = 0.03, .distribution = NoiseDistribution::gaussian}, random);

@@ -52,7 +52,7 @@ TEST(GapSize, IsTheRadiusOfTheLargestCircleInAHole) {
   }
 }
 
-TEST(GapSize, TellsTheWidestFromTheWidestThatAnOffsetCloses) {
+TEST(GapSize, SeparatesTheWidestGapFromTheWidestClosableOne) {
   const Shape cube = cube_with_holes(1 / 8.0, 1 / 2.0);
   const GapSizes sizes = gap_sizes(cube);
   EXPECT_NEAR(sizes.widest, 1 / 2.0, half_cell(cube));
@@ -70,7 +70,7 @@ TEST(GapSize, IsZeroWithoutAnInnerSpace) {
   for (const Shape& shape : {cup, sheet}) EXPECT_EQ(gap_sizes(shape).widest, 0);
 }
 
-TEST(GapSize, OfPatchesIsThatOfTheCracksBetweenThem) {
+TEST(GapSize, OfPatchesIsTheWidthOfTheCracks) {
   // The six sides of a cube, each moved outwards; only the widest crack is above the resolution of the grid.
   for (const double crack : {1e-6, 1e-4, 1e-2, 0.1}) {
     std::vector<Shape> sides;
@@ -152,7 +152,7 @@ TEST(GapSize, OfFewPointsReachesTheLast) {
   EXPECT_EQ(gap_sizes({points.topRows(1), {}}).closable, 0);
 }
 
-TEST(GapSize, GoesWithTheShapeAndNotWithItsOrder) {
+TEST(GapSize, ScalesWithTheShapeAndIgnoresOrder) {
   const Shape cube = cube_with_holes(1 / 8.0, 0);
   const double gap = gap_sizes(cube).widest;
   EXPECT_EQ(gap_sizes(test::flipped(cube)).widest, gap);

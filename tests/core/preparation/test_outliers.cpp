@@ -32,7 +32,7 @@ TEST(Outliers, AreTheIsolatedPointsOfACloud) {
   EXPECT_EQ(prepare_shape(cloud, {.remove_outliers = true}).area, positive_area(clean));
 }
 
-TEST(Outliers, AreNoneOfCleanOrUnevenCloudsAndOfMeshes) {
+TEST(Outliers, AreAbsentInCleanCloudsAndMeshes) {
   EXPECT_EQ(outlier_count(with_outliers(0)), 0U);
   EXPECT_EQ(outlier_count(with_outliers(40)), 0U) << "2 % of the points";
   EXPECT_EQ(outlier_count(test::sphere(1, 2)), 0U);

@@ -20,7 +20,7 @@ double tube_area_of_box(const Eigen::Vector3d& size, double r) {
   return (outside + inside) / (2 * r);
 }
 
-TEST(TubeArea, IsWeylsForASphereATorusAndABox) {
+TEST(TubeArea, MatchesWeylsFormula) {
   const Shape sphere = test::sphere(1, 5);
   const Shape torus = test::torus(2, 0.7, 120, 240);
   const Eigen::Vector3d size(1, 2, 3);
@@ -41,7 +41,7 @@ TEST(TubeArea, OfATubeFinerThanTheFinestCubes) {
   }
 }
 
-TEST(TubeArea, StaysWhereFacesAreMissing) {
+TEST(TubeArea, HardlyChangesWhenFacesAreMissing) {
   for (const Shape& mesh : {test::sphere(1, 4), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
     RandomNumbers random(1);
     const Shape cracked = remove_faces(mesh, 0.15, random);
@@ -58,7 +58,7 @@ TEST(TubeArea, GrowsLessUnderNoiseThanTheArea) {
   EXPECT_LT(tube_area(noisy) / tube_area(torus), 1.25);
 }
 
-TEST(TubeArea, OfACloudIsThatOfItsSurface) {
+TEST(TubeArea, OfACloudMatchesItsSurface) {
   for (const Shape& mesh : {test::sphere(1, 5), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
     for (const auto& [points, tolerance] : {std::pair(3000, 0.03), {10000, 0.01}}) {
       const Shape cloud = test::random_points(mesh, points, 1);
@@ -68,7 +68,7 @@ TEST(TubeArea, OfACloudIsThatOfItsSurface) {
   }
 }
 
-TEST(TubeArea, GoesWithTheScaleAndNotWithThePlace) {
+TEST(TubeArea, ScalesWithTheShapeAndIgnoresTranslation) {
   const Shape torus = test::torus(2, 0.7, 40, 80);
   const double area = tube_area(torus);
   for (const double scale : {1e-30, 1e-3, 1e30}) {
@@ -80,7 +80,7 @@ TEST(TubeArea, GoesWithTheScaleAndNotWithThePlace) {
   }
 }
 
-TEST(TubeArea, RefusesWhatHasNoExtentAndARadiusOutOfRange) {
+TEST(TubeArea, RejectsShapesWithoutExtentAndInvalidRadii) {
   const Shape sphere = test::sphere(1, 1);
   for (const double radius : {0.0, -1.0, 1.1, std::nan("")}) {
     EXPECT_THROW(tube_area(sphere, radius), InputError);

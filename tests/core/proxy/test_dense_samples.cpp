@@ -147,7 +147,7 @@ TEST(DenseSamples, CountDuplicatesOnceAndDegenerateTrianglesNever) {
   EXPECT_EQ(std::ranges::count(chosen, 1), 20) << "corners on a line";
 }
 
-TEST(DenseSamples, NormalsAreConsistentWithinASheet) {
+TEST(DenseSamples, OrientNormalsConsistentlyWithinASheet) {
   const Shape two = test::joined(
       {test::sphere(1, 2), test::transformed(test::sphere(0.5, 2), 1, Eigen::Matrix3d::Identity(), {4, 0, 0})});
   const DenseSamples samples = dense(test::half_flipped(two, 2), 1000);
@@ -167,7 +167,7 @@ TEST(DenseSamples, NormalsAreConsistentWithinASheet) {
   EXPECT_NE(sheets[false], sheets[true]);
 }
 
-TEST(DenseSamples, AMoebiusBandIsNoSheet) {
+TEST(DenseSamples, DoNotOrientAMoebiusBand) {
   for (const int half_turns : {0, 1, 2, 3}) {
     const DenseSamples samples = dense(test::twisted_band(24, half_turns), 300);
     const std::set<std::int32_t> sheets(samples.sheets.begin(), samples.sheets.end());
@@ -207,7 +207,7 @@ Shape repetitive_cloud() {
   return cloud;
 }
 
-TEST(DenseSamples, OfACloudAreItsPlaces) {
+TEST(DenseSamples, OfACloudAreItsDistinctPoints) {
   const Shape cloud = repetitive_cloud();
   const DenseSamples samples = dense(cloud, 1000);
   ASSERT_EQ(samples.points.rows(), 300);
@@ -228,7 +228,7 @@ TEST(DenseSamples, OfACloudDoNotDependOnTheOrderOfItsPoints) {
   }
 }
 
-TEST(DenseSamples, OfManyPointsAreEverySoManyAlongTheCurve) {
+TEST(DenseSamples, OfManyPointsAreEveryNthAlongTheCurve) {
   const Shape cloud = repetitive_cloud();
   const Points all = dense(cloud, 1000).points;
   for (const Eigen::Index count : {2, 7, 120, 299}) {
@@ -292,7 +292,7 @@ TEST(OnSameSheet, ExcludesTheOtherSideOfAThinWall) {
   EXPECT_TRUE(are_on_same_sheet(two_samples({1, 0, 0}, {0, 0, 1}, {0, 0, -1}, 1))) << "turned triangles";
 }
 
-TEST(OnSameSheet, OfParallelPlanesHoldsUpToAnAngle) {
+TEST(OnSameSheet, HoldsForParallelPlanesUpToAnAngle) {
   // Both distances from the planes are sin(a), and their squares are below 0.2 together.
   const double limit = std::asin(std::sqrt(0.1));
   for (const double angle : {0.0, 0.9 * limit, 1.1 * limit, 1.5}) {

@@ -45,7 +45,7 @@ FarthestPoints literal_farthest_points(const DenseSamples& samples, Eigen::Index
 
 class FarthestPointsOf : public testing::TestWithParam<Shape> {};
 
-TEST_P(FarthestPointsOf, AreThoseOfTheDefinition) {
+TEST_P(FarthestPointsOf, MatchTheDefinition) {
   const DenseSamples samples = samples_of(GetParam(), 600);
   for (const Eigen::Index count : {1, 2, 40, 600}) {
     const FarthestPoints found = farthest_points(samples, count);
@@ -74,7 +74,7 @@ TEST(FarthestPoints, CoverTheTwoSidesOfAThinWallSeparately) {
   }
 }
 
-TEST(FarthestPoints, AreNotMoreThanThePositions) {
+TEST(FarthestPoints, AreAtMostAsManyAsPositions) {
   DenseSamples samples;
   samples.points = Points{{0, 0, 0}, {3, 0, 0}, {0, 0, 0}, {1, 0, 0}};
   samples.normals = Points::Zero(4, 3);

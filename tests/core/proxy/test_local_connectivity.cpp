@@ -45,7 +45,7 @@ TEST(LocalConnectivity, EndsOfAHorseshoeAreConnectedInLargeBallsOnly) {
   EXPECT_TRUE(connectivity.connected_in_ball(0, 1, between, 0.6)) << "the halves of a square";
 }
 
-TEST(LocalConnectivity, SquaresThatShareACornerAreConnectedAcrossVerticesOnly) {
+TEST(LocalConnectivity, ConnectsCornersAcrossVerticesOnly) {
   LocalConnectivity connectivity = connectivity_of(squares({{0, 0}, {1, 1}}));
   const Eigen::Vector3d corner(1, 1, 0);
   EXPECT_FALSE(connectivity.of_one_component(0, 2));
@@ -53,7 +53,7 @@ TEST(LocalConnectivity, SquaresThatShareACornerAreConnectedAcrossVerticesOnly) {
   EXPECT_TRUE(connectivity.connected_in_ball(0, 2, corner, 3, SharedElement::vertex));
 }
 
-TEST(LocalConnectivity, AFanIsPassedOnceHoweverManyTrianglesItHas) {
+TEST(LocalConnectivity, VisitsAFanOnce) {
   // Triangles that share the origin only: n^2 pairs of neighbours.
   constexpr int count = 20'000;
   Shape fan;
@@ -75,7 +75,7 @@ TEST(LocalConnectivity, AFanIsPassedOnceHoweverManyTrianglesItHas) {
   EXPECT_FALSE(connectivity.connected_in_ball(0, count / 2, {1, 0, 0}, 0.4, SharedElement::vertex));
 }
 
-TEST(LocalConnectivity, BordersAreMetWhereThereAreSome) {
+TEST(LocalConnectivity, FindsBorders) {
   LocalConnectivity closed = connectivity_of(test::box({1, 1, 1}, 1));
   EXPECT_TRUE(closed.connected_in_ball(0, 11, {0, 0, 0}, 10));
   EXPECT_FALSE(closed.met_border());

@@ -37,7 +37,7 @@ TEST(ProxyGeodesics, AreTheShortestPathsAlongTheArcs) {
   }
 }
 
-TEST(ProxyGeodesics, AreasAreThoseOfTheVoronoiCells) {
+TEST(ProxyGeodesics, AreasMatchVoronoiCells) {
   const SurfaceProxy proxy = surface_proxy(test::sphere(1, 3), 400);
   const ProxyGeodesics geodesics = proxy_geodesics(proxy, 20);
   EXPECT_NEAR(geodesics.areas.sum(), proxy.areas.sum(), 1e-12 * proxy.areas.sum());
@@ -52,7 +52,7 @@ TEST(ProxyGeodesics, AreasAreThoseOfTheVoronoiCells) {
   EXPECT_EQ(geodesics.areas, expected);
 }
 
-TEST(ProxyGeodesics, HaveAsManyLandmarksAsThereArePoints) {
+TEST(ProxyGeodesics, HaveAtMostOneLandmarkPerPoint) {
   const SurfaceProxy proxy = surface_proxy(test::sphere(1, 1), 30);
   EXPECT_EQ(proxy_geodesics(proxy, 1000).distances.cols(), proxy.points.rows());
 }

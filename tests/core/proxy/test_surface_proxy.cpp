@@ -72,7 +72,7 @@ TEST(SurfaceProxy, LaplacianIsSymmetricWithConstantsInItsKernel) {
   EXPECT_EQ(Eigen::SparseMatrix<double>(proxy.stiffness.transpose()).toDense(), proxy.stiffness.toDense());
 }
 
-TEST(SurfaceProxy, EigenvaluesOfTheSphereAreThoseOfSphericalHarmonics) {
+TEST(SurfaceProxy, EigenvaluesOfTheSphereMatchSphericalHarmonics) {
   const Eigen::VectorXd found = eigenvalues_of(sphere(3, 5), 35) / (4 * pi);
   Eigen::Index k = 0;
   for (int l = 1; l <= 5; ++l) {
@@ -114,13 +114,13 @@ TEST(SurfaceProxy, DistancesAgreeWithExactOnesOnTheMesh) {
   }
 }
 
-TEST(SurfaceProxy, EigenvaluesOfARectangleAreThoseOfCosines) {
+TEST(SurfaceProxy, EigenvaluesOfARectangleMatchCosines) {
   const Eigen::VectorXd found = eigenvalues_of(test::rectangle(2, 1, 40, 20), 5) / 2;
   const Eigen::VectorXd expected = Eigen::Vector<double, 5>(0.25, 1, 1, 1.25, 2) * pi * pi;
   EXPECT_LT(largest_relative_difference(found, expected), 0.03);
 }
 
-TEST(SurfaceProxy, SidesOfAThinPlateDoNotMeet) {
+TEST(SurfaceProxy, DoesNotConnectTheSidesOfAThinPlate) {
   const double thickness = 0.01;
   const SurfaceProxy proxy = surface_proxy(test::box({1, 1, thickness}, 40));
   EXPECT_EQ(proxy.components, 1);
@@ -132,7 +132,7 @@ TEST(SurfaceProxy, SidesOfAThinPlateDoNotMeet) {
   }
 }
 
-TEST(SurfaceProxy, TwoSheetsAreTwoComponentsThatAreLinked) {
+TEST(SurfaceProxy, LinksTwoSheets) {
   Shape upper = test::rectangle(1, 1, 20, 20);
   upper.vertices.col(2).setConstant(0.05);
   const Shape sheets = test::joined({test::rectangle(1, 1, 20, 20), upper});
@@ -152,7 +152,7 @@ Shape open_ring(double missing_angle) {
   return ring;
 }
 
-TEST(SurfaceProxy, PartsThatTouchAreNotJoined) {
+TEST(SurfaceProxy, DoesNotConnectTouchingParts) {
   const Shape ring = open_ring(0.001);
   const SurfaceProxy proxy = surface_proxy(ring);
   EXPECT_EQ(proxy.components, 1);
@@ -167,7 +167,7 @@ TEST(SurfaceProxy, PartsThatTouchAreNotJoined) {
   EXPECT_NEAR(longest, 2 * pi, 0.05 * 2 * pi);
 }
 
-TEST(SurfaceProxy, PartsAsFarApartAsNeighboursAreNotJoined) {
+TEST(SurfaceProxy, DoesNotConnectPartsAtTheDistanceOfNeighbours) {
   // The gaps are as wide as neighbours are apart, and several times as wide as samples are.
   const SurfaceProxy cloud = surface_proxy(test::random_points(open_ring(0.03), 24000, 1));
   EXPECT_GT(2.5 * cloud.covering_radius, 0.036);
@@ -205,7 +205,7 @@ struct Damage {
   double bound;  ///< of the relative change of an eigenvalue
 };
 
-TEST(SurfaceProxy, SurvivesDamage) {
+TEST(SurfaceProxy, HardlyChangesUnderDamage) {
   const auto ellipsoid = [](int subdivisions) {
     Shape shape = sphere(1, subdivisions);
     shape.vertices = shape.vertices * Eigen::Vector3d(0.5, 0.7, 1.5).asDiagonal();
@@ -249,7 +249,7 @@ TEST(SurfaceProxy, MovesAndScalesWithTheShape) {
   EXPECT_TRUE(large.stiffness.isApprox(small.stiffness, 1e-9));
 }
 
-TEST(SurfaceProxy, TakesSmallAndDegenerateShapes) {
+TEST(SurfaceProxy, AcceptsSmallAndDegenerateShapes) {
   const Shape triangle{.vertices = (Points(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(),
                        .triangles = (Triangles(1, 3) << 0, 1, 2).finished()};
   EXPECT_EQ(surface_proxy(triangle).components, 1);
@@ -263,7 +263,7 @@ TEST(SurfaceProxy, TakesSmallAndDegenerateShapes) {
   EXPECT_TRUE(eigenvalues_of(few, 20).allFinite());
 }
 
-TEST(SurfaceProxy, RefusesWhatHasNoArea) {
+TEST(SurfaceProxy, RejectsShapesWithoutArea) {
   EXPECT_THROW(surface_proxy(Shape{}), InputError);
   const Shape line{.vertices = (Points(3, 3) << 0, 0, 0, 1, 0, 0, 2, 0, 0).finished(),
                    .triangles = (Triangles(1, 3) << 0, 1, 2).finished()};

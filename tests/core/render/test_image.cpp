@@ -21,7 +21,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(ColourMap, PublishedColoursOfViridis) {
+TEST(ColourMap, MatchesPublishedColoursOfViridis) {
   // Entries 0, 85, 127, 170 and 255 of the published table of 256, rounded to 8 bits; between stored entries
   // linear interpolation is at most one step off.
   const std::vector<std::pair<int, Colour>> published = {{0, {68, 1, 84}},      {28, {72, 40, 120}},
@@ -33,7 +33,7 @@ TEST(ColourMap, PublishedColoursOfViridis) {
   }
 }
 
-TEST(ColourMap, LightnessGrowsAllTheWay) {
+TEST(ColourMap, LightnessIncreasesMonotonically) {
   double previous = -1;
   for (int i = 0; i <= 100; ++i) {
     const Colour colour = colour_of(i / 100.0);
@@ -44,7 +44,7 @@ TEST(ColourMap, LightnessGrowsAllTheWay) {
   }
 }
 
-TEST(ColourMap, ClampsAndMarksWhatHasNoValue) {
+TEST(ColourMap, ClampsValuesAndMarksNan) {
   EXPECT_EQ(colour_of(-infinity), colour_of(0));
   EXPECT_EQ(colour_of(7), colour_of(1));
   const Colour grey = colour_of(nan);
@@ -79,7 +79,7 @@ Image decoded(const std::string& png) {
   return image;
 }
 
-TEST(Image, PngHoldsThePixels) {
+TEST(Image, PngContainsThePixels) {
   const Image image = gradient(7, 5, 1);
   const Image back = decoded(encode_png(image));
   EXPECT_EQ(back.width, 7);
@@ -98,7 +98,7 @@ TEST(Image, PngFileHasTheSameBytes) {
   std::filesystem::remove(path);
 }
 
-TEST(Image, RefusesWhatIsNoImage) {
+TEST(Image, RejectsInvalidSizes) {
   EXPECT_THROW(encode_png(Image{}), ArgumentError);
   Image short_of_a_pixel = gradient(3, 3, 0);
   short_of_a_pixel.pixels.resize(32);

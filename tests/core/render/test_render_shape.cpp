@@ -65,7 +65,7 @@ TEST(RenderShape, SilhouetteOfABoxFromTheFront) {
   EXPECT_EQ(pixel(image, 60, 10)[3], 0);
 }
 
-TEST(RenderShape, NothingSlipsBetweenTriangles) {
+TEST(RenderShape, LeavesNoHolesBetweenTriangles) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
   options.margin = 0;
@@ -87,7 +87,7 @@ TEST(RenderShape, NothingSlipsBetweenTriangles) {
   }
 }
 
-TEST(RenderShape, SizeAndPlaceDoNotMatter) {
+TEST(RenderShape, IsInvariantToSizeAndPosition) {
   const RenderOptions options = small_transparent();
   const Shape torus = test::torus(3, 1, 20, 40);
   const double expected = covered(render(torus, options));
@@ -130,7 +130,7 @@ TEST(RenderShape, ColoursBelongToTheirTriangles) {
   EXPECT_EQ(pixel(back, 60, 45)[1], 0);
 }
 
-TEST(RenderShape, OfCrossingSheetsTheNearerIsSeen) {
+TEST(RenderShape, ShowsTheNearerOfCrossingSheets) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
   const Shape sheets{
@@ -161,7 +161,7 @@ TEST(RenderShape, ColoursOfVerticesBlend) {
   for (const int column : {20, 60, 100}) EXPECT_NEAR(green_part(column), (column + 0.5 - left) / width, 0.02);
 }
 
-TEST(RenderShape, TurnedTrianglesLookTheSame) {
+TEST(RenderShape, ReversedTrianglesLookTheSame) {
   const Shape torus = test::torus(3, 1, 20, 40);
   EXPECT_EQ(render(torus, small_transparent()).pixels, render(test::flipped(torus), small_transparent()).pixels);
 }
@@ -210,7 +210,7 @@ TEST(RenderShape, PointsOfACloudHaveTheirColours) {
   EXPECT_GT(pixel(image, 80, 45)[1], 100);
 }
 
-TEST(RenderShape, RefusesWhatCannotBeDrawn) {
+TEST(RenderShape, RejectsInvalidInput) {
   const Shape sphere = test::sphere(1, 1);
   EXPECT_THROW(render(Shape{}, {}), InputError);
   EXPECT_THROW(render(test::box({0, 0, 0}, 1), {}), InputError);
@@ -242,7 +242,7 @@ Shape lopsided() {
 
 double cosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.normalized().dot(b.normalized()); }
 
-TEST(PrincipalView, TheLongestAxisLiesAcrossTheImageAndTheShortestTowardsTheViewer) {
+TEST(PrincipalView, LongestAxisIsHorizontalAndShortestTowardsTheViewer) {
   const RenderOptions view = principal_view(test::box({3, 9, 1}, 2));
   EXPECT_GT(std::abs(view.up.x()), 0.999);
   const Eigen::Vector3d across = view.up.cross(view.towards_viewer);
@@ -267,7 +267,7 @@ TEST(PrincipalView, DoesNotDependOnTheTriangulation) {
   EXPECT_GT(cosine(principal_view(coarse).towards_viewer, principal_view(fine).towards_viewer), 1 - 1e-9);
 }
 
-TEST(PrincipalView, OfACloudIsAboutThatOfItsSurface) {
+TEST(PrincipalView, OfACloudIsSimilarToThatOfItsSurface) {
   const Shape shape = lopsided();
   const RenderOptions of_surface = principal_view(shape);
   const RenderOptions of_cloud = principal_view(test::random_points(shape, 20000, 1));
@@ -275,7 +275,7 @@ TEST(PrincipalView, OfACloudIsAboutThatOfItsSurface) {
   EXPECT_GT(cosine(of_surface.towards_viewer, of_cloud.towards_viewer), 0.99);
 }
 
-TEST(PrincipalView, OtherOptionsStayAndNothingToLookAtIsNoError) {
+TEST(PrincipalView, KeepsOtherOptionsAndAcceptsEmptyShapes) {
   const RenderOptions options{.width = 7, .margin = 0.2};
   EXPECT_EQ(principal_view(lopsided(), options).width, 7);
   EXPECT_EQ(principal_view(lopsided(), options).margin, 0.2);

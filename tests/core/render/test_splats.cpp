@@ -30,7 +30,7 @@ TEST(Splats, LieInTheTangentPlanesAndOverlap) {
   EXPECT_GT(surface_area(mesh), 3 * 4 * 3.14);
 }
 
-TEST(Splats, TakeTheCloudsNormalsWhereItHasThem) {
+TEST(Splats, UseTheNormalsOfTheCloud) {
   Shape cloud = sphere_cloud();
   cloud.normals = Points::Zero(cloud.vertices.rows(), 3);
   cloud.normals.row(0) << 0.6, 0, 0.8;
@@ -39,7 +39,7 @@ TEST(Splats, TakeTheCloudsNormalsWhereItHasThem) {
   EXPECT_GT(std::abs(faces.normals.row(triangles_per_splat).dot(cloud.vertices.row(1))), 0.97);
 }
 
-TEST(Splats, OfAnySizeAndOfNone) {
+TEST(Splats, HandleAnySizeAndEmptyClouds) {
   for (const double scale : {1e-30, 1e30}) {
     Shape cloud = sphere_cloud();
     cloud.vertices *= scale;
@@ -51,7 +51,7 @@ TEST(Splats, OfAnySizeAndOfNone) {
   EXPECT_TRUE(splats(line).vertices.allFinite());
 }
 
-TEST(Splats, AreRegularHexagonsOfTheirPointsAreas) {
+TEST(Splats, AreRegularHexagonsOfTheArea) {
   const Shape cloud = test::random_points(test::sphere(3, 4), 400, 2);
   const Shape mesh = splats(cloud);
   const Eigen::VectorXd weights = point_weights(cloud.vertices);
@@ -101,7 +101,7 @@ TEST(Splats, OfRandomPointsInAPlaneCoverIt) {
   EXPECT_LT(uncovered, 0.03 * places);
 }
 
-TEST(Splats, RefuseWhatIsNotFinite) {
+TEST(Splats, RejectNonFinitePoints) {
   Shape cloud = sphere_cloud();
   cloud.vertices(7, 1) = std::numeric_limits<double>::infinity();
   EXPECT_THROW(splats(cloud), InputError);

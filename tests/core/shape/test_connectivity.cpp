@@ -29,7 +29,7 @@ RC_GTEST_PROP(CountingSort, IsAStableSort, ()) {
   }
 }
 
-TEST(DisjointSets, AreNamedByTheirLeastNumber) {
+TEST(DisjointSets, AreNamedByTheirSmallestIndex) {
   DisjointSets sets;
   sets.grow_to(6);
   for (std::int32_t i = 0; i < 6; ++i) EXPECT_EQ(sets.find(i), i);
@@ -44,7 +44,7 @@ TEST(DisjointSets, AreNamedByTheirLeastNumber) {
   EXPECT_EQ(sets.find(1), 1);
 }
 
-TEST(DisjointSets, GrowWithoutForgetting) {
+TEST(DisjointSets, KeepEarlierUnionsWhenGrowing) {
   DisjointSets sets;
   sets.grow_to(2);
   sets.join(0, 1);
@@ -54,7 +54,7 @@ TEST(DisjointSets, GrowWithoutForgetting) {
   EXPECT_EQ(sets.find(3), 3);
 }
 
-TEST(MergedByPlace, NamesTheFirstVertexAtEachPlace) {
+TEST(MergedByPlace, MapsVerticesToTheFirstAtTheirPosition) {
   const Points points{{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {-0.0, 0, 0}, {1, 2, 4}, {1, 2, 3}};
   EXPECT_EQ(welded_vertices(points), (std::vector<std::int32_t>{0, 1, 0, 1, 4, 0}));
   EXPECT_TRUE(welded_vertices(Points(0, 3)).empty());
@@ -81,7 +81,7 @@ TEST(EdgeUses, OfTwoTrianglesWithACommonEdge) {
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2, 1, 1}));
 }
 
-TEST(EdgeUses, NamesVerticesByTheirPlace) {
+TEST(EdgeUses, UsesWeldedVertices) {
   const std::vector<HalfEdge> uses =
       half_edges(Triangles{{0, 1, 2}, {5, 4, 3}}, std::vector<std::int32_t>{0, 1, 2, 3, 1, 2});
   std::vector<std::size_t> sizes;
@@ -89,7 +89,7 @@ TEST(EdgeUses, NamesVerticesByTheirPlace) {
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2, 1, 1}));
 }
 
-TEST(EdgeUses, OfDoubledTrianglesAreThoseOfTheFirst) {
+TEST(EdgeUses, CountsDoubledTrianglesOnce) {
   const std::vector<HalfEdge> uses =
       half_edges(Triangles{{0, 1, 2}, {5, 4, 3}, {0, 1, 2}}, std::vector<std::int32_t>{0, 1, 2, 0, 1, 2});
   ASSERT_EQ(uses.size(), 3U);
@@ -111,14 +111,14 @@ TEST(Closedness, HoldsWhereTwoBodiesShareAnEdge) {
   EXPECT_FALSE(is_closed(pair));
 }
 
-TEST(Closedness, EndsWithOneTriangle) {
+TEST(Closedness, IsLostWithOneTriangle) {
   Shape sphere = test::sphere(1, 2);
   sphere.triangles.conservativeResize(sphere.triangles.rows() - 1, Eigen::NoChange);
   EXPECT_FALSE(is_closed(sphere));
   EXPECT_FALSE(is_closed(Shape{}));
 }
 
-TEST(Closedness, IsNotChangedByATriangleWithoutArea) {
+TEST(Closedness, IgnoresDegenerateTriangles) {
   for (const Eigen::Matrix3d& rotation : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), test::rotation(1)}) {
     Shape box = test::box({1, 1, 1}, 2);
     std::vector<std::int32_t> edge;
@@ -139,9 +139,9 @@ TEST(Closedness, IsNotChangedByATriangleWithoutArea) {
   }
 }
 
-TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) { EXPECT_TRUE(is_closed(test::soup(test::sphere(1, 1)))); }
+TEST(Closedness, WeldsVertices) { EXPECT_TRUE(is_closed(test::soup(test::sphere(1, 1)))); }
 
-TEST(Closedness, LeavesOutTrianglesWithoutArea) {
+TEST(Closedness, IgnoresTrianglesWithARepeatedCorner) {
   Shape sphere = test::sphere(1, 1);
   sphere.triangles.conservativeResize(sphere.triangles.rows() + 1, Eigen::NoChange);
   sphere.triangles.bottomRows(1) << 0, 0, 1;

@@ -27,12 +27,12 @@ TEST(DistinctTriangles, AreTheFirstOfThoseWithTheSameCorners) {
   EXPECT_EQ(found.vertex_of, (Indices{0, 1, 2, 3, 0, 1, 6})) << "vertex 6 no triangle uses";
 }
 
-TEST(DistinctTriangles, AVertexOfItsOwnThatOtherTrianglesUseStays) {
+TEST(DistinctTriangles, KeepVerticesThatOtherTrianglesUse) {
   const Shape shape{places(), Triangles{{0, 1, 2}, {4, 5, 2}, {4, 3, 2}}};
   EXPECT_EQ(distinct_triangles(shape).vertex_of, (Indices{0, 1, 2, 3, 4, 1, 6}));
 }
 
-TEST(DistinctTriangles, OfACornerTwiceAreDoublesOnlyWithTheSameCorner) {
+TEST(DistinctTriangles, WithARepeatedCornerNeedTheSameCornerTwice) {
   const Shape shape{places(), Triangles{{0, 0, 1}, {0, 1, 1}, {1, 0, 4}}};
   EXPECT_EQ(distinct_triangles(shape).triangle_of, (Indices{0, 1, 0}));
 }

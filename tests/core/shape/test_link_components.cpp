@@ -23,7 +23,7 @@ TEST(NearestSegments, LeadToTheNearestPointsWithTheirDistances) {
   }
 }
 
-TEST(LinkComponents, JoinsAllByTheShortestSegments) {
+TEST(LinkComponents, LinksAllComponentsByShortestSegments) {
   const Points points = on_a_line({0, 1, 10, 11, 100});
   std::vector<Segment> segments{{0, 1, 1}, {2, 3, 1}};
   EXPECT_EQ(link_components(points, 1, segments), 3);
@@ -44,7 +44,7 @@ TEST(LinkComponents, JoinsAllByTheShortestSegments) {
   EXPECT_FALSE(has(0, 4));
 }
 
-TEST(LinkComponents, OneComponentStays) {
+TEST(LinkComponents, KeepsASingleComponent) {
   std::vector<Segment> segments{{0, 1, 1}, {1, 2, 2}};
   EXPECT_EQ(link_components(on_a_line({0, 1, 3}), 1, segments), 1);
   EXPECT_EQ(segments.size(), 2U);

@@ -20,7 +20,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(PointNeighbours, AreThoseThatAllDistancesGive) {
+TEST(PointNeighbours, MatchExhaustiveSearch) {
   RandomNumbers random(5);
   Points points(200, 3);
   for (Eigen::Index i = 0; i < points.size(); ++i) points.data()[i] = random.uniform(-1, 1);
@@ -41,7 +41,7 @@ TEST(PointNeighbours, AreThoseThatAllDistancesGive) {
   }
 }
 
-TEST(PointNeighbours, PointsAtTheSamePlaceAreNeighbours) {
+TEST(PointNeighbours, IncludeCoincidentPoints) {
   Points points = Points::Zero(100, 3);
   points.row(99) << 3, 4, 0;
   const PointNeighbours found = nearest_neighbours(points, 4);
@@ -51,7 +51,7 @@ TEST(PointNeighbours, PointsAtTheSamePlaceAreNeighbours) {
   }
 }
 
-TEST(PointNeighbours, NoMoreThanThereAre) {
+TEST(PointNeighbours, AreAtMostAllOtherPoints) {
   Points points(3, 3);
   points << 0, 0, 0, 1, 0, 0, 5, 0, 0;
   const PointNeighbours found = nearest_neighbours(points, 8);
@@ -61,7 +61,7 @@ TEST(PointNeighbours, NoMoreThanThereAre) {
   EXPECT_EQ(nearest_neighbours(Points(0, 3), 8).indices.rows(), 0);
 }
 
-TEST(NearestPoints, AreThoseOfAllComparisons) {
+TEST(NearestPoints, MatchExhaustiveSearch) {
   const Points points = Points::Random(300, 3);
   const Points among = Points::Random(80, 3);
   const std::vector<std::int32_t> found = nearest_points(points, among);
@@ -75,7 +75,7 @@ TEST(NearestPoints, AreThoseOfAllComparisons) {
 
 Points random_points_of_sphere() { return test::random_points(test::sphere(1, 5), 5000, 1).vertices; }
 
-TEST(PointNormals, OfAPlaneAreItsNormalAtAnyScale) {
+TEST(PointNormals, MatchAPlaneAtAnyScale) {
   const Eigen::Matrix3d turn = test::rotation(4);
   for (const double scale : {1e-30, 1.0, 1e30}) {
     Points points = Points::Random(500, 3);
@@ -141,7 +141,7 @@ TEST(PointNormals, OfTouchingBallsAreRadial) {
   EXPECT_LT(3 * count_wrong(unsigned_point_normals(points), radial), by_variance);
 }
 
-TEST(PointNormals, OfABoxAreThoseOfItsSidesUpToItsEdges) {
+TEST(PointNormals, MatchTheSidesOfABoxUpToItsEdges) {
   const Shape box = test::box({1, 1, 1}, 1);
   const Points points = test::random_points(box, 3000, 1).vertices;
   Points sides = Points::Zero(points.rows(), 3);
@@ -165,7 +165,7 @@ TEST(PointNormals, OfPointsOnALineAreAcrossIt) {
   }
 }
 
-TEST(PointNormals, OfPointsAtOnePlaceAreZero) {
+TEST(PointNormals, OfCoincidentPointsAreZero) {
   EXPECT_TRUE(unsigned_point_normals(Points::Constant(20, 3, 5)).isZero(0));
   EXPECT_TRUE(unsigned_point_normals(Points::Zero(1, 3)).isZero(0));
   // Thirteen coincident points: all twelve nearest neighbours are at distance 0.
@@ -208,7 +208,7 @@ TEST(PointWeights, FollowTheDensity) {
   EXPECT_NEAR(weights.tail(4000).sum() / (400 * std::numbers::pi), 1, 0.04);
 }
 
-TEST(PointWeights, OfAGridAreAboutATenthTooLarge) {
+TEST(PointWeights, OverestimateAGridByATenth) {
   // The disc to the k-th neighbour holds k + 1/2 points of a grid on the average, instead of k.
   const Shape mesh = test::sphere(1, 5);
   const double ratio = point_weights(mesh.vertices).sum() / surface_area(mesh);
@@ -228,7 +228,7 @@ RC_GTEST_PROP(PointWeights, ArePermutedWithThePoints, (unsigned seed)) {
   }
 }
 
-RC_GTEST_PROP(PointWeights, FollowScaleAndMotion, (unsigned seed)) {
+RC_GTEST_PROP(PointWeights, ScaleAndMoveWithTheShape, (unsigned seed)) {
   const Shape cloud{scattered(seed, 60), {}, {}};
   const double scale = std::pow(10, *rc::gen::inRange(-30, 31));
   const Shape moved = test::transformed(cloud, scale, test::rotation(seed), scale * Eigen::Vector3d(3, -2, 5));
@@ -250,7 +250,7 @@ TEST(PointWeights, DuplicatesShareTheWeightOfOnePoint) {
   EXPECT_DOUBLE_EQ(weights[8], expected[8]);
 }
 
-TEST(PointWeights, AnOutlierWeighsNoMoreThanAFewPoints) {
+TEST(PointWeights, BoundTheWeightOfAnOutlier) {
   const Points cluster = scattered(1, 2000);
   const Eigen::VectorXd alone = point_weights(cluster);
   for (const double distance : {10.0, 1e3, 1e9}) {
@@ -266,7 +266,7 @@ TEST(PointWeights, AnOutlierWeighsNoMoreThanAFewPoints) {
   }
 }
 
-TEST(PointWeights, CapTouchesAlmostNoneOfASurfacesPoints) {
+TEST(PointWeights, CapAffectsFewPointsOfASurface) {
   const Points points = scattered(1, 5000);
   const Eigen::VectorXd weights = point_weights(points);
   // Without the cap, a weight is distributed much as Gamma(8)/8 in units of the mean: above 3.5 once in 100,000 points.
@@ -294,7 +294,7 @@ TEST(PointWeights, OnALineAndInAPlane) {
   EXPECT_GT(point_weights(plane).minCoeff(), 0);
 }
 
-TEST(PointWeights, RefuseWhatIsNotFinite) {
+TEST(PointWeights, RejectNonFinitePoints) {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     Points points = scattered(1, 20);
     points(3, 1) = bad;

@@ -46,7 +46,7 @@ TEST_P(SampleSites, NormalsOfASpherePointAwayFromItsCentre) {
   }
 }
 
-TEST_P(SampleSites, FollowRotationTranslationAndScale) {
+TEST_P(SampleSites, MoveAndScaleWithTheShape) {
   const Shape shape = test::capsule(1, 2, 12, 4);
   const Samples before = sample_shape(shape, GetParam());
   const Eigen::Matrix3d rotation = test::rotation(1);
@@ -73,7 +73,7 @@ TEST_P(SampleSites, FollowTheOrderOfTheShape) {
   }
 }
 
-TEST_P(SampleSites, DegenerateTrianglesCountForNothing) {
+TEST_P(SampleSites, DegenerateTrianglesHaveNoWeight) {
   const Eigen::Vector3d a(1, 2, 3);
   const Eigen::Vector3d b(2, -1, 0.7);
   const Eigen::Vector3d on_the_line = a + (b - a) / 3;
@@ -100,7 +100,7 @@ TEST(SampleFaces, CentroidAndArea) {
   EXPECT_DOUBLE_EQ(samples.weights[0], 9);
 }
 
-TEST(SampleVertices, VoronoiPartsOfAnAcuteTriangle) {
+TEST(SampleVertices, AcuteTrianglesGiveVoronoiAreas) {
   // The circumcentre of this triangle is (2, 1.5): each corner's region is two right-angled triangles around it.
   const Samples samples = sample_shape(triangle({0, 0, 0}, {4, 0, 0}, {2, 4, 0}), SampleSite::vertices);
   EXPECT_NEAR(samples.weights[0], 1.5 + 1.25, 1e-14);
@@ -108,7 +108,7 @@ TEST(SampleVertices, VoronoiPartsOfAnAcuteTriangle) {
   EXPECT_NEAR(samples.weights[2], 2.5, 1e-14);
 }
 
-TEST(SampleVertices, ObtuseTriangleGivesHalfToItsObtuseCorner) {
+TEST(SampleVertices, ObtuseTrianglesGiveHalfToTheObtuseCorner) {
   const Samples samples = sample_shape(triangle({0, 0, 0}, {1, 0, 0}, {-1, 1, 0}), SampleSite::vertices);
   EXPECT_NEAR(samples.weights[0], 0.25, 1e-15);
   EXPECT_NEAR(samples.weights[1], 0.125, 1e-15);
@@ -132,7 +132,7 @@ TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
   EXPECT_NEAR(sample_shape(fan, SampleSite::vertices).weights.sum(), surface_area(fan), 1e-14);
 }
 
-TEST(SampleVertices, TheNormalIsThatOfMostWhereTrianglesAreTurnedAtRandom) {
+TEST(SampleVertices, NormalFollowsTheMajorityOfOrientations) {
   // Six equal triangles around a vertex, two of them flipped: the sum of normals is a third.
   Shape fan;
   fan.vertices = Points::Zero(7, 3);
@@ -148,7 +148,7 @@ TEST(SampleVertices, TheNormalIsThatOfMostWhereTrianglesAreTurnedAtRandom) {
   EXPECT_NEAR(sample_shape(fan, SampleSite::vertices).normals(0, 2), -1, 1e-12);
 }
 
-TEST(SampleVertices, HaveNoNormalWhereNoTriangleUsesThemOrNormalsCancel) {
+TEST(SampleVertices, HaveNoNormalIfUnusedOrIfNormalsCancel) {
   // Two coplanar triangles of opposite orientation with vertex 0 in common.
   const Shape bow{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {9, 9, 9}},
                   Triangles{{0, 1, 2}, {0, 4, 3}}};
@@ -160,7 +160,7 @@ TEST(SampleVertices, HaveNoNormalWhereNoTriangleUsesThemOrNormalsCancel) {
   EXPECT_NEAR(samples.weights.sum(), 1, 1e-14);
 }
 
-TEST(SampleVertices, OfASheetWithABackHaveTheNormalsOfWhatComesFirst) {
+TEST(SampleVertices, OfADoubledSheetHaveTheNormalsOfTheFirst) {
   Shape sheet = triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   sheet.triangles.conservativeResize(2, 3);
   sheet.triangles.bottomRows<1>() << 2, 1, 0;
@@ -219,7 +219,7 @@ TEST(SamplesOfTheSurface, AreUniformWithinATriangle) {
   EXPECT_NEAR((x * y).mean(), 1.0 / 12, error);
 }
 
-TEST(SamplesOfTheSurface, OfACloudAreSomeOfItsPointsWithTheWholeArea) {
+TEST(SamplesOfTheSurface, OfACloudAreASubsetWithTheTotalArea) {
   const Shape cloud{test::box({1, 1, 1}, 6).vertices, {}, {}};
   const Samples all = sample_shape(cloud, SampleSite::vertices);
   const Samples some = sample_surface(cloud, 50);

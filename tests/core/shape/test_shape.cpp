@@ -22,7 +22,7 @@ TEST(Shape, MeasuresOfABox) {
   EXPECT_NEAR(surface_area(box), 16, 1e-13);
 }
 
-TEST(TriangleNormal, IsThatOfTheOrderOfTheCornersAndZeroWithoutOne) {
+TEST(TriangleNormal, FollowsTheOrderOfCornersAndIsZeroIfDegenerate) {
   Shape mesh;
   mesh.vertices.resize(5, 3);
   mesh.vertices << 0, 0, 0, 3, 0, 0, 0, 1e-200, 0, 1e200, 0, 0, 0, 1e200, 0;
@@ -39,27 +39,27 @@ TEST(Shape, AreaOfATorusConvergesToTheFormula) {
   EXPECT_NEAR(surface_area(test::torus(3, 1, 200, 200)) / expected, 1, 1e-3);
 }
 
-TEST(Shape, VerticesThatNoTriangleUsesDoNotCount) {
+TEST(Shape, IgnoresUnusedVertices) {
   Shape box = test::box({1, 2, 2}, 1);
   box.vertices.conservativeResize(box.vertices.rows() + 1, 3);
   box.vertices.bottomRows<1>() << 100, 100, 100;
   EXPECT_NEAR(bounding_box_diagonal(box), 3, 1e-14);
 }
 
-TEST(Shape, AllPointsOfACloudCount) {
+TEST(Shape, UsesAllPointsOfACloud) {
   Shape cloud = test::box({1, 2, 2}, 1);
   cloud.triangles.resize(0, 3);
   EXPECT_NEAR(bounding_box_diagonal(cloud), 3, 1e-14);
   EXPECT_EQ(surface_area(cloud), 0);
 }
 
-TEST(Validity, ShapesWithoutADefect) {
+TEST(Validity, AcceptsValidShapes) {
   EXPECT_EQ(find_defect(test::box({1, 2, 0}, 1)), std::nullopt);
   EXPECT_EQ(find_defect(Shape{}), std::nullopt);
   EXPECT_NO_THROW(require_usable(test::sphere(1e300, 1)));
 }
 
-TEST(Validity, NamesTheFirstVertexThatIsNotFinite) {
+TEST(Validity, NamesTheFirstNonFiniteVertex) {
   Shape shape = test::box({1, 1, 1}, 1);
   shape.vertices(5, 2) = std::numeric_limits<double>::quiet_NaN();
   shape.vertices(3, 0) = std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ TEST(Validity, NamesTheFirstVertexThatIsNotFinite) {
   EXPECT_THROW(require_usable(shape), InputError);
 }
 
-TEST(Validity, NamesTheFirstTriangleWhoseVertexThereIsNot) {
+TEST(Validity, NamesTheFirstTriangleWithAnInvalidIndex) {
   Shape shape = test::box({1, 1, 1}, 1);
   const auto vertices = static_cast<std::int32_t>(shape.vertices.rows());
   shape.triangles(7, 0) = -1;

@@ -27,12 +27,12 @@ TEST(Classification, CountsAndListsItsModels) {
   EXPECT_THAT(models_in_natural_order(animals), ElementsAre("1", "2", "10"));
 }
 
-TEST(ClassLabels, FollowTheIdsInAnySpelling) {
+TEST(ClassLabels, MatchIdsInAnySpelling) {
   const std::vector<std::string> ids = {"T1.off", "T2", "10"};
   EXPECT_THAT(class_labels(animals, ids, "x.cla"), ElementsAre(2, 1, 1));
 }
 
-TEST(ClassLabels, NameTheModelThatDoesNotFit) {
+TEST(ClassLabels, NameTheUnknownModel) {
   const auto error_for = [](const std::vector<std::string>& ids) {
     return test::input_error_of([&] { class_labels(animals, ids, "x.cla"); });
   };
@@ -63,18 +63,18 @@ TEST(ParseClassification, KeepsClassesModelsAndHierarchy) {
   EXPECT_EQ(parse_classification(valid, "x.cla"), expected);
 }
 
-TEST(ParseClassification, TakesAnyWhiteSpaceAndAByteOrderMark) {
+TEST(ParseClassification, AcceptsAnyWhiteSpaceAndAByteOrderMark) {
   std::string text = "\xEF\xBB\xBF  ";
   for (const char c : valid) text += c == '\n' ? std::string("\t \v\f\r\n") : std::string(1, c);
   EXPECT_EQ(parse_classification(text, "x.cla"), parse_classification(valid, "x.cla"));
   EXPECT_EQ(parse_classification("PSB 1 1 2 a 0 2 x y", "x").classes.front().models.size(), 2U);
 }
 
-TEST(ParseClassification, LeadingZerosOfCountsDoNotMatter) {
+TEST(ParseClassification, IgnoresLeadingZerosOfCounts) {
   EXPECT_EQ(parse_classification("PSB 1\n01 02\na 0 002\nx\ny\n", "x").classes.front().models.size(), 2U);
 }
 
-TEST(ParseClassification, FaultsHaveTheirLine) {
+TEST(ParseClassification, ErrorsNameTheLine) {
   test::expect_refused(
       {{"", "x.cla:1: the file is empty"},
        {" \n\n ", "x.cla:3: the file is empty"},
@@ -121,7 +121,7 @@ RC_GTEST_PROP(ParseClassification, DamagedTextReadsOrIsAnInputError, ()) {
   RC_ASSERT(error.find('\n') == std::string::npos);
 }
 
-TEST(WriteClassification, ReadsBackTheSame) {
+TEST(WriteClassification, SurvivesARoundTrip) {
   const TemporaryFolder folder;
   const Classification classification = parse_classification(valid, "x.cla");
   write_classification(folder.path() / "y.cla", classification);
@@ -129,7 +129,7 @@ TEST(WriteClassification, ReadsBackTheSame) {
   EXPECT_EQ(read_classification(folder.path() / "y.cla"), classification);
 }
 
-TEST(WriteClassification, RefusesWhatTheFormatCannotExpress) {
+TEST(WriteClassification, RejectsNamesThatTheFormatCannotExpress) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "y.cla";
   const std::array cases = {

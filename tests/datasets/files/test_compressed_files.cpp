@@ -62,7 +62,7 @@ std::string npy_of(const DistanceMatrix& matrix) {
   return test::bytes_of(folder.path() / "m.npy");
 }
 
-TEST(CompressedFiles, AreReadAsWhatIsInThem) {
+TEST(CompressedFiles, AreReadLikeTheirContents) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_plain_bytes(folder.file("a.txt.gz", gzipped("some text"))), "some text");
   EXPECT_EQ(read_plain_bytes(folder.file("a.txt", "some text")), "some text");
@@ -81,7 +81,7 @@ TEST(CompressedFiles, DamagedOnesAreErrors) {
   EXPECT_THAT(error(whole.substr(0, whole.size() / 2)), HasSubstr("a.csv.gz"));
 }
 
-TEST(CompressedFiles, HaveTheirChecksumAndSizeAndNothingElse) {
+TEST(CompressedFiles, AreCheckedByChecksumAndSize) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& bytes) {
     return test::input_error_of([&] { read_plain_bytes(folder.file("a.txt.gz", bytes)); });
@@ -104,14 +104,14 @@ TEST(CompressedFiles, HaveTheirChecksumAndSizeAndNothingElse) {
   EXPECT_EQ(read_plain_bytes(folder.file("a.txt.gz", whole + gzipped(" and more"))), "some text and more");
 }
 
-TEST(CompressedFiles, MayUnpackToALimitThatGrowsWithTheirSize) {
+TEST(CompressedFiles, UnpackUpToALimitThatGrowsWithTheirSize) {
   constexpr std::size_t mebibyte = std::size_t{1} << 20;
   EXPECT_EQ(max_unpacked_bytes(1), 256 * mebibyte);
   EXPECT_EQ(max_unpacked_bytes(100 * mebibyte), 5000 * mebibyte);
   EXPECT_EQ(max_unpacked_bytes(mebibyte * mebibyte), 16384 * mebibyte);
 }
 
-TEST(CompressedFiles, ThatUnpackToMoreThanTheyCanHoldAreErrors) {
+TEST(CompressedFiles, OfExcessiveUnpackedSizeAreErrors) {
   const TemporaryFolder folder;
   const std::string zeros(std::size_t{4} << 20, '\0');
   std::string bomb;  // a gzip file may consist of several members
@@ -128,7 +128,7 @@ TEST(CompressedFiles, ThatUnpackToMoreThanTheyCanHoldAreErrors) {
               AllOf(HasSubstr("a.npz"), HasSubstr("256 MiB")));
 }
 
-TEST(CompressedFiles, HoldMatricesAndRuns) {
+TEST(CompressedFiles, ContainMatricesAndRuns) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_matrix(folder.file("m.txt.gz", gzipped("0 1.5\n2.5 0\n")), TableShape::square).numbers,
             small_matrix());
@@ -143,14 +143,14 @@ TEST(CompressedFiles, HoldMatricesAndRuns) {
   EXPECT_EQ(read_ranked_answers(run).name, "mine");
 }
 
-TEST(Npz, HasItsOnlyArray) {
+TEST(Npz, ReadsASingleArray) {
   const TemporaryFolder folder;
   const auto path = folder.file("m.npz", zipped({{"readme.txt", "hello"}, {"distances.npy", npy_of(small_matrix())}}));
   EXPECT_EQ(read_matrix(path, TableShape::square).numbers, small_matrix());
   EXPECT_EQ(read_matrix(path, TableShape::any).numbers, small_matrix());
 }
 
-TEST(Npz, OtherwiseIsAnError) {
+TEST(Npz, RejectsOtherArchives) {
   const std::string array = npy_of(small_matrix());
   const auto error = [](const std::string& bytes) {
     return test::input_error_of([&] { array_in_npz(bytes, "m.npz"); });

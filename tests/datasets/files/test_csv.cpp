@@ -24,23 +24,23 @@ std::string csv_error_of(const std::string& text) {
   return test::input_error_of([&] { parse_csv(text, "f.csv"); });
 }
 
-TEST(Csv, CellsStandBetweenCommas) {
+TEST(Csv, SplitsCellsAtCommas) {
   EXPECT_THAT(cells_of("a, b ,,c d"), ElementsAre("a", "b", "", "c d"));
   EXPECT_THAT(cells_of("a,"), ElementsAre("a", ""));
   EXPECT_THAT(cells_of(","), ElementsAre("", ""));
   EXPECT_THAT(parse_csv("", "f.csv"), testing::IsEmpty());
 }
 
-TEST(Csv, SeparatorsMayBeOthers) {
+TEST(Csv, AcceptsOtherSeparators) {
   EXPECT_THAT(cells_of("a; \"b;c\" ;d,e", ';'), ElementsAre("a", "b;c", "d,e"));
   EXPECT_THAT(cells_of("a\t\tb c\t", '\t'), ElementsAre("a", "", "b c", ""));
 }
 
-TEST(Csv, QuotedCellsHoldCommasAndQuotationMarks) {
+TEST(Csv, QuotedCellsMayContainCommasAndQuotes) {
   EXPECT_THAT(cells_of(R"("a,b", "say ""no""" ,"",c"d)"), ElementsAre("a,b", R"(say "no")", "", R"(c"d)"));
 }
 
-TEST(Csv, QuotedCellsHoldLineEnds) {
+TEST(Csv, QuotedCellsMayContainLineBreaks) {
   const auto rows = parse_csv("id,\"two\r\nlines\"\r\n\"a\n\n\"\"b\",c\nd,e\n", "f");
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_THAT(rows[0].cells, ElementsAre("id", "two\r\nlines"));
@@ -51,12 +51,12 @@ TEST(Csv, QuotedCellsHoldLineEnds) {
   EXPECT_EQ(csv_cell("a\rb"), "\"a\rb\"");
 }
 
-TEST(Csv, BadQuotationIsAnErrorWithItsPlace) {
+TEST(Csv, InvalidQuotingIsAnErrorWithItsLocation) {
   EXPECT_THAT(csv_error_of("x\na,\"b\nc"), AllOf(HasSubstr("f.csv:2: "), HasSubstr("not closed")));
   EXPECT_THAT(csv_error_of("x\n\"a\"b,c"), AllOf(HasSubstr("f.csv:2: "), HasSubstr(R"("b" follows)")));
 }
 
-TEST(Csv, RowsKnowTheirLinesAndEmptyLinesDoNotCount) {
+TEST(Csv, RowsHaveLineNumbersAndEmptyLinesAreSkipped) {
   const auto rows = parse_csv("\xEF\xBB\xBFid,x\r\n\r\na,1\n  \nb,2", "f");
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_THAT(rows[0].cells, ElementsAre("id", "x"));
@@ -77,14 +77,14 @@ TEST(Csv, LinesMayEndWithCarriageReturns) {
   EXPECT_EQ(rows[3].line, 7U);
 }
 
-TEST(Csv, LongRowsAreAnErrorBeforeTheyAreRead) {
+TEST(Csv, RejectsLongRowsEarly) {
   std::string text = "a,b\n";
   for (std::size_t i = 0; i < max_csv_cells; ++i) text += "0,";
   EXPECT_THAT(test::input_error_of([&] { parse_csv(text, "f"); }),
               HasSubstr("f:2: the row has more than 1000000 cells"));
 }
 
-TEST(Csv, TablesOfWordsHaveTheSeparatorOfTheirFirstLine) {
+TEST(Csv, TakesTheSeparatorOfTheFirstLine) {
   for (const char* text : {"id,x\na,1\n", "id;x\na;1\n", "id\tx\na\t1\n"}) {
     const auto rows = parse_word_table(text, "f");
     ASSERT_EQ(rows.size(), 2U) << text;
@@ -104,7 +104,7 @@ TEST(Csv, ColumnsAreFoundInAnyCase) {
   EXPECT_EQ(find_class_column({.cells = {"id", "Class"}, .line = 1}, "f"), 1U);
 }
 
-TEST(Csv, FormulasGetAnApostropheThatIsNotRead) {
+TEST(Csv, FormulasAreEscapedByAnApostrophe) {
   for (const std::string text : {"=1+1", "@x", "+cmd|' /C calc'!A0", "-x", "'=1", "''-5", "=a,b"}) {
     EXPECT_THAT(csv_cell(text), testing::MatchesRegex("\"?'.*")) << text;
     EXPECT_EQ(parse_csv(csv_line({text}), "x").at(0).cells, std::vector{text});
@@ -115,7 +115,7 @@ TEST(Csv, FormulasGetAnApostropheThatIsNotRead) {
   }
 }
 
-RC_GTEST_PROP(Csv, CellsReadBackAsTheyWere, ()) {
+RC_GTEST_PROP(Csv, CellsSurviveARoundTrip, ()) {
   const auto cell =
       rc::gen::container<std::string>(rc::gen::element('a', ',', '"', ' ', '\t', '\n', '\r', '\xC3', '\xA9'));
   const auto cells = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(cell));

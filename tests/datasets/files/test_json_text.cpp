@@ -16,7 +16,7 @@ TEST(JsonText, EscapesNamesThatAreNotUtf8) {
   EXPECT_EQ(escaped_json(json), expected);
 }
 
-TEST(JsonText, LeavesValidTextAsItIs) {
+TEST(JsonText, KeepsValidText) {
   const nlohmann::json json{{"St\u00e4hl", {"\u4e2d", "a\\b\n"}}, {"empty", nlohmann::json::array()}};
   EXPECT_EQ(json_text(json), json.dump());
   EXPECT_EQ(escaped_json(json), json);

@@ -38,7 +38,7 @@ class MatFile {
   mat_t* file_;
 };
 
-TEST(MatFile, HoldsItsOnlyMatrixColumnByColumn) {
+TEST(MatFile, ReadsASingleMatrixByColumns) {
   const test::TemporaryFolder folder;
   const DistanceMatrix expected{{1, 3, 5}, {2, 4, 6}};
   MatFile(folder.path() / "a.mat").add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
@@ -52,7 +52,7 @@ TEST(MatFile, HoldsItsOnlyMatrixColumnByColumn) {
               AllOf(HasSubstr("a.mat"), HasSubstr("square"), HasSubstr("2 x 3")));
 }
 
-TEST(MatFile, ThatClaimsMoreThanItCanHoldIsAnError) {
+TEST(MatFile, RejectsImpossibleSizes) {
   const test::TemporaryFolder folder;
   MatFile(folder.path() / "a.mat")
       .add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6}, MAT_COMPRESSION_NONE);
@@ -64,7 +64,7 @@ TEST(MatFile, ThatClaimsMoreThanItCanHoldIsAnError) {
               AllOf(HasSubstr("large.mat"), HasSubstr("256 MiB")));
 }
 
-TEST(MatFile, OtherwiseIsAnError) {
+TEST(MatFile, RejectsOtherFiles) {
   const test::TemporaryFolder folder;
   {
     MatFile two(folder.path() / "two.mat");

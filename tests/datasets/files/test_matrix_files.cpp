@@ -31,7 +31,7 @@ DistanceMatrix example() {
   return matrix;
 }
 
-TEST(NumberTable, TheCornerOfNumericIdsMayBeEmpty) {
+TEST(NumberTable, NumericIdsMayHaveAnEmptyCorner) {
   const test::TemporaryFolder folder;
   for (const char* corner : {"", "id"}) {
     test::write_text(folder.path() / "x.csv", std::string(corner) + ",1,2,3\n7,0,1,4\n5,2,0,6\n");
@@ -44,7 +44,7 @@ TEST(NumberTable, TheCornerOfNumericIdsMayBeEmpty) {
   EXPECT_EQ(read_matrix(folder.path() / "x.csv", TableShape::any).numbers.rows(), 2) << "no corner, no ids";
 }
 
-TEST(CsvMatrix, ATableOfTabsMayBeATsvFile) {
+TEST(CsvMatrix, ReadsTsvFiles) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / "m.tsv", "\tT1\tT2\nT1\t0\t1.5\nT2\t-2.25\tinf\n");
   EXPECT_EQ(read_matrix(folder.path() / "m.tsv", TableShape::square).numbers, example());
@@ -60,7 +60,7 @@ TEST(PsbMatrix, IsLittleEndianFloat32RowByRow) {
   EXPECT_EQ(matrix, expected);
 }
 
-TEST(PsbMatrix, AnotherSizeIsAnErrorThatKnowsFloat64) {
+TEST(PsbMatrix, RejectsOtherSizesAndSuggestsFloat64) {
   const TemporaryFolder folder;
   const auto error_for = [&](std::size_t bytes) {
     return test::input_error_of(
@@ -96,7 +96,7 @@ RC_GTEST_PROP(PsbMatrix, ReadsBackWhatIsWritten, ()) {
   RC_ASSERT(read_matrix(folder.path() / "m.matrix", TableShape::square).numbers == matrix);
 }
 
-TEST(ReadDistanceMatrix, GoesByTheExtension) {
+TEST(ReadDistanceMatrix, SelectsTheFormatByExtension) {
   const TemporaryFolder folder;
   write_npy(folder.path() / "m.npy", example());
   write_psb_matrix(folder.path() / "m.MATRIX", example());
@@ -112,7 +112,7 @@ TEST(ReadDistanceMatrix, GoesByTheExtension) {
   EXPECT_THAT(read_matrix(folder.path() / "m.Csv", TableShape::square).row_ids, ElementsAre("a", "b"));
 }
 
-TEST(ReadDistanceMatrix, AnotherExtensionIsAnErrorThatSaysWhatIsKnown) {
+TEST(ReadDistanceMatrix, UnknownExtensionsListTheKnownOnes) {
   for (const char* const name : {"m.xyz", "m", "npy"}) {
     EXPECT_THAT(test::input_error_of([&] { read_matrix(name, TableShape::square); }),
                 AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .npz, .mat, .csv, .tsv, .txt, .dat")));
@@ -151,7 +151,7 @@ TEST(ReadDistanceMatrix, TextMayBeUtf16) {
   }
 }
 
-TEST(ReadDistanceMatrix, NanOnTheDiagonalIsNoValue) {
+TEST(ReadDistanceMatrix, NanOnTheDiagonalIsMissing) {
   const TemporaryFolder folder;
   DistanceMatrix matrix{{1, 2.5}, {3, 4}};
   matrix.diagonal().setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -206,7 +206,7 @@ TEST(ReadDistanceMatrix, IntegersThatWouldBeRoundedAreAnError) {
             9007199254740992.0);
 }
 
-TEST(ReadDistanceMatrix, OnlyArchivesHaveVariables) {
+TEST(ReadDistanceMatrix, VariablesAreForArchivesOnly) {
   const TemporaryFolder folder;
   EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.file("m.txt", "0 1\n1 0\n"), TableShape::square, "D"); }),
               HasSubstr("`variable`"));

@@ -19,7 +19,7 @@ std::vector<std::string> sorted(std::vector<std::string> names) {
   return names;
 }
 
-TEST(DistinguishingEnds, AreAsShortAsTheyMayBe) {
+TEST(DistinguishingEnds, AreAsShortAsPossible) {
   EXPECT_THAT(distinguishing_ends({"a/x.off", "b/y.off"}), ElementsAre("x", "y"));
   EXPECT_THAT(distinguishing_ends({"a/x.off", "b/x.obj"}), ElementsAre("x.off", "x.obj"));
   EXPECT_THAT(distinguishing_ends({"a/x.off", "b/x.off"}), ElementsAre("a/x", "b/x"));
@@ -27,7 +27,7 @@ TEST(DistinguishingEnds, AreAsShortAsTheyMayBe) {
   EXPECT_THAT(distinguishing_ends({"a/x.off", "a/x.off"}), ElementsAre("x", "x"));
 }
 
-TEST(NaturalOrder, NumbersCountByTheirValue) {
+TEST(NaturalOrder, ComparesNumbersByValue) {
   EXPECT_THAT(sorted({"T10", "T2", "T1", "T100", "T0"}), ElementsAre("T0", "T1", "T2", "T10", "T100"));
   EXPECT_THAT(sorted({"a10b2", "a10b10", "a9b99"}), ElementsAre("a9b99", "a10b2", "a10b10"));
 }
@@ -36,16 +36,16 @@ TEST(NaturalOrder, NumbersMayBeLongerThanAnyInteger) {
   EXPECT_TRUE(natural_less("x99999999999999999999", "x100000000000000000000"));
 }
 
-TEST(NaturalOrder, WhatBeginsAnotherNameComesFirst) {
+TEST(NaturalOrder, PrefixesComeFirst) {
   EXPECT_THAT(sorted({"T1.off", "T1", "T", ""}), ElementsAre("", "T", "T1", "T1.off"));
 }
 
-TEST(NaturalOrder, LeadingZerosDecideLast) {
+TEST(NaturalOrder, LeadingZerosBreakTies) {
   EXPECT_THAT(sorted({"a1", "a01b", "a01", "a2", "a001"}), ElementsAre("a001", "a01", "a1", "a01b", "a2"));
   EXPECT_THAT(sorted({"0", "00", "1"}), ElementsAre("0", "00", "1"));
 }
 
-TEST(NaturalOrder, BytesCompareWithoutSign) { EXPECT_TRUE(natural_less("z", "\xC3\xA9")); }
+TEST(NaturalOrder, BytesAreUnsigned) { EXPECT_TRUE(natural_less("z", "\xC3\xA9")); }
 
 RC_GTEST_PROP(NaturalOrder, IsAStrictTotalOrder, ()) {
   const auto names = rc::gen::container<std::string>(rc::gen::element('0', '1', '9', 'a', 'T', '.'));
@@ -58,19 +58,19 @@ RC_GTEST_PROP(NaturalOrder, IsAStrictTotalOrder, ()) {
   if (natural_less(a, b) && natural_less(b, c)) RC_ASSERT(natural_less(a, c));
 }
 
-RC_GTEST_PROP(NaturalOrder, OfNumbersIsTheirOrder, (unsigned a, unsigned b)) {
+RC_GTEST_PROP(NaturalOrder, MatchesTheOrderOfNumbers, (unsigned a, unsigned b)) {
   const auto name_of = [](unsigned number) { return std::string("T").append(std::to_string(number)).append(".off"); };
   RC_ASSERT(natural_less(name_of(a), name_of(b)) == (a < b));
 }
 
-TEST(ModelIds, ThreeSpellingsOfOneModel) {
+TEST(ModelIds, UnifyThreeSpellings) {
   EXPECT_EQ(canonical_model_id("12"), "12");
   EXPECT_EQ(canonical_model_id("T12"), "12");
   EXPECT_EQ(canonical_model_id("T12.off"), "12");
   EXPECT_EQ(canonical_model_id("12.OFF"), "12");
 }
 
-TEST(ModelIds, OtherNamesKeepAllButTheExtension) {
+TEST(ModelIds, StripTheExtensionOfOtherNames) {
   EXPECT_EQ(canonical_model_id("horse-1.ply"), "horse-1");
   EXPECT_EQ(canonical_model_id("Trex"), "Trex");
   EXPECT_EQ(canonical_model_id("T12a"), "T12a");

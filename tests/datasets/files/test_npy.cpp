@@ -47,14 +47,14 @@ TEST(NpyHeader, TakesShapesOfAnyDimension) {
   EXPECT_THAT(shape_of("(1, 2, 3)"), ElementsAre(1, 2, 3));
 }
 
-TEST(NpyHeader, ASizeThatOverflowsIsNoSize) {
+TEST(NpyHeader, RejectsSizesThatOverflow) {
   // 2^61 numbers of 8 bytes are 2^64 bytes, 0 as a 64-bit count.
   const std::string bytes = version_1("{'descr': '<f8', 'fortran_order': False, 'shape': (2305843009213693952, 1), }");
   EXPECT_THAT(test::input_error_of([&] { parse_npy_table_header(bytes, bytes.size(), TableShape::any, "x.npy"); }),
               StartsWith("x.npy: 0 bytes of data"));
 }
 
-TEST(NpyHeader, AFaultIsOneErrorWithItsByte) {
+TEST(NpyHeader, ErrorsNameTheByte) {
   EXPECT_THAT(header_error("\x89PNG"), StartsWith("x.npy: this is no .npy file"));
   EXPECT_THAT(header_error("\x93NUMP"), StartsWith("x.npy: this is no .npy file"));
   EXPECT_THAT(header_error("\x93NUMPY\x04\x00\x00\x00\x00\x00"s), StartsWith("x.npy: version 4.0"));

@@ -26,7 +26,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-RC_GTEST_PROP(OpenMatrix, BlocksAreThoseOfTheWholeMatrix, ()) {
+RC_GTEST_PROP(OpenMatrix, BlocksMatchTheWholeMatrix, ()) {
   const TemporaryFolder folder;
   const DistanceMatrix matrix = *square_matrices();
   write_npy(folder.path() / "m.npy", matrix);
@@ -47,7 +47,7 @@ RC_GTEST_PROP(OpenMatrix, BlocksAreThoseOfTheWholeMatrix, ()) {
   }
 }
 
-TEST(OpenMatrix, RefusesNanInTheBlockThatHasIt) {
+TEST(OpenMatrix, RejectsNanInItsBlock) {
   const TemporaryFolder folder;
   DistanceMatrix matrix = DistanceMatrix::Zero(5, 5);
   matrix(3, 1) = std::numeric_limits<double>::quiet_NaN();
@@ -58,7 +58,7 @@ TEST(OpenMatrix, RefusesNanInTheBlockThatHasIt) {
               AllOf(HasSubstr("m.npy"), HasSubstr("row 3, column 1")));
 }
 
-TEST(OpenMatrix, NanOnTheDiagonalIsNoValueInAnyBlock) {
+TEST(OpenMatrix, NanOnTheDiagonalIsMissingInEveryBlock) {
   const TemporaryFolder folder;
   DistanceMatrix matrix = DistanceMatrix::Ones(5, 5);
   matrix.diagonal().setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -132,7 +132,7 @@ TEST(OpenMatrix, KeepsTheIdsOfATable) {
   EXPECT_THAT(square.column_ids, ElementsAre("a", "b"));
 }
 
-TEST(OpenMatrix, OfATableInMemoryOutlivesIt) {
+TEST(OpenMatrix, OutlivesTheTableItWasMadeFrom) {
   OpenMatrix opened;
   {
     LabelledTable table{.numbers = numbered_matrix(4, 6), .row_ids = {"a", "b", "c", "d"}, .column_ids = {}};

@@ -13,20 +13,20 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
 
-TEST(RankedAnswers, OfATrecRunAreOrderedByScore) {
+TEST(RankedAnswers, OrderTrecRunsByScore) {
   const RankedAnswers run = parse_trec_run("q1 Q0 a 2 0.5 me\nq2 Q0 b 1 7 me\n\nq1\tQ0  c 1 -1e2 me\r\n", "r");
   ASSERT_EQ(run.answers.size(), 2U);
   EXPECT_EQ(run.answers[0].query, "q1");
   EXPECT_THAT(run.answers[0].models, ElementsAre(Pair("a", -0.5), Pair("c", 100)));
 }
 
-TEST(RankedAnswers, OfListsAreInTheirOrder) {
+TEST(RankedAnswers, KeepTheOrderOfLists) {
   const RankedAnswers lists = parse_ranked_lists("q1 c a,b\n q2, a\n", "l");
   ASSERT_EQ(lists.answers.size(), 2U);
   EXPECT_THAT(lists.answers[0].models, ElementsAre(Pair("c", 1), Pair("a", 2), Pair("b", 3)));
 }
 
-TEST(RankedAnswers, OfAFolderHaveAFileForEachQuery) {
+TEST(RankedAnswers, ReadAFolderWithOneFilePerQuery) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / "10", "2 0.5\n10 0.7\n");
   test::write_text(folder.path() / "2", "7\r\n\n10\r\n");
@@ -39,7 +39,7 @@ TEST(RankedAnswers, OfAFolderHaveAFileForEachQuery) {
   EXPECT_THAT(lists.answers[1].models, ElementsAre(Pair("2", 1), Pair("10", 2)));
 }
 
-TEST(RankedAnswers, FaultsOfAFolderAreOneError) {
+TEST(RankedAnswers, InvalidFoldersAreOneError) {
   const test::TemporaryFolder folder;
   const auto error = [&] { return test::input_error_of([&] { read_ranked_answers(folder.path()); }); };
   EXPECT_THAT(error(), HasSubstr("no ranked lists"));
@@ -50,7 +50,7 @@ TEST(RankedAnswers, FaultsOfAFolderAreOneError) {
   EXPECT_THAT(error(), HasSubstr("\"test_normal\""));
 }
 
-TEST(RankedAnswers, JudgementsKeepWhatIsRelevant) {
+TEST(RankedAnswers, JudgementsContainRelevantModels) {
   const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq2 0 a -1\nq1 0 c 2\n", "j");
   ASSERT_EQ(judgements.queries.size(), 2U);
   EXPECT_THAT(judgements.queries[0].relevant, ElementsAre("a", "c"));
@@ -60,7 +60,7 @@ TEST(RankedAnswers, JudgementsKeepWhatIsRelevant) {
   EXPECT_TRUE(parse_qrels("q1 0 a 2\nq1 0 b 1\n", "j").graded);  // wherever a grade above 1 occurs
 }
 
-TEST(RankedAnswers, OfTrecMayHaveComments) {
+TEST(RankedAnswers, TrecFilesMayHaveComments) {
   const Judgements judgements = parse_qrels("# query iteration model\nq1 0 a 1\n#\n#1 0 b 1\n", "j");
   ASSERT_EQ(judgements.queries.size(), 2U);
   EXPECT_EQ(judgements.queries[1].query, "#1") << "four words are a judgement";
@@ -69,7 +69,7 @@ TEST(RankedAnswers, OfTrecMayHaveComments) {
   EXPECT_TRUE(is_ranked_answers_file(folder.file("run.txt", "# made by mine\nq1 Q0 a 1 2 mine\n")));
 }
 
-TEST(RankedAnswers, FaultsHaveTheirLine) {
+TEST(RankedAnswers, ErrorsNameTheLine) {
   test::expect_refused({{"q Q0 a 1 0.5\n", "r:1: found 5"},
                         {"q Q0 a 1 nan t\n", "r:1: the score \"nan\""},
                         {"q Q0 a 1 1 t\nq Q0 a 2 0 t\n", "r:2: repeated model \"a\""},
@@ -84,18 +84,18 @@ TEST(RankedAnswers, FaultsHaveTheirLine) {
                        [](const std::string& text) { parse_qrels(text, "j"); });
 }
 
-TEST(RankedAnswers, OfATrecRunHaveItsName) {
+TEST(RankedAnswers, TakeTheNameOfATrecRun) {
   EXPECT_EQ(parse_trec_run("q1 Q0 a 1 2 mine\nq2 Q0 a 1 2 mine\n", "r").name, "mine");
   EXPECT_EQ(parse_trec_run("q1 Q0 a 1 2 mine\nq2 Q0 a 1 2 yours\n", "r").name, "");
 }
 
-TEST(RankedAnswers, JudgementsKeepGradesAndWhatIsNotRelevant) {
+TEST(RankedAnswers, JudgementsContainGradesAndNonRelevantModels) {
   const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq1 0 c 2\nq1 0 d -1\n", "j");
   EXPECT_THAT(judgements.queries[0].grades, ElementsAre(1, 2));
   EXPECT_THAT(judgements.queries[0].irrelevant, ElementsAre("b", "d"));
 }
 
-TEST(RankedAnswers, AreKnownByNameOrByTheFirstLine) {
+TEST(RankedAnswers, AreDetectedByNameOrFirstLine) {
   const test::TemporaryFolder folder;
   EXPECT_TRUE(is_ranked_answers_file("a.run"));
   EXPECT_TRUE(is_ranked_answers_file("a.LISTS"));

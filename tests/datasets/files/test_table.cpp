@@ -16,7 +16,7 @@ const TextTable table{.header = {"method", "NN"}, .rows = {{"a|b, 5 %", "9.5"}, 
 
 TEST(Table, Csv) { EXPECT_EQ(to_csv(table), "method,NN\n\"a|b, 5 %\",9.5\né_x,100.0\n"); }
 
-TEST(Table, PlainTextIsAlignedByLetters) {
+TEST(Table, AlignsPlainTextByCharacters) {
   EXPECT_EQ(to_plain_text(table),
             "method       NN\n"
             "a|b, 5 %    9.5\n"
@@ -31,7 +31,7 @@ TEST(Table, Markdown) {
             "| é_x       | 100.0 |\n");
 }
 
-TEST(Table, MarkdownEscapesItsMarks) {
+TEST(Table, EscapesMarkdown) {
   const std::vector<std::pair<std::string, std::string>> cases{{"our_sdf 2 < 3 [1, 2] (a)", "our_sdf 2 < 3 [1, 2] (a)"},
                                                                {"*a* _b_ `c` ~d~", R"(\*a\* \_b\_ \`c\` \~d\~)"},
                                                                {"a|b\\c", R"(a\|b\\c)"},
@@ -69,7 +69,7 @@ TextTable two_groups() {
   return groups;
 }
 
-TEST(Table, TheBestOfAGroupAreBold) {
+TEST(Table, PrintsTheBestOfAGroupInBold) {
   EXPECT_THAT(to_latex(two_groups()),
               AllOf(HasSubstr("\\textbf{10.0 [9.0, 11.0]}\\textsuperscript{ab}"), HasSubstr("\\textbf{10.0} \\\\"),
                     Not(HasSubstr("\\textbf{9.5}")), Not(HasSubstr("\\textbf{3.0}"))));
@@ -77,7 +77,7 @@ TEST(Table, TheBestOfAGroupAreBold) {
               AllOf(HasSubstr("| **10.0 [9.0, 11.0]** <sup>ab</sup> |"), HasSubstr("**10.0** |")));
 }
 
-TEST(Table, BoldCellsOfATerminalKeepTheirColumns) {
+TEST(Table, AlignsBoldCellsInTerminals) {
   EXPECT_EQ(to_plain_text(two_groups(), true),
             "method  average                   NN\n"
             "a       x                        9.5\n"
@@ -86,7 +86,7 @@ TEST(Table, BoldCellsOfATerminalKeepTheirColumns) {
             "d       y                        3.0\n");
 }
 
-TEST(Table, MarksAreInPlainTextButNotInCsv) {
+TEST(Table, PrintsMarksInPlainTextButNotInCsv) {
   EXPECT_THAT(to_plain_text(two_groups()), HasSubstr("10.0 [9.0, 11.0] ab\n"));
   EXPECT_THAT(to_csv(two_groups()), HasSubstr("b,x,\"10.0 [9.0, 11.0]\"\n"));
 }

@@ -40,7 +40,7 @@ DistanceMatrix text_example() {
   return matrix;
 }
 
-TEST(CsvMatrix, TakesIdsFromTheHeaderRowAndTheFirstColumn) {
+TEST(CsvMatrix, ReadsIdsOfTheHeaderRowAndTheFirstColumn) {
   for (const char* const text :
        {"id,T1,T2\nT1,0,1.5\nT2,-2.25,inf\n", ",T1,T2\r\n\"T1\", 0 ,1.50\r\n\r\nT2,-2.25,inf"}) {
     const LabelledTable result = read_csv(text);
@@ -63,14 +63,14 @@ TEST(CsvMatrix, RowsMayEndWithASeparator) {
   EXPECT_THAT(csv_error("0,1,\n1\n"), HasSubstr("m.csv:2"));
 }
 
-TEST(CsvMatrix, MayBeginWithTheSeparatorThatExcelWrites) {
+TEST(CsvMatrix, MayBeginWithASepLine) {
   EXPECT_EQ(read_csv("sep=;\r\n0;1.5\r\n-2.25;inf\r\n").numbers, text_example());
   EXPECT_THAT(read_csv("sep=,\nid,a,b\na,0,1.5\nb,-2.25,inf\n").row_ids, ElementsAre("a", "b"));
   EXPECT_THAT(csv_error("sep=;\n0;1\n1;x\n"), HasSubstr("m.csv:3"));
 }
 
 // The first row of distances, unless it may be the ids: whole numbers that differ.
-TEST(CsvMatrix, MayLackItsDiagonal) {
+TEST(CsvMatrix, MayOmitTheDiagonal) {
   EXPECT_EQ(read_csv(",0.5,3\n0.5,,2\n3,2,\n").numbers, (DistanceMatrix{{0, 0.5, 3}, {0.5, 0, 2}, {3, 2, 0}}));
   EXPECT_EQ(read_csv("NA,3,3\n3,NA,2\n3,2,NA\n").numbers, (DistanceMatrix{{0, 3, 3}, {3, 0, 2}, {3, 2, 0}}));
   EXPECT_THAT(csv_error("0,1,2\n1,0,\n2,3,0\n"), HasSubstr("m.csv:2"));
@@ -97,7 +97,7 @@ TEST(CsvMatrix, LinesMayEndWithCarriageReturns) {
   EXPECT_EQ(matrix.numbers, (Eigen::Matrix2d{{0, 1}, {2, 0}}));
 }
 
-TEST(CsvMatrix, FaultsHaveTheirLine) {
+TEST(CsvMatrix, ErrorsNameTheLine) {
   expect_refused({{"id,a,b\na,0,x\nb,1,0\n", "m.csv:2: \"x\" is not a number (number 2"},
                   {"id,a,b\na,0,\nb,1,0\n", "m.csv:2: \"\" is"},
                   {"id,a,b\nb,0,1\na,1,0\n", "m.csv:2: "},
@@ -158,7 +158,7 @@ TEST(TextMatrix, MayHaveSemicolonsOrCommasBetweenTheNumbers) {
   }
 }
 
-TEST(TextMatrix, OneRowALineBetweenAnyBlanks) {
+TEST(TextMatrix, ReadsOneRowPerLine) {
   DistanceMatrix expected(2, 2);
   expected << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
   EXPECT_EQ(read_text("0 1.5\n-2.25 inf\n"), expected);
@@ -167,7 +167,7 @@ TEST(TextMatrix, OneRowALineBetweenAnyBlanks) {
 
 TEST(TextMatrix, OneNumberIsAMatrix) { EXPECT_EQ(read_text("0"), DistanceMatrix::Zero(1, 1)); }
 
-TEST(TextMatrix, FaultsHaveTheirLine) {
+TEST(TextMatrix, ErrorsNameTheLine) {
   expect_refused({{"0 1\n1 x\n", "m.txt:2: \"x\" is not a number (number 2"},
                   {"0 1\n\n1\n", "m.txt:3: expected 2"},
                   {"0 1\n1 0 2\n", "m.txt:2: expected 2"},
@@ -214,7 +214,7 @@ TEST(CsvTable, IdsOfRowsAndColumnsAreIndependent) {
   expect_table("shape\tx\ty\tz\na\t0\t1\t4\nb\t2\t0\t6\n", {"a", "b"}, {"x", "y", "z"});
 }
 
-TEST(CsvTable, FaultsHaveTheirLine) {
+TEST(CsvTable, ErrorsNameTheLine) {
   expect_refused({{"0,1\n2\n", "t.csv:2:"},
                   {"0,1\n2,x\n", "t.csv:2:"},
                   {"id,x,y\na,0\nb,1\n", "t.csv:1:"},
@@ -256,7 +256,7 @@ RC_GTEST_PROP(CsvTable, ReadsBackAnyShape, ()) {
   RC_ASSERT(table.column_ids == column_ids);
 }
 
-TEST(TextMatrix, OfAnyShapeHasRowsOfEqualLengths) {
+TEST(TextMatrix, NeedsRowsOfEqualLength) {
   EXPECT_EQ(parse_text_matrix("0 1 4\n2 0 6\n", "t.txt", TableShape::any), wide_numbers);
   EXPECT_THAT(test::input_error_of([] { parse_text_matrix("0 1 4\n2 0\n", "t.txt", TableShape::any); }),
               HasSubstr("t.txt:2:"));

@@ -64,7 +64,7 @@ double largest_distance_change(const Shape& a, const Shape& b) {
 
 class EveryClass : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(EveryClass, IsASoundMeshWithAllItsPartsThatBends) {
+TEST_P(EveryClass, HasValidBendingMeshesWithAllParts) {
   const ArticulatedBody body = make_body(class_skeleton(GetParam()), faces);
   EXPECT_NEAR(static_cast<double>(body.triangles.rows()), faces, 0.2 * faces);
 
@@ -111,7 +111,7 @@ TEST(DrawModel, PosesBendMoreThanIndividualsDiffer) {
   EXPECT_GT(largest_distance_change(straight, posed), 0.2);
 }
 
-TEST(DrawModel, SaysSoWhereNoPoseIsSound) {
+TEST(DrawModel, ReportsWhenNoPoseIsValid) {
   ArticulatedBody body = make_body(class_skeleton(11), 1000);  // lamp
   body.rest.points.col(2).setZero();
   RandomNumbers random(1);
@@ -204,7 +204,7 @@ TEST(GenerateDataset, AnotherSeedGivesOtherModels) {
   }
 }
 
-TEST(GenerateDataset, NamesAreAtLeastTwelveAndUnique) {
+TEST(GenerateDataset, HasAtLeastTwelveUniqueNames) {
   const std::span<const std::string_view> names = generated_model_parameters().front().choices;
   EXPECT_GE(names.size(), 12U);
   EXPECT_EQ(std::set<std::string_view>(names.begin(), names.end()).size(), names.size());
@@ -228,7 +228,7 @@ TEST(GenerateDataset, RefusesOptionsOutOfRange) {
 
 // A failure means that generated models have changed: increase the version, so that cached comparisons of them are not
 // used, and update the values here. Tolerances allow for other compilers, whose meshes differ.
-TEST(GeneratorVersion, ComesWithOtherModels) {
+TEST(GeneratorVersion, ChangesWithTheModels) {
   EXPECT_EQ(generator_version, 1);
   struct Recorded {
     const char* name;

@@ -56,7 +56,7 @@ TEST(ImplicitSurface, OfAFlattenedLimbIsThinAlongItsAxis) {
   EXPECT_GT(surface({0, 0, 0.15}), 0);
 }
 
-TEST(SmoothMinimum, TakesAQuarterOfTheWidthOffEqualsAndNothingBeyondIt) {
+TEST(SmoothMinimum, IsLowerByAQuarterOfTheWidthForEqualValues) {
   EXPECT_DOUBLE_EQ(smooth_minimum(1, 1, 0.4), 0.9);
   EXPECT_DOUBLE_EQ(smooth_minimum(1, 1.2, 0.4), 0.975);
   EXPECT_DOUBLE_EQ(smooth_minimum(1.2, 1, 0.4), 0.975);
@@ -64,7 +64,7 @@ TEST(SmoothMinimum, TakesAQuarterOfTheWidthOffEqualsAndNothingBeyondIt) {
   EXPECT_EQ(smooth_minimum(3, 1, 0.4), 1);
 }
 
-TEST(ImplicitSurface, BlendOnlyAddsAndOnlyNearby) {
+TEST(ImplicitSurface, BlendingOnlyAddsNearby) {
   const Skeleton s = class_skeleton(0);
   const ImplicitSurface surface(s);
   RandomNumbers random(3);
@@ -87,7 +87,7 @@ TEST(ImplicitSurface, BlendOnlyAddsAndOnlyNearby) {
   }
 }
 
-TEST(ImplicitSurface, OfEveryClassLiesInItsBall) {
+TEST(ImplicitSurface, OfEveryClassLiesInItsBoundingBall) {
   RandomNumbers random(4);
   for (std::size_t c = 0; c < class_count(); ++c) {
     const ImplicitSurface surface(class_skeleton(c));

@@ -28,7 +28,7 @@ TEST(MeshImplicitSurface, CapsuleHasItsAreaAndVolume) {
   EXPECT_NEAR(test::signed_volume(mesh), pi * 0.09 * 2 + 4 * pi * 0.027 / 3, 0.005);
 }
 
-TEST(MeshImplicitSurface, TrianglesAreAsManyAsAskedForAndNearlyEquilateral) {
+TEST(MeshImplicitSurface, HasTheRequestedNumberOfNearlyEquilateralTriangles) {
   const ImplicitSurface surface(straight_rod());
   for (const int faces : {1000, 4000, 20000}) {
     const Shape mesh = mesh_implicit_surface(surface, faces);

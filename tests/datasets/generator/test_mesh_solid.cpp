@@ -37,7 +37,7 @@ TEST(MeshSolid, ClosesAroundACylinderOfTwoParts) {
   }
 }
 
-TEST(MeshSolid, FindsNothingForWhatIsInPieces) {
+TEST(MeshSolid, RejectsDisconnectedSolids) {
   SolidObject object;
   object.parts = {{0, rounded_box({-0.6, 0, 0}, {0.4, 0.4, 0.4}, 0.1)},
                   {1, rounded_box({0.6, 0, 0}, {0.4, 0.4, 0.4}, 0.1)}};
@@ -99,7 +99,7 @@ TEST(MeshSolid, KeepsHolesAndThinWalls) {
   }
 }
 
-TEST(MeshSolid, LabelsAreThoseOfTheObjectAtTheCentroids) {
+TEST(MeshSolid, LabelsMatchTheObjectAtTheCentroids) {
   SolidObject object;
   object.parts = {{5, rounded_box({0, 0, 0}, {0.6, 0.6, 0.2}, 0.05)},
                   {1, rounded_box({0, 0, 0.5}, {0.2, 0.2, 0.5}, 0.05)}};

@@ -15,7 +15,7 @@ namespace {
 
 class EveryObjectClass : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(EveryObjectClass, HasSoundMeshesWithSeveralParts) {
+TEST_P(EveryObjectClass, HasValidMeshesWithSeveralParts) {
   const ObjectClass& objects = object_classes()[GetParam()];
   RandomNumbers random(5);
   int made = 0;

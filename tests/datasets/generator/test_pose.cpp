@@ -43,7 +43,7 @@ TEST_F(BoneWeights, LabelsAreLimbsNotBones) {
   EXPECT_EQ(limb_labels(mesh_, weights_, tree_), Eigen::VectorXi::Zero(mesh_.triangles.rows()));
 }
 
-TEST(LimbLabels, GoToTheLimbWithMostWeight) {
+TEST(LimbLabels, AreTheLimbsWithMostWeight) {
   Shape mesh;
   mesh.vertices = Points::Zero(4, 3);
   mesh.triangles.resize(2, 3);

@@ -41,7 +41,7 @@ TEST(Skeleton, PairIsTheMirrorImageInRestAndInMotion) {
   EXPECT_EQ(s.limbs[1].flat_axis, Eigen::Vector3d(0.1, -0.2, 0.9));
 }
 
-TEST(Skeleton, PairOfAPairHangsFromItsOwnSide) {
+TEST(Skeleton, ChildrenOfAPairAttachToTheirSide) {
   Skeleton s;
   const int upper = add_limb_pair(s, arm());
   Limb claw = arm();
@@ -63,7 +63,7 @@ TEST(Skeleton, TurnedLimbMovesWithItsHinges) {
 
 namespace {
 
-TEST(Bones, LimbsSplitAtTheirJointsAndHangFromTheClosestBone) {
+TEST(Bones, SplitLimbsAtJointsAndAttachToTheClosestBone) {
   Skeleton s;
   const int spine = add_limb(s, {.kind = "spine",
                                  .nodes = {{{0, 0, 0}, 1}, {{1, 0, 0}, 1}, {{2, 0, 0}, 1}, {{3, 0, 0}, 1}},

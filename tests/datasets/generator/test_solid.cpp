@@ -96,7 +96,7 @@ TEST(Solid, MovedBodiesKeepTheirDistances) {
   EXPECT_NEAR(turned.box.max().y(), 1, 1e-12);
 }
 
-TEST(SolidObject, LabelIsThatOfTheNearestPartAndOfEqualOnesTheFirst) {
+TEST(SolidObject, LabelsAreOfTheNearestPartOrTheFirstOfEqualOnes) {
   SolidObject object;
   object.parts.push_back({3, rounded_box({-0.5, 0, 0}, {0.5, 0.2, 0.2}, 0.01)});
   object.parts.push_back({1, rounded_box({0.5, 0, 0}, {0.5, 0.2, 0.2}, 0.01)});

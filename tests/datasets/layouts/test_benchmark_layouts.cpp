@@ -69,7 +69,7 @@ TEST_F(BenchmarkLayouts, PrincetonsModelsLieInFoldersOfAHundred) {
   EXPECT_THAT(error("psb"), HasSubstr("bumble"));
 }
 
-TEST_F(BenchmarkLayouts, PrincetonsModelWithoutAFileIsToldByTheCheck) {
+TEST_F(BenchmarkLayouts, CheckReportsPrincetonModelsWithoutFile) {
   add("db/0/m0/m0.off");
   add("classification/v1/base/test.cla", "PSB 1\n1 2\n\nbee 0 2\n0\n762\n");
   const Dataset dataset = find_dataset(recognise_dataset(root()));

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(ModelFile, IsByItsNameAlone) {
+TEST(ModelFile, IsDeterminedByTheName) {
   for (const char* name : {"a.off", "a.OFF", "b.c.obj", "/x/a.ply", "a.stl", "a.xyz"}) {
     EXPECT_TRUE(is_model_file(name)) << name;
   }
@@ -63,7 +63,7 @@ TEST_F(FolderOfModels, HasItsModelsInNaturalOrder) {
   EXPECT_THROW(model_files(root() / "b9.off"), InputError);
 }
 
-TEST_F(FolderOfModels, HasItsSubfoldersAndLinksThatMayHaveBeenSome) {
+TEST_F(FolderOfModels, ListsSubfoldersAndLinks) {
   EXPECT_THAT(names(subfolders(root())), ElementsAre("broken", "circle", "inner", "link", "other"));
   EXPECT_THROW(subfolders(root() / "none"), InputError);
 }
@@ -78,7 +78,7 @@ TEST_F(FolderOfModels, HasEachUnvisitedSubfolderOnce) {
   EXPECT_TRUE(unvisited(subfolders(root() / "alias"), visited).empty());
 }
 
-TEST_F(FolderOfModels, LinksAreWhatTheyLeadTo) {
+TEST_F(FolderOfModels, FollowsLinks) {
   EXPECT_TRUE(is_folder(root() / "link"));
   EXPECT_TRUE(is_readable_folder(root() / "link"));
   EXPECT_FALSE(leads_nowhere(root() / "link"));
@@ -93,7 +93,7 @@ TEST_F(FolderOfModels, LinksAreWhatTheyLeadTo) {
   for (const char* name : {"broken", "link", "none"}) EXPECT_FALSE(is_cyclic_link(root() / name)) << name;
 }
 
-TEST_F(FolderOfModels, SkippedEntriesAreCountedWhereModelsAre) {
+TEST_F(FolderOfModels, CountsSkippedEntriesInFoldersWithModels) {
   // At the top: notes.txt, broken and circle are no shapes; broken.off is one; inner, link and other are folders.
   const SkippedEntries top = skipped({"b10.off", "b9.off", "B1.ply"});
   EXPECT_EQ(top.files, 3U);
@@ -110,7 +110,7 @@ TEST_F(FolderOfModels, SkippedEntriesAreCountedWhereModelsAre) {
   EXPECT_EQ(deep.folders, 2U);
 }
 
-TEST(SkippedText, CountsWhatThereIs) {
+TEST(SkippedText, CountsSkippedEntries) {
   EXPECT_EQ(skipped_text({}), "");
   EXPECT_THAT(skipped_text({.files = 3, .folders = 1}),
               AllOf(HasSubstr("3 files"), HasSubstr("1 folder"), Not(HasSubstr("outside"))));

@@ -31,14 +31,14 @@ std::vector<std::string> classes_of(const ModelLabels& labels) {
   return names;
 }
 
-TEST_F(ModelLabelsTest, OfAClassificationAreOfItsClasses) {
+TEST_F(ModelLabelsTest, ReadAClassification) {
   const ModelLabels labels = read_labels(file("a.cla", hierarchy));
   EXPECT_THAT(labels.classification.classes[2].models, ElementsAre("1", "2"));
   EXPECT_THAT(labels.queries, ElementsAre("1", "2", "3"));
   EXPECT_FALSE(labels.separate_sets);
 }
 
-TEST_F(ModelLabelsTest, ALevelTakesTheAncestorsOfThatGeneration) {
+TEST_F(ModelLabelsTest, ALevelSelectsAncestors) {
   const auto path = file("a.cla", hierarchy);
   const auto names = [&](std::size_t level) {
     std::vector<std::string> found;
@@ -60,7 +60,7 @@ TEST_F(ModelLabelsTest, OfATableMayHaveASplit) {
   EXPECT_FALSE(read_labels(file("b.csv", "id,class\n1,ant\n2,ant\n")).separate_sets);
 }
 
-TEST_F(ModelLabelsTest, OfFoldersAreTheirNames) {
+TEST_F(ModelLabelsTest, AreTheNamesOfFolders) {
   file("models/ant/T1.off", "OFF\n");
   file("models/bee/T2.off", "OFF\n");
   const ModelLabels labels = read_labels(folder() / "models");
@@ -99,7 +99,7 @@ TEST_F(ModelLabelsTest, DistinguishFilesOfOneNameByTheirExtensions) {
   EXPECT_EQ(both.subclasses.at("m1"), "z");
 }
 
-TEST_F(ModelLabelsTest, FaultsHaveTheirLine) {
+TEST_F(ModelLabelsTest, ErrorsNameTheLine) {
   test::expect_refused({{"id,kind\n1,a\n", "id and class"},
                         {"id,class\n1,a\nT1.off,b\n", "labels.csv:3: repeated model \"T1.off\""},
                         {"id,class\nm0.off,a\nm0.obj,b\nm0.off,b\n", "labels.csv:4: repeated model"},
@@ -136,7 +136,7 @@ TEST_F(ModelLabelsTest, LinesOfIdsAndClassesAreATable) {
   }
 }
 
-TEST_F(ModelLabelsTest, AListHasAClassALine) {
+TEST_F(ModelLabelsTest, ReadOneClassPerLine) {
   const ModelLabels labels = read_labels(file("labels.txt", "bee\nbig ant\n\nbee\n"));
   EXPECT_THAT(labels.models, ElementsAre("0", "1", "2"));
   EXPECT_THAT(classes_of(labels), ElementsAre("bee", "big ant"));
@@ -145,7 +145,7 @@ TEST_F(ModelLabelsTest, AListHasAClassALine) {
   EXPECT_THAT(classes_of(read_labels(file("named.txt", "label\r\nbee\r\nant"))), ElementsAre("bee", "ant"));
 }
 
-TEST_F(ModelLabelsTest, AnArrayHasWholeNumbers) {
+TEST_F(ModelLabelsTest, ReadIntegerArrays) {
   write_npy_vector(folder() / "y.npy", Eigen::Vector4d(7, -1, 7, 12));
   const ModelLabels labels = read_labels(folder() / "y.npy");
   EXPECT_THAT(classes_of(labels), ElementsAre("7", "-1", "12"));
@@ -156,7 +156,7 @@ TEST_F(ModelLabelsTest, AnArrayHasWholeNumbers) {
   EXPECT_THAT(test::input_error_of([&] { read_labels(folder() / "m.npy"); }), HasSubstr("one-dimensional"));
 }
 
-TEST_F(ModelLabelsTest, WithoutIdsAreOfDifferentModelsAndShareNone) {
+TEST_F(ModelLabelsTest, WithoutIdsTwoSetsShareNoModels) {
   const auto queries = file("q.txt", "bee\nant\n");
   const auto targets = file("t.txt", "ant\nant\n");
   const TaskLabels labels = read_query_and_target_labels(queries, targets);
@@ -173,7 +173,7 @@ TEST_F(ModelLabelsTest, OfQueriesAmongTheTargetsAreInTheOrderOfTheTargets) {
   EXPECT_THAT(read_shared_labels(queries, all).models, ElementsAre("1", "2", "3"));
 }
 
-TEST_F(ModelLabelsTest, OfFilesOfOtherFormatsAreAnError) {
+TEST_F(ModelLabelsTest, RejectOtherFormats) {
   for (const char* const name : {"l.npz", "l.html", "l.PNG", "l.off", "l.step"}) {
     EXPECT_THAT(test::input_error_of([&] { read_labels(file(name, "a\nb\n")); }), HasSubstr("files have no labels"))
         << name;
@@ -182,7 +182,7 @@ TEST_F(ModelLabelsTest, OfFilesOfOtherFormatsAreAnError) {
   EXPECT_THAT(test::input_error_of([&] { read_labels(file("l.txt", "a\0b\n"s)); }), HasSubstr("not text in UTF-8"));
 }
 
-TEST_F(ModelLabelsTest, OfNamesThatStandForMissingValuesWarn) {
+TEST_F(ModelLabelsTest, WarnOfNamesOfMissingValues) {
   EXPECT_THAT(missing_class_warnings(read_labels(file("labels.csv", "id,class\n1,nan\n2,<NA>\n3,nan\n4,Nan\n"))),
               ElementsAre(HasSubstr("labels.csv: 2 models have the class \"nan\""),
                           HasSubstr("1 model has the class \"<NA>\"")));
@@ -207,7 +207,7 @@ std::string utf32(const std::u32string& text, bool big_endian) {
   return bytes;
 }
 
-TEST_F(ModelLabelsTest, OfAnArrayMayBeStrings) {
+TEST_F(ModelLabelsTest, ReadStringArrays) {
   using namespace std::string_literals;
   const std::u32string text = U"cat\0k\u00f6\u732b\U0001F41F"s;
   for (const bool big_endian : {false, true}) {
@@ -224,7 +224,7 @@ TEST_F(ModelLabelsTest, OfAnArrayMayBeStrings) {
   EXPECT_EQ(bytes.classification.classes[0].name, "ox");
 }
 
-TEST_F(ModelLabelsTest, RefuseArraysOfStringsThatNameNoClasses) {
+TEST_F(ModelLabelsTest, RejectInvalidStringArrays) {
   using namespace std::string_literals;
   test::expect_refused({{npy_of("|O", "(2,)", "pickled"), "dtype=str"},
                         {npy_of("|S3", "(2,)", "ox\0\0\0\0"s), "entry 1"},

@@ -50,7 +50,7 @@ TEST_F(Layouts, Shrec11TakesTheModelsOfTheClassificationInNaturalOrder) {
   EXPECT_TRUE(check_models(dataset).empty());
 }
 
-TEST_F(Layouts, Shrec11AModelWithoutAFileIsToldByTheCheck) {
+TEST_F(Layouts, CheckReportsShrec11ModelsWithoutFile) {
   write("T0.off");
   write("test.cla", "PSB 1\n1 2\na 0 2\n0\n1\n");
   const std::vector<ModelFailure> failures = check_models(find("shrec11"));
@@ -59,7 +59,7 @@ TEST_F(Layouts, Shrec11AModelWithoutAFileIsToldByTheCheck) {
   EXPECT_THAT(failures[0].message, HasSubstr("T1.off"));
 }
 
-TEST_F(Layouts, CheckTellsWhatIsPlainlyNoShape) {
+TEST_F(Layouts, CheckReportsFilesThatAreNoShapes) {
   write("T0.off", "hello\n");
   write("T1.off", "");
   write("T2.off");
@@ -78,7 +78,7 @@ TEST_F(Layouts, Shrec11NeedsAClassificationAndOneFileForEachModel) {
   EXPECT_THAT(error("shrec11"), HasSubstr("both the model 1"));
 }
 
-TEST_F(Layouts, RefuseWhatIsNoFolder) {
+TEST_F(Layouts, RejectPathsThatAreNoFolders) {
   for (const DatasetLayout& layout : dataset_layouts().entries()) {
     EXPECT_THAT(error(std::string(layout.name)), HasSubstr("data: no such folder")) << layout.name;
   }
@@ -120,7 +120,7 @@ TEST_F(Layouts, FoldersWithSplits) {
   EXPECT_EQ(find("folders").models.size(), 4U);
 }
 
-TEST_F(Layouts, WhatIsSkippedIsCounted) {
+TEST_F(Layouts, CountSkippedFiles) {
   for (const char* name : {"chair/train/c1.off", "bed/b1.ply", "bed/test/b2.off"}) write(name);
   EXPECT_EQ(skipped_text(find("folders").skipped), "");
   for (const char* name : {"readme.txt", "bed/notes.txt", "chair/train/c1.mtl", "chair/deep/er/c4.off", "loose.off",
@@ -208,7 +208,7 @@ TEST_F(Layouts, CsvErrorsNameTheLine) {
                        });
 }
 
-TEST_F(Layouts, AreRecognised) {
+TEST_F(Layouts, AreDetected) {
   write("a/1.off");
   EXPECT_EQ(recognise_dataset(root()).layout, "folders");
   write("models.csv");
@@ -228,7 +228,7 @@ std::map<std::string, std::string> failures_of(const Dataset& dataset) {
   return messages;
 }
 
-TEST_F(Layouts, FoldersHaveAFailedModelForWhatIsNoFile) {
+TEST_F(Layouts, FoldersReportEntriesThatAreNoFiles) {
   write("ant/1.off");
   fs::create_symlink("loop.off", root() / "ant/loop.off");
   fs::create_symlink("nothing", root() / "ant/broken.off");
@@ -244,7 +244,7 @@ TEST_F(Layouts, FoldersHaveAFailedModelForWhatIsNoFile) {
   }
 }
 
-TEST_F(Layouts, FoldersHaveAFailedModelForAClassWithoutModels) {
+TEST_F(Layouts, FoldersReportEmptyClasses) {
   write("ant/1.off");
   write("bee/readme.txt");
   write("cow/test/1.off");
@@ -258,7 +258,7 @@ TEST_F(Layouts, FoldersHaveAFailedModelForAClassWithoutModels) {
   EXPECT_THAT(failures_of(tests).at("ant"), HasSubstr("for the split \"test\""));
 }
 
-TEST_F(Layouts, FoldersHaveAFailedModelForAFolderThatCannotBeRead) {
+TEST_F(Layouts, FoldersReportUnreadableFolders) {
   write("ant/1.off");
   write("bee/1.off");
   write("cow/train/1.off");
@@ -281,7 +281,7 @@ TEST_F(Layouts, FoldersHaveAFailedModelForAFolderThatCannotBeRead) {
   for (const char* const folder : {"bee", "cow/test"}) fs::permissions(root() / folder, fs::perms::owner_all);
 }
 
-TEST_F(Layouts, OtherLayoutsHaveAFailedModelForWhatIsNoFile) {
+TEST_F(Layouts, OtherLayoutsReportEntriesThatAreNoFiles) {
   write("T0.off");
   fs::create_symlink("T1.off", root() / "T1.off");
   fs::create_directory(root() / "T2.off");

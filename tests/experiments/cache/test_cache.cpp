@@ -24,13 +24,13 @@ namespace {
 const std::string key(64, 'a');
 const std::string content("values\0\n\xff and more", 18);
 
-TEST(CacheEntry, ComesBackAsItWas) {
+TEST(CacheEntry, SurvivesARoundTrip) {
   for (const std::string& one : {content, std::string(), std::string(5000, '\n')}) {
     EXPECT_EQ(decode_entry(EntryKind::field, key, encode_entry(EntryKind::field, key, one)), one);
   }
 }
 
-TEST(CacheEntry, EveryFlippedBitIsFound) {
+TEST(CacheEntry, DetectsEveryFlippedBit) {
   const std::string bytes = encode_entry(EntryKind::picture, key, content);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     for (unsigned bit = 0; bit < 8; ++bit) {
@@ -41,7 +41,7 @@ TEST(CacheEntry, EveryFlippedBitIsFound) {
   }
 }
 
-TEST(CacheEntry, EveryTruncationAndEveryAdditionIsFound) {
+TEST(CacheEntry, DetectsTruncationsAndAdditions) {
   const std::string bytes = encode_entry(EntryKind::shape, key, content);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_EQ(decode_entry(EntryKind::shape, key, bytes.substr(0, size)), std::nullopt) << size;
@@ -49,7 +49,7 @@ TEST(CacheEntry, EveryTruncationAndEveryAdditionIsFound) {
   EXPECT_EQ(decode_entry(EntryKind::shape, key, bytes + '\0'), std::nullopt);
 }
 
-TEST(CacheEntry, AnotherEntryIsNotTakenForIt) {
+TEST(CacheEntry, IsNotConfusedWithAnother) {
   const std::string bytes = encode_entry(EntryKind::shape, key, content);
   EXPECT_EQ(decode_entry(EntryKind::field, key, bytes), std::nullopt);
   EXPECT_EQ(decode_entry(EntryKind::shape, std::string(64, 'b'), bytes), std::nullopt);
@@ -80,7 +80,7 @@ class CacheTest : public test::FolderTest {
   }
 };
 
-TEST_F(CacheTest, AnotherRunFindsWhatOneHasKept) {
+TEST_F(CacheTest, LaterRunsFindStoredResults) {
   keep("value");
   Cache cache(folder());
   EXPECT_EQ(found(cache), "value");
@@ -123,7 +123,7 @@ TEST_F(CacheTest, ThreadsThatRequestTheSameResultComputeItOnce) {
   EXPECT_EQ(computed, 1);
 }
 
-TEST_F(CacheTest, AnErrorIsNoResult) {
+TEST_F(CacheTest, ErrorsAreNotStored) {
   Cache cache(folder());
   const auto fail = [&](bool fails) {
     return cache.get(EntryKind::field, entry_key, [&] {
@@ -136,7 +136,7 @@ TEST_F(CacheTest, AnErrorIsNoResult) {
   EXPECT_EQ(fail(false), 1);
 }
 
-TEST_F(CacheTest, WithoutAFolderNothingIsKept) {
+TEST_F(CacheTest, StoresNothingWithoutAFolder) {
   Cache none;
   none.put(EntryKind::field, entry_key, 1);
   EXPECT_EQ(none.find<int>(EntryKind::field, entry_key), std::nullopt);
@@ -145,7 +145,7 @@ TEST_F(CacheTest, WithoutAFolderNothingIsKept) {
   EXPECT_FALSE(fs::exists(folder()));
 }
 
-TEST_F(CacheTest, RecomputingFindsNothingAndKeepsWhatIsNew) {
+TEST_F(CacheTest, RecomputingIgnoresAndReplacesEntries) {
   keep("old");
   Cache cache(folder(), true);
   EXPECT_EQ(found(cache), std::nullopt);
@@ -168,7 +168,7 @@ TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
   }
 }
 
-TEST_F(CacheTest, AnEntryOfAnotherFormIsDamagedToo) {
+TEST_F(CacheTest, EntriesOfAnotherFormatAreReplaced) {
   keep("a text");
   Cache cache(folder());
   EXPECT_EQ(cache.get(EntryKind::field, entry_key, [] { return 0.5; }), 0.5);
@@ -208,7 +208,7 @@ TEST_F(CacheTest, AFolderWithoutPermissionIsOneWarning) {
   EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("Permission denied")));
 }
 
-TEST_F(CacheTest, APipeInPlaceOfAnEntryIsReplaced) {
+TEST_F(CacheTest, ReplacesAPipeWithTheNameOfAnEntry) {
   fs::create_directories(entry().parent_path());
   ASSERT_EQ(::mkfifo(entry().c_str(), 0600), 0);
   Cache cache(folder());

@@ -41,7 +41,7 @@ class Variable {
   std::optional<std::string> before_;
 };
 
-TEST(CacheFolder, IsTheOneNamedOrThatOfTheSpecification) {
+TEST(CacheFolder, IsTheOneGivenOrThatOfTheXdgSpecification) {
   const Variable home("HOME", "/home/someone");
   const Variable xdg("XDG_CACHE_HOME", std::nullopt);
   const Variable named("SHAPEGAUGE_CACHE", std::nullopt);
@@ -73,7 +73,7 @@ TEST(CacheFolder, SizesHaveUnits) {
   }
 }
 
-TEST(CacheFolder, TheLimitIsThatOfTheVariable) {
+TEST(CacheFolder, ReadsTheLimitFromTheEnvironment) {
   const Variable unset("SHAPEGAUGE_CACHE_LIMIT", std::nullopt);
   EXPECT_EQ(cache_limit(), 10'000'000'000U);
   const Variable set("SHAPEGAUGE_CACHE_LIMIT", "1M");
@@ -120,7 +120,7 @@ TEST_F(CacheContentsTest, ClearingRemovesTheFolder) {
   EXPECT_EQ(clear_cache(folder()).total().entries, 0U);
 }
 
-TEST_F(CacheContentsTest, ClearingLeavesWhatIsNotOfTheCache) {
+TEST_F(CacheContentsTest, ClearingKeepsOtherFiles) {
   keep(EntryKind::shape, '1', 10);
   const std::string digits(62, '1');
   const std::vector<std::string> others{"notes.txt",
@@ -135,7 +135,7 @@ TEST_F(CacheContentsTest, ClearingLeavesWhatIsNotOfTheCache) {
   for (const std::string& other : others) EXPECT_TRUE(fs::exists(folder() / other)) << other;
 }
 
-TEST_F(CacheContentsTest, TrimmingRemovesWhatWasNotUsedForLongest) {
+TEST_F(CacheContentsTest, TrimmingRemovesLeastRecentlyUsedEntries) {
   keep(EntryKind::field, '1', 1000, 30);
   keep(EntryKind::field, '2', 1000, 10);
   keep(EntryKind::field, '3', 1000, 20);
@@ -149,7 +149,7 @@ TEST_F(CacheContentsTest, TrimmingRemovesWhatWasNotUsedForLongest) {
   EXPECT_FALSE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '3'))));
 }
 
-TEST_F(CacheContentsTest, WhatAKilledRunLeftIsRemovedOnceItIsOld) {
+TEST_F(CacheContentsTest, RemovesOldTemporaryFilesOfKilledRuns) {
   const fs::path left = folder() / "11" / (std::string(62, '1') + ".field.123-4.part");
   write_text(left, "half");
   EXPECT_EQ(cache_contents(folder()).unfinished.entries, 1U);
@@ -160,7 +160,7 @@ TEST_F(CacheContentsTest, WhatAKilledRunLeftIsRemovedOnceItIsOld) {
   EXPECT_FALSE(fs::exists(left));
 }
 
-TEST_F(CacheContentsTest, AFileInPlaceOfTheFolderIsAnError) {
+TEST_F(CacheContentsTest, RejectsAFileWithTheNameOfTheFolder) {
   write_text(folder(), "a file");
   EXPECT_THAT(test::input_error_of([&] { cache_contents(folder()); }), HasSubstr("cannot read the cache"));
 }

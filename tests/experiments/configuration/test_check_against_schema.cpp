@@ -56,7 +56,7 @@ TEST(SchemaCheck, AKeyOfAnotherKindOfExperimentNamesThisKind) {
   EXPECT_THAT(test::input_error_of([&] { check(document); }), StartsWith("x.json: unknown key \"segmentation\" in a "));
 }
 
-TEST(SchemaCheck, AMisspeltKeyCountsBeforeTheOneThatIsMissingForIt) {
+TEST(SchemaCheck, ReportsAMisspeltKeyBeforeTheMissingOne) {
   Json document = valid();
   document["signatures"][0]["fields"] = document["signatures"][0]["field"];
   document["signatures"][0].erase("field");
@@ -64,7 +64,7 @@ TEST(SchemaCheck, AMisspeltKeyCountsBeforeTheOneThatIsMissingForIt) {
               Eq("x.json: signatures.0: unknown key \"fields\"; did you mean \"field\"?"));
 }
 
-TEST(SchemaCheck, OfSeveralFaultsAnUnknownKeyOrElseTheDeepestIsReported) {
+TEST(SchemaCheck, ReportsUnknownKeysFirstAndThenTheDeepestError) {
   Json document = valid();
   document.erase("name");
   document["signatures"][0]["histogram"]["bins"] = "80";
@@ -76,7 +76,7 @@ TEST(SchemaCheck, OfSeveralFaultsAnUnknownKeyOrElseTheDeepestIsReported) {
   EXPECT_THAT(error(), StartsWith("x.json: signatures.1.field: unknown key \"ray\"")) << "the deepest of these";
 }
 
-TEST(SchemaCheck, ErrorsNameThePlaceAndTheFault) {
+TEST(SchemaCheck, ErrorsNameLocationAndProblem) {
   struct Refusal {
     const char* place;
     Json value;
@@ -138,7 +138,7 @@ std::vector<std::string> places_in(const Json& document) {
   return places;
 }
 
-TEST(SchemaCheck, WhateverIsWrongTheMessageSaysWhereAndWhat) {
+TEST(SchemaCheck, EveryErrorNamesLocationAndProblem) {
   Json document = valid();
   document["perturbations"] = Json::parse(R"([{"type": "holes", "radius": 0.1},
                                               {"type": "one_of", "choices": [[], [{"type": "motion"}]]}])");
@@ -159,7 +159,7 @@ TEST(SchemaCheck, WhateverIsWrongTheMessageSaysWhereAndWhat) {
   }
 }
 
-TEST(SchemaCheck, EndlessTexts) {
+TEST(SchemaCheck, ShortensLongValuesInMessages) {
   const std::string endless(1'000'000, 'x');
   EXPECT_THAT(schema_error_with("/signatures/0/name", endless), Eq("no error"));
   EXPECT_THAT(schema_error_with("/signatures/0/name", endless + "\n"), StartsWith("x.json: signatures.0.name: "));
@@ -173,7 +173,7 @@ std::string part_error(const Json& part, const std::string& definition) {
   return test::input_error_of([&] { check_against_schema(part, definition, "part"); });
 }
 
-TEST(SchemaCheck, OfAPartIsThatOfItsDefinition) {
+TEST(SchemaCheck, ChecksPartsOfADocument) {
   EXPECT_EQ(part_error({{"type", "cone_sdf"}, {"rays", 9}}, "field"), "no error");
   EXPECT_EQ(part_error({{"bins", 9}, {"range", "per-shape"}}, "histogram"), "no error");
   EXPECT_THAT(part_error({{"type", "cone_sdf"}, {"ray", 9}}, "field"),
@@ -198,7 +198,7 @@ TEST(SchemaCheck, OfADocumentMayReferToTheDefinitions) {
   EXPECT_EQ(error({{"count", ""}}), "own.json: count: must not be empty");
 }
 
-TEST(ExperimentSchema, KnowsATypeThatWasRegistered) {
+TEST(ExperimentSchema, ContainsRegisteredTypes) {
   const Json field{{"type", "test_flat"}, {"height", 2}};
   EXPECT_THAT(schema_error_with("/signatures/0/field", field), HasSubstr("unknown word \"test_flat\""));
   field_types().add({.name = "test_flat",

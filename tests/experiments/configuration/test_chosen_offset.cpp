@@ -29,7 +29,7 @@ Shape box_with_hole() {
 
 const double gap = 0.5 / 6;  // of the diagonal
 
-TEST(ChooseOffset, AGivenOneStaysBesideTheGap) {
+TEST(ChooseOffset, KeepsARequestedOffset) {
   const ChosenOffset chosen = choose_offset(0.05, box_with_hole());
   EXPECT_EQ(chosen.offset, 0.05);
   EXPECT_NEAR(chosen.gap, gap, 0.005);
@@ -37,14 +37,14 @@ TEST(ChooseOffset, AGivenOneStaysBesideTheGap) {
   EXPECT_EQ(choose_offset(0.05, test::box({4, 3, 1}, 1)).gap, 0);
 }
 
-TEST(ChooseOffset, WithoutOneItIsTheAutomaticOffset) {
+TEST(ChooseOffset, IsAutomaticByDefault) {
   const Shape box = test::box({4, 3, 1}, 2);
   const ChosenOffset chosen = choose_offset({}, box);
   ASSERT_TRUE(chosen.automatic);
   EXPECT_EQ(chosen.offset, automatic_offset(box).offset);
 }
 
-TEST(ReasonsForOffset, ClaimOnlyWhatTheOffsetCloses) {
+TEST(ReasonsForOffset, NameOnlyGapsThatTheOffsetCloses) {
   const auto reasons = [](const AutomaticOffset& automatic) {
     return reasons_for_offset(chosen_automatically(automatic));
   };
@@ -63,13 +63,13 @@ TEST(ChooseOffset, RefusesAShapeWithoutExtent) {
   EXPECT_THROW(choose_offset({}, Shape{Points::Zero(3, 3), Triangles{{0, 1, 2}}}), InputError);
 }
 
-TEST(LeakWarning, IsOfOffsetsBelowTheGap) {
+TEST(LeakWarning, WarnsOfOffsetsBelowTheGap) {
   EXPECT_TRUE(leak_warning(choose_offset(0.8 * gap, box_with_hole())));
   EXPECT_FALSE(leak_warning(choose_offset(1.2 * gap, box_with_hole())));
   EXPECT_FALSE(leak_warning(choose_offset(0.001, test::box({4, 3, 1}, 1))));
 }
 
-TEST(LeakWarning, NamesAnOffsetThatIsEnough) {
+TEST(LeakWarning, SuggestsASufficientOffset) {
   // 1.1 times the gap, 0.0917, rounded up to two digits.
   EXPECT_NE(leak_warning({.offset = 0.01, .gap = gap, .automatic = {}})->find("0.092"), std::string::npos);
   for (const double wide : {0.2, 0.84, 1.0}) {

@@ -37,12 +37,12 @@ class DatasetFiles : public test::FolderTest {
   std::vector<std::string> places_{"/dataset", "/datasets/*"};
 };
 
-TEST_F(DatasetFiles, StandForWhatTheyHold) {
+TEST_F(DatasetFiles, AreReplacedByTheirContents) {
   const Json dataset = read({{"dataset", "sets/animals.json"}})["dataset"];
   EXPECT_EQ(dataset, (Json{{"layout", "folders"}, {"root", at("animals").string()}, {"split", "test"}}));
 }
 
-TEST_F(DatasetFiles, OfAListHaveTheirNameOrThatOfTheFile) {
+TEST_F(DatasetFiles, InListsAreNamedByTheirNameOrFile) {
   const Json datasets =
       read({{"datasets", {"sets/animals.json", "sets/named.json", {{"name", "x"}, {"root", "y"}}}}})["datasets"];
   EXPECT_EQ(datasets[0]["name"], "animals");
@@ -61,7 +61,7 @@ TEST_F(DatasetFiles, CanBeChangedByOverrides) {
   EXPECT_THAT(files, testing::ElementsAre(at("sets/animals.json")));
 }
 
-TEST_F(DatasetFiles, MustBeThereAndDescribeADataSet) {
+TEST_F(DatasetFiles, MustExistAndDescribeADataSet) {
   EXPECT_THAT(test::input_error_of([&] {
                 read({{"dataset", "sets/absent.json"}});
               }),
@@ -116,7 +116,7 @@ std::vector<PublishedDataset> published_datasets() {
   return all;
 }
 
-TEST(PublishedDatasets, AreFoundInAFolderOfTheirShape) {
+TEST(PublishedDatasets, AreDetectedInTheirFolders) {
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER "/datasets")) {
     files += entry.path().extension() == ".json" ? 1 : 0;

@@ -43,7 +43,7 @@ std::string derived_error_with(const Json& last) {
 const std::vector<DistanceMatrix> two_matrices = {DistanceMatrix{{0, 1, 2}, {1, 0, 4}, {2, 4, 0}},
                                                   DistanceMatrix{{0, 20, 10}, {20, 0, 30}, {10, 30, 0}}};
 
-TEST(Derived, SumIsOfScaledAndWeightedDistances) {
+TEST(Derived, SumsAddScaledAndWeightedDistances) {
   const auto sum = derived_signature({{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}});
   EXPECT_THAT(sum.parts, ElementsAre(0, 1));
   const DistanceMatrix distances = derive(*sum.derived, two_matrices);
@@ -54,7 +54,7 @@ TEST(Derived, SumIsOfScaledAndWeightedDistances) {
   EXPECT_EQ(derive(*plain.derived, {&two_matrices[1], 1})(0, 1), 40);
 }
 
-TEST(Derived, ScaleAndWeightsOfSumsAreThoseOfTheLibrary) {
+TEST(Derived, SumsMatchTheLibrary) {
   const std::vector<double> given{1, 0.5};
   for (const auto& [word, kind] :
        {std::pair("given", SumWeights::given), std::pair("agreement", SumWeights::agreement)}) {
@@ -74,7 +74,7 @@ TEST(Derived, ScaleAndWeightsOfSumsAreThoseOfTheLibrary) {
   }
 }
 
-TEST(Derived, SumsByAgreementNameTermsThatFindDifferentGroups) {
+TEST(Derived, SumsByAgreementReportTermsThatDisagree) {
   Eigen::VectorXd positions(60);
   for (Eigen::Index i = 0; i < 60; ++i) positions[i] = static_cast<double>(i / 20 * 1000 + i % 20);
   const DistanceMatrix groups = (positions.replicate(1, 60).rowwise() - positions.transpose()).cwiseAbs();
@@ -88,7 +88,7 @@ TEST(Derived, SumsByAgreementNameTermsThatFindDifferentGroups) {
   EXPECT_EQ(remark_on(*derived_signature({{"sum", terms}}).derived, matrices), "");
 }
 
-TEST(Derived, AnUnknownWordIsNoDefault) {
+TEST(Derived, RejectsUnknownWords) {
   const auto read = [](Json settings) {
     settings["sum"] = {{{"of", "a"}}};
     return test::input_error_of([&] { make_derived("sum", settings); });
@@ -114,7 +114,7 @@ TEST(Derived, NeighboursAreANumberAListOrAuto) {
   EXPECT_THAT(error("many"), HasSubstr("signatures.2.rerank.neighbours"));
 }
 
-TEST(Derived, RanksAndRerankingAreThoseOfTheLibrary) {
+TEST(Derived, RanksAndRerankingMatchTheLibrary) {
   const std::vector<double> equal{1, 1};
   EXPECT_EQ(derive(*derived_signature({{"fuse_ranks", {"a", "b"}}}).derived, two_matrices),
             fusion_of_ranks(two_matrices, equal));
@@ -128,7 +128,7 @@ TEST(Derived, RanksAndRerankingAreThoseOfTheLibrary) {
             query_expansion(two_matrices[1], {.neighbours = 1}));
 }
 
-TEST(Derived, ComeAfterWhatTheyAreMadeFrom) {
+TEST(Derived, AreComputedAfterTheirInputs) {
   Json changed = document_with({{"sum", {{{"of", "a"}}}}});
   std::reverse(changed["signatures"].begin(), changed["signatures"].end());
   const Json reranked = Json::parse(R"({"name": "d", "rerank": {"of": "c", "method": "k_reciprocal"}})");
@@ -148,7 +148,7 @@ TEST(Derived, ReadBackAsTheSame) {
   }
 }
 
-TEST(Derived, MistakesGiveThePlace) {
+TEST(Derived, ErrorsNameTheLocation) {
   const Json one_term{{{"of", "a"}}};
   const std::vector<std::pair<Json, const char*>> mistakes = {
       {{{"sum", {{{"of", "a"}}, {{"of", "bb"}}}}}, "signatures.2.sum.1.of: there is no signature \"bb\""},

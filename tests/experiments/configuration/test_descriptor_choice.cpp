@@ -32,7 +32,7 @@ std::string descriptor_error_with(const Json& descriptor) {
   return test::input_error_of([&] { configuration_of_descriptor(descriptor); });
 }
 
-TEST(MakeDescriptor, IsTheRegisteredOneWithItsSettings) {
+TEST(MakeDescriptor, AppliesSettingsToTheRegisteredDescriptor) {
   const DescriptorChoice choice = make_descriptor({{"type", "d2"}, {"bins", 10}});
   EXPECT_EQ(to_json(choice), (Json{{"type", "d2"}, {"bins", 10}, {"points", 1024}, {"longest", 3.0}}));
   const Shape shape = test::sphere(1, 2);
@@ -48,13 +48,13 @@ TEST(MakeDescriptor, FieldsAndAxesAreFilledIn) {
   EXPECT_EQ(to_json(make_descriptor(to_json(choice))), to_json(choice));
 }
 
-TEST(DescriptorConfiguration, ReadsBackAsTheSame) {
+TEST(DescriptorConfiguration, SurvivesARoundTrip) {
   const Json filled = to_json(configuration_of_descriptor(joint_settings()));
   EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", ".")), filled);
   EXPECT_EQ(filled["signatures"][0]["descriptor"]["axes"].size(), 2U);
 }
 
-TEST(DescriptorConfiguration, MistakesGiveThePlace) {
+TEST(DescriptorConfiguration, ErrorsNameTheLocation) {
   EXPECT_THAT(descriptor_error_with({{"type", "d3"}}), HasSubstr("signatures.0.descriptor.type"));
   EXPECT_THAT(descriptor_error_with({{"type", "d2"}, {"bin", 3}}), HasSubstr("did you mean \"bins\"?"));
   EXPECT_THAT(descriptor_error_with({{"type", "d2"}, {"bins", 0}}), HasSubstr("signatures.0.descriptor.bins"));
@@ -73,7 +73,7 @@ TEST(DescriptorConfiguration, MistakesGiveThePlace) {
   EXPECT_THAT(descriptor_error_with(wrong), HasSubstr("signatures.0.descriptor"));
 }
 
-TEST(OffsetWarnings, AreOfGapsAndHollowShapesForFieldsWithAnOffset) {
+TEST(OffsetWarnings, WarnOfGapsAndHollowShapes) {
   const auto warnings = [](const Json& offset, const Shape& shape) {
     const Json fields{{{"type", "offset_sdf"}, {"offset", offset}}, {{"type", "offset_sdf"}, {"offset", offset}}};
     FieldSource source(shape);

@@ -22,7 +22,7 @@ std::vector<std::string> places(const std::vector<std::string>& patterns) {
   return texts;
 }
 
-TEST(MatchingPlaces, AreThoseInTheDocument) {
+TEST(MatchingPlaces, ExistInTheDocument) {
   EXPECT_THAT(places({"/dataset"}), ElementsAre("/dataset"));
   EXPECT_THAT(places({"/dataset/root"}), ElementsAre("/dataset/root"));
   EXPECT_THAT(places({"/dataset/split", "/absent/root", "/groups/file/x"}), IsEmpty());

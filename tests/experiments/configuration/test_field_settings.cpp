@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(ReadField, TakesSettingsAndFillsInDefaults) {
+TEST(ReadField, ReadsSettingsAndFillsInDefaults) {
   const Field field = read_field({{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}});
   EXPECT_EQ(field.settings.samples.site, SampleSite::vertices);
   EXPECT_EQ(field.settings.values.number("offset"), 0.03);
@@ -22,7 +22,7 @@ TEST(ReadField, TakesSettingsAndFillsInDefaults) {
             (SamplePlan{.site = SampleSite::surface, .count = 50}));
 }
 
-TEST(ReadField, TakesTheSmoothing) {
+TEST(ReadField, ReadsTheSmoothing) {
   const Field field = read_field({{"type", "cone_sdf"}, {"bilateral", {{"spatial_width", 0.2}}}});
   EXPECT_EQ(field.settings.smoothing.value().number("spatial_width"), 0.2);
   EXPECT_EQ(to_json(field.settings)["bilateral"]["iterations"], 1);

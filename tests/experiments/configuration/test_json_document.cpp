@@ -14,14 +14,14 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST(ParseJson, GivesTheValue) { EXPECT_EQ(parse_json(R"({"a": [1, "x"]})", "x.json")["a"][1], "x"); }
+TEST(ParseJson, ParsesValues) { EXPECT_EQ(parse_json(R"({"a": [1, "x"]})", "x.json")["a"][1], "x"); }
 
 TEST(ParseJson, CommentsAreSkipped) {
   EXPECT_EQ(parse_json("// one\n{/* two */ \"a\": 1 // three\n}", "x.json"), nlohmann::json({{"a", 1}}));
   EXPECT_THAT(test::input_error_of([] { parse_json("/* one\n*/ {,}", "x.json"); }), StartsWith("x.json:2:"));
 }
 
-TEST(ParseJson, RefusesWhatIsNotJsonWithItsPosition) {
+TEST(ParseJson, RejectsInvalidJsonWithItsPosition) {
   test::expect_refused({{"{\n  \"a\": 1\n  \"b\": 2\n}", "x.json:3:"},
                         {"[1,\n 2,,3]", "x.json:2:4: not valid JSON"},
                         {"", "x.json:1:1: not valid JSON"},
@@ -50,7 +50,7 @@ TEST(ParseJson, MessagesAreShort) {
             500U);
 }
 
-TEST(ParseIfJson, GivesNothingForOtherText) {
+TEST(ParseIfJson, IsEmptyForOtherText) {
   EXPECT_EQ(parse_if_json("[1]", "x").value()[0], 1);
   EXPECT_FALSE(parse_if_json("per-shape", "x").has_value());
   EXPECT_THAT(test::input_error_of([] { parse_if_json(R"({"a": 1, "a": 2})", "x"); }), HasSubstr("is repeated"));
@@ -75,7 +75,7 @@ TEST_F(ExpandVariables, ReplacesEach) {
   EXPECT_EQ(expand_variables("${SHAPEGAUGE_TEST_A}/x/${SHAPEGAUGE_TEST_A}"), "/data/x//data");
 }
 
-TEST_F(ExpandVariables, WhatAVariableHoldsIsNotExpandedAgain) {
+TEST_F(ExpandVariables, DoesNotExpandValuesAgain) {
   setenv("SHAPEGAUGE_TEST_A", "${SHAPEGAUGE_TEST_UNSET}", 1);
   EXPECT_EQ(expand_variables("${SHAPEGAUGE_TEST_A}"), "${SHAPEGAUGE_TEST_UNSET}");
 }
@@ -121,7 +121,7 @@ TEST(ApplyOverride, ElementsOfArraysHaveNamesInBrackets) {
   EXPECT_THAT(message, HasSubstr("Sum"));
 }
 
-TEST(ApplyOverride, TheValueIsJsonOrElseAString) {
+TEST(ApplyOverride, ValuesAreJsonOrStrings) {
   EXPECT_EQ(overridden("name=true")["name"], true);
   EXPECT_EQ(overridden("name=\"true\"")["name"], "true");
   EXPECT_EQ(overridden("name=per-shape")["name"], "per-shape");
@@ -130,11 +130,11 @@ TEST(ApplyOverride, TheValueIsJsonOrElseAString) {
   EXPECT_EQ(overridden("name=")["name"], "");
 }
 
-TEST(ApplyOverride, MakesObjectsOnTheWay) {
+TEST(ApplyOverride, CreatesMissingObjects) {
   EXPECT_EQ(overridden("evaluation.minimum_class_size=3")["evaluation"]["minimum_class_size"], 3);
 }
 
-TEST(ApplyOverride, RefusesPlacesThatDoNotExistAndInvalidText) {
+TEST(ApplyOverride, RejectsUnknownPathsAndInvalidText) {
   std::string deep = "a";
   for (int i = 0; i < 100; ++i) deep += ".a";
   test::expect_refused({{"signatures.2.name=x", "\"2\" is not an index"},

@@ -63,7 +63,7 @@ TEST(ParameterJson, ListsAreNumbersListsOrWords) {
         "else": {"type": "integer", "minimum": 1, "maximum": 9}}, "default": 3})"));
 }
 
-TEST(ParameterJson, RefusesWhatTheParameterDoesNotTake) {
+TEST(ParameterJson, RejectsInvalidValues) {
   const auto message = [](const Json& settings) {
     return test::input_error_of([&] { read_parameters(parameters, settings); });
   };
@@ -81,7 +81,7 @@ TEST(ParameterJson, RefusesWhatTheParameterDoesNotTake) {
   for (const auto& [settings, word] : refusals) EXPECT_THAT(message(settings), HasSubstr(word)) << settings;
 }
 
-TEST(ParameterJson, TheSchemaSaysTypesBoundsChoicesAndDefaults) {
+TEST(ParameterJson, SchemaHasTypesBoundsChoicesAndDefaults) {
   EXPECT_EQ(Json(schema_of(parameters[0])), Json::parse(R"({"description": "W.", "if": {"type": "string"},
       "then": {"enum": ["auto"]}, "else": {"type": "number", "exclusiveMinimum": 0, "maximum": 2.5}})"));
   EXPECT_EQ(Json(schema_of(parameters[1])),

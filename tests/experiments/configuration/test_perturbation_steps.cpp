@@ -26,7 +26,7 @@ Points vertices_of(const char* steps, std::uint64_t seed, const char* id, std::s
 
 constexpr const char* noise = R"([{"type": "vertex_noise", "amplitude": 0.01}])";
 
-TEST(PerturbModel, DependsOnSeedAndIdButNotOnThePlaceInTheDataSet) {
+TEST(PerturbModel, DependsOnSeedAndIdButNotOnTheIndex) {
   EXPECT_EQ(vertices_of(noise, 1, "T3", 3), vertices_of(noise, 1, "T3", 4));
   EXPECT_NE(vertices_of(noise, 1, "T3", 3), vertices_of(noise, 1, "T4", 3));
   EXPECT_NE(vertices_of(noise, 1, "T3", 3), vertices_of(noise, 2, "T3", 3));
@@ -40,13 +40,13 @@ TEST(PerturbModel, IsTheSameOnEveryMachine) {
   EXPECT_EQ(vertices_of(noise, 7, "a", 0), vertex_noise(box, {.amplitude = 0.01}, step).vertices);
 }
 
-TEST(PerturbModel, AStepDrawsTheSameWhateverTheStepBeforeItDraws) {
+TEST(PerturbModel, StepsHaveIndependentRandomNumbers) {
   const char* one_hole = R"([{"type": "flip_orientation", "fraction": 0.5}, {"type": "motion", "scale": 2}])";
   const char* no_hole = R"([{"type": "decimate", "faces": 1000}, {"type": "motion", "scale": 2}])";
   EXPECT_EQ(vertices_of(one_hole, 1, "T3", 0), vertices_of(no_hole, 1, "T3", 0));
 }
 
-TEST(PerturbModel, SaysWhereStepsFallShortOfTheirSettings) {
+TEST(PerturbModel, ReportsStepsThatMissTheirSettings) {
   const Shape box = test::box({1, 2, 3}, 2);
   const auto remarks_of = [&](const char* steps) { return perturb_model(box, steps_of(steps), 1, "T3", 0).remarks; };
   EXPECT_TRUE(remarks_of(R"([{"type": "decimate", "faces": 40}])").empty());
@@ -79,7 +79,7 @@ PerturbedShape perturbed(const std::string& assign, const std::string& id, std::
   return perturb_model(test::box({1, 1, 1}, 2), make_perturbations(Json::array({step})), 1, id, model);
 }
 
-TEST(OneOf, InTurnGoesByTheModelsPlace) {
+TEST(OneOf, InTurnFollowsTheIndexOfTheModel) {
   for (std::size_t model = 0; model < 7; ++model) {
     const PerturbedShape result = perturbed("in_turn", "T3", model);
     EXPECT_EQ(result.chosen, std::vector{model % 3});
@@ -87,7 +87,7 @@ TEST(OneOf, InTurnGoesByTheModelsPlace) {
   }
 }
 
-TEST(OneOf, AtRandomChoosesAllAlikeByTheId) {
+TEST(OneOf, AtRandomIsUniformAndDependsOnTheId) {
   std::array<int, 3> times{};
   for (std::size_t i = 0; i < 3000; ++i) {
     const PerturbedShape result = perturbed("random", "T" + std::to_string(i), 0);
@@ -99,7 +99,7 @@ TEST(OneOf, AtRandomChoosesAllAlikeByTheId) {
   EXPECT_EQ(perturbed("random", "T3", 0).chosen, perturbed("random", "T3", 5).chosen);
 }
 
-TEST(OneOf, MayHoldAnother) {
+TEST(OneOf, MayBeNested) {
   const Json inner{{"type", "one_of"}, {"assign", "in_turn"}, {"choices", choices()}};
   const Json outer{{"type", "one_of"}, {"assign", "in_turn"}, {"choices", {Json::array(), Json::array({inner})}}};
   const PerturbedShape result =
@@ -132,7 +132,7 @@ void expect_step(const Json& settings, const OfTheCore& of_the_core) {
   }
 }
 
-TEST(MakePerturbation, StepsAreTheFunctionsOfTheCore) {
+TEST(MakePerturbation, StepsMatchTheFunctions) {
   expect_step({{"type", "vertex_noise"}, {"amplitude", 0.02}},
               [](const Shape& s, RandomNumbers& r) { return vertex_noise(s, {.amplitude = 0.02}, r); });
   expect_step({{"type", "vertex_noise"}, {"amplitude", 0.02}, {"distribution", "uniform"}},
@@ -159,7 +159,7 @@ TEST(MakePerturbation, FillsInDefaults) {
                 R"([{"type": "holes", "number": 5, "radius": 0.05}, {"type": "flip_orientation", "fraction": 1.0}])"));
 }
 
-TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
+TEST(MakePerturbation, VersionsIncludeAllPossibleSteps) {
   using Versions = std::map<std::string, int>;
   EXPECT_EQ(versions_of(steps_of(R"([{"type": "holes"}])")), (Versions{{"holes", 1}}));
   const Json inner{{"type", "one_of"}, {"choices", {Json::array({{{"type", "motion"}}})}}};

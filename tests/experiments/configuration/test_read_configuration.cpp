@@ -37,7 +37,7 @@ std::string experiment_error_with(const std::string& pointer, const Json& value)
   return test::input_error_of([&] { configuration_with(pointer, value); });
 }
 
-TEST(Configuration, MeasuresAreThoseOfItsProtocols) {
+TEST(Configuration, HasTheMeasuresOfItsProtocols) {
   const auto names_under = [](const char* protocol) {
     std::vector<std::string> names;
     for (const Measure& measure : configuration_with("/protocol", protocol).evaluation.measures)
@@ -49,7 +49,7 @@ TEST(Configuration, MeasuresAreThoseOfItsProtocols) {
   EXPECT_THAT(names_under("trec"), testing::Contains("nDCG"));
 }
 
-TEST(Configuration, PathsAreWrittenSoThatTheyHoldFromAnyFolder) {
+TEST(Configuration, WritesPathsThatHoldInAnyFolder) {
   Json document = experiment_document();
   document["dataset"]["root"] = "../data";
   const Json written = to_json(configuration_from_json(document, "x.json", "configs/mine"));
@@ -115,7 +115,7 @@ TEST(Configuration, FillsInDefaults) {
   EXPECT_EQ(configuration.location->classification, "/configs/data/test.cla");
 }
 
-TEST(Configuration, AsJsonItReadsBackAsTheSame) {
+TEST(Configuration, SurvivesARoundTripThroughJson) {
   Json full = experiment_document();
   full["protocol"] = {"paper", "psb"};
   full["on_error"] = "skip";
@@ -148,12 +148,12 @@ TEST(Configuration, PathsAreRelativeToTheFileAndTheClassificationToTheRoot) {
   EXPECT_EQ(configuration_with("/dataset/layout", "csv").location->classification, "/configs/data/models.csv");
 }
 
-TEST(Configuration, PartsAreComputedFirst) {
+TEST(Configuration, ComputesPartsFirst) {
   const Configuration configuration = configuration_from_json(experiment_document(), "x.json", ".");
   EXPECT_EQ(computation_order(configuration.signatures), (std::vector<std::size_t>{0, 1, 3, 2}));
 }
 
-TEST(Configuration, MistakesGiveThePlace) {
+TEST(Configuration, ErrorsNameTheLocation) {
   unsetenv("SHAPEGAUGE_TEST_UNSET");
   const auto json = [](const char* text) { return Json::parse(text); };
   const std::vector<std::tuple<const char*, Json, const char*>> mistakes = {
@@ -194,7 +194,7 @@ TEST(Configuration, MistakesGiveThePlace) {
   }
 }
 
-TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {
+TEST(Configuration, ReportShowsTheFirstFieldByDefault) {
   const ReportConfiguration usual = configuration_from_json(experiment_document(), "x.json", "/configs").report;
   EXPECT_TRUE(usual.wanted && usual.pictures);
   EXPECT_EQ(usual.pictured_signature, 0U);
@@ -243,7 +243,7 @@ TEST(ReadConfiguration, PathsOfOverridesBeginAtTheWorkingDirectory) {
   EXPECT_EQ(location({"dataset.root=${SHAPEGAUGE_TEST_ROOT}/m"}).root, "/elsewhere/m");
 }
 
-TEST(ApplyOverrides, ResolvesTheGivenPaths) {
+TEST(ApplyOverrides, ResolvesPaths) {
   const std::string here = std::filesystem::current_path().string();
   auto document = nlohmann::json::parse(
       R"({"datasets": [{"name": "a", "layout": "csv", "root": "x"}, {"name": "b", "layout": "csv", "root": "x"}],

@@ -44,7 +44,7 @@ TEST(ReadComparison, FillsInDefaults) {
   EXPECT_EQ(comparison.on_error, OnError::stop);
 }
 
-TEST(ReadComparison, AsJsonItReadsBackAsTheSame) {
+TEST(ReadComparison, SurvivesARoundTripThroughJson) {
   Json full = comparison_document();
   full["registered"] = false;
   full["description"] = "why";
@@ -56,7 +56,7 @@ TEST(ReadComparison, AsJsonItReadsBackAsTheSame) {
   EXPECT_EQ(filled["registered"], false);
 }
 
-TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
+TEST(ReadComparison, ErrorsNameTheLocationAndTheNearestWord) {
   const std::vector<std::tuple<const char*, Json, const char*>> mistakes = {
       {"/reference", "claen", "reference: there is no shape \"claen\"; did you mean \"clean\"?"},
       {"/shapes/1/name", "clean", "shapes.1.name: the name \"clean\""},

@@ -109,11 +109,11 @@ class WrongValues : public testing::Test {
   }
 };
 
-TEST_F(WrongValues, ConfigurationsAreReadAsTheyCome) {
+TEST_F(WrongValues, ValidConfigurationsAreRead) {
   for (const Json& experiment : all_experiments()) EXPECT_EQ(error_of(experiment), "");
 }
 
-TEST_F(WrongValues, AreErrorsOfTheUserWithTheirPlace) {
+TEST_F(WrongValues, AreInputErrorsWithTheirLocation) {
   const std::vector<Json> values = {
       nullptr,   true, -1.5, 1e300, std::numeric_limits<std::uint64_t>::max(), "x", Json::array({1, "x", nullptr}),
       {{"x", 1}}};
@@ -136,7 +136,7 @@ TEST_F(WrongValues, AreErrorsOfTheUserWithTheirPlace) {
   EXPECT_GT(errors, 500U);
 }
 
-TEST_F(WrongValues, AKeyThatIsAbsentIsNoExceptionOfAnotherKind) {
+TEST_F(WrongValues, MissingKeysAreInputErrors) {
   for (const auto& [experiment, place] : places_of_every_kind()) {
     Json changed = experiment;
     Json& parent = changed[place.parent_pointer()];
@@ -149,7 +149,7 @@ TEST_F(WrongValues, AKeyThatIsAbsentIsNoExceptionOfAnotherKind) {
   }
 }
 
-TEST_F(WrongValues, AnExperimentOfAnotherKindIsAnErrorOfTheUser) {
+TEST_F(WrongValues, ExperimentsOfAnotherKindAreInputErrors) {
   for (const Json& experiment : all_experiments()) {
     const auto refuses = [&](auto&& reading) {
       try {
@@ -168,7 +168,7 @@ TEST_F(WrongValues, AnExperimentOfAnotherKindIsAnErrorOfTheUser) {
   }
 }
 
-TEST_F(WrongValues, WhatIsNoObjectIsAnErrorOfTheUser) {
+TEST_F(WrongValues, NonObjectsAreInputErrors) {
   for (const Json& document : {Json(), Json(3), Json("x"), Json::array(), Json::object()}) {
     EXPECT_NE(error_of(document), "") << document;
   }

@@ -30,7 +30,7 @@ int models_made(std::uint64_t seed, const fs::path& folder) {
   return made;
 }
 
-TEST(PrepareGenerated, MakesADataSetOnceForTheSameSettings) {
+TEST(PrepareGenerated, GeneratesADataSetOnce) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(models_made(1, folder.path() / "new"), 2);
   const std::string first = text_of(folder.path() / "new/T0.off");
@@ -39,7 +39,7 @@ TEST(PrepareGenerated, MakesADataSetOnceForTheSameSettings) {
   EXPECT_NE(text_of(folder.path() / "new/T0.off"), first);
 }
 
-TEST(PrepareGenerated, MakesAnewWhatAnInterruptionLeft) {
+TEST(PrepareGenerated, RegeneratesAnIncompleteDataSet) {
   const test::TemporaryFolder folder;
   RunControl control;
   control.interrupted = [] { return true; };
@@ -54,7 +54,7 @@ TEST(PrepareGenerated, DoesNotReplaceAnotherDataSet) {
   EXPECT_EQ(text_of(folder.path() / "T0.off"), "mine");
 }
 
-TEST(PrepareGenerated, DoesNotReplaceAFileThatIsNoRecord) {
+TEST(PrepareGenerated, KeepsAFileThatIsNotARecord) {
   for (const char* const text : {R"({"generate": {"classes": 1}})", "[]", "mine"}) {
     const test::TemporaryFolder folder;
     test::write_text(folder.path() / "generated.json", text);

@@ -38,7 +38,7 @@ class AutomaticPart : public testing::Test {
   }
 };
 
-TEST(Part, HaveEachItemOnce) {
+TEST(Part, PartsCoverEachItemOnce) {
   std::vector<std::size_t> items;
   for (std::size_t i = 0; i < 11; ++i) items.push_back(2 * i);
   for (const std::size_t count : {1U, 2U, 3U, 11U, 20U}) {
@@ -60,7 +60,7 @@ TEST(Part, IsParsed) {
   }
 }
 
-TEST_F(AutomaticPart, IsThatOfALauncher) {
+TEST_F(AutomaticPart, ReadsTheEnvironmentOfLaunchers) {
   EXPECT_EQ(part_with({{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "8"}, {"SLURM_ARRAY_TASK_MIN", "1"}}),
             "3/8");
   EXPECT_EQ(part_with({{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "8"}, {"SLURM_ARRAY_TASK_MIN", "0"}}),
@@ -74,7 +74,7 @@ TEST_F(AutomaticPart, IsThatOfALauncher) {
   EXPECT_EQ(part_with({{"SLURM_PROCID", "5"}, {"SLURM_NTASKS", "6"}}), "6/6");
 }
 
-TEST_F(AutomaticPart, IsThatOfTheInnermostTask) {
+TEST_F(AutomaticPart, PrefersTheInnermostLauncher) {
   EXPECT_EQ(
       part_with(
           {{"OMPI_COMM_WORLD_RANK", "3"}, {"OMPI_COMM_WORLD_SIZE", "4"}, {"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "1"}}),

@@ -19,7 +19,7 @@ DocumentPaths paths(const Json& /*document*/) {
   return {.files = {"/shapes/*/file"}, .datasets = {"/dataset", "/datasets/*"}};
 }
 
-TEST(Replay, AManifestThatTellsTooLittleIsAnError) {
+TEST(Replay, RejectsIncompleteManifests) {
   const test::TemporaryFolder folder;
   const auto error_for = [&](const std::string& text) {
     test::write_text(folder.path() / "m.json", text);
@@ -33,7 +33,7 @@ TEST(Replay, AManifestThatTellsTooLittleIsAnError) {
   EXPECT_THAT(test::input_error_of([] { read_manifest("/nowhere/manifest.json"); }), HasSubstr("no such file"));
 }
 
-TEST(Replay, EntriesThatCannotBeComparedAreErrors) {
+TEST(Replay, RejectsInvalidEntries) {
   const test::TemporaryFolder folder;
   const auto error_for = [&](const Json& inputs, const Json& outputs, const Json& failed = Json::array()) {
     const Json manifest{
@@ -52,7 +52,7 @@ TEST(Replay, EntriesThatCannotBeComparedAreErrors) {
   EXPECT_THAT(error_for(Json::object(), files, Json::array({5})), HasSubstr("m.json: failed_models: expected"));
 }
 
-TEST(Replay, ADataSetIsLookedForInAnotherFolder) {
+TEST(Replay, AcceptsAnotherFolderOfTheDataSet) {
   Json manifest{
       {"configuration",
        {{"dataset", {{"layout", "shrec11"}, {"root", "/old/data"}, {"classification", "/old/data/a/test.cla"}}}}}};
@@ -65,7 +65,7 @@ TEST(Replay, ADataSetIsLookedForInAnotherFolder) {
   EXPECT_EQ(moved["classification"], "/old/database/test.cla") << "it did not lie in the data set's folder";
 }
 
-TEST(Replay, TheShapesOfAComparisonAreLookedForInAnotherFolder) {
+TEST(Replay, AcceptsAnotherFolderOfComparedShapes) {
   const Json manifest{{"configuration",
                        {{"shapes",
                          {{{"name", "a"}, {"file", "/old/models/animals/cat.off"}},
@@ -77,7 +77,7 @@ TEST(Replay, TheShapesOfAComparisonAreLookedForInAnotherFolder) {
   EXPECT_FALSE(shapes[2].contains("file"));
 }
 
-TEST(Replay, DamagedPathsAreErrorsWithTheirPlace) {
+TEST(Replay, InvalidPathsAreErrorsWithTheirLocation) {
   const auto error_of = [](const Json& configuration) {
     return test::input_error_of([&] { recorded_configuration({{"configuration", configuration}}, "/new", paths); });
   };
@@ -87,7 +87,7 @@ TEST(Replay, DamagedPathsAreErrorsWithTheirPlace) {
   EXPECT_THAT(error_of({{"shapes", {{{"name", "a"}, {"file", false}}}}}), HasSubstr("configuration.shapes.0.file"));
 }
 
-TEST(Replay, WhatIsGeneratedHasNoFolder) {
+TEST(Replay, GeneratedDataHasNoFolder) {
   const Json dataset{{"configuration", {{"dataset", {{"generate", Json::object()}}}}}};
   EXPECT_THAT(test::input_error_of([&] { recorded_configuration(dataset, "/new", paths); }),
               HasSubstr("`dataset_root`"));
@@ -96,7 +96,7 @@ TEST(Replay, WhatIsGeneratedHasNoFolder) {
               HasSubstr("`dataset_root`"));
 }
 
-TEST(Replay, OneOfSeveralDataSetsIsLookedForInAnotherFolderByItsName) {
+TEST(Replay, AcceptsAnotherFolderOfOneOfSeveralDataSets) {
   Json manifest{{"configuration",
                  {{"datasets", {{{"name", "a"}, {"generate", Json::object()}}, {{"name", "b"}, {"root", "/old/b"}}}}}}};
   EXPECT_EQ(recorded_configuration(manifest, "/new", paths)["datasets"][1]["root"], "/new");
@@ -105,7 +105,7 @@ TEST(Replay, OneOfSeveralDataSetsIsLookedForInAnotherFolderByItsName) {
               HasSubstr("datasets.1.root=FOLDER"));
 }
 
-TEST(Replay, ChangedInputsAreNamed) {
+TEST(Replay, NamesChangedInputs) {
   const Json recorded{
       {"inputs",
        {{"algorithm", "SHA-256"}, {"models", {{"1", "aa"}, {"2", "bb"}, {"3", "cc"}}}, {"classification", "dd"}}}};
@@ -118,7 +118,7 @@ TEST(Replay, ChangedInputsAreNamed) {
               ElementsAre("shape cat is absent"));
 }
 
-TEST(Replay, KindsOfInputsThatWereNotRecordedAreNotCompared) {
+TEST(Replay, IgnoresUnrecordedKindsOfInputs) {
   const Json inputs{{"models", {{"1", "aa"}}}};
   const Json recorded{{"inputs", inputs}};
   EXPECT_THAT(changed_inputs(recorded, {{"models", {{"1", "aa"}}}, {"classification", "dd"}}), IsEmpty());
@@ -128,7 +128,7 @@ TEST(Replay, KindsOfInputsThatWereNotRecordedAreNotCompared) {
               ElementsAre("the classification is absent"));
 }
 
-TEST(Replay, UnrecordedFilesOfModelsThatFailedAreOneLine) {
+TEST(Replay, SummarisesUnrecordedFilesOfFailedModels) {
   const Json recorded{{"inputs", {{"models", {{"1", "aa"}}}}},
                       {"failed_models", {{{"model", "2"}, {"error", "x"}}, {{"model", "3"}, {"error", "x"}}}}};
   const Json now{{"models", {{"1", "aa"}, {"2", "bb"}, {"2/a.seg", "cc"}, {"20", "dd"}, {"3", "ee"}}}};
@@ -137,7 +137,7 @@ TEST(Replay, UnrecordedFilesOfModelsThatFailedAreOneLine) {
                           "the files of 2 models that failed in the recorded run were not recorded"));
 }
 
-TEST(Replay, AnotherProgramIsNamed) {
+TEST(Replay, NamesADifferentProgram) {
   Json manifest = program_json();
   EXPECT_THAT(changed_program(manifest), IsEmpty());
   manifest["shapegauge"] = "0.0.0";
@@ -147,7 +147,7 @@ TEST(Replay, AnotherProgramIsNamed) {
                                             testing::MatchesRegex("processor: .*, recorded was \"unknown\"")));
 }
 
-TEST(Replay, OutputsAreComparedByTheirHashes) {
+TEST(Replay, ComparesOutputsByHash) {
   const Json recorded{{"outputs", {{"files", {{"a.csv", "1"}, {"b.csv", "2"}, {"c.csv", "3"}}}}}};
   const Json now{{"outputs", {{"files", {{"a.csv", "1"}, {"b.csv", "x"}}}}},
                  {"files", {"a.csv", "b.csv", "shape_seconds.csv"}}};

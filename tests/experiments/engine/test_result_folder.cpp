@@ -16,7 +16,7 @@ using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(FileSafeName, KeepsWhatIsSafe) {
+TEST(FileSafeName, KeepsSafeCharacters) {
   EXPECT_EQ(file_safe_name("Our SDF (d = 1%)"), "Our_SDF_d_1");
   EXPECT_EQ(file_safe_name("v1.2-b"), "v1.2-b");
   EXPECT_EQ(file_safe_name("a/../b"), "a_.._b");
@@ -26,7 +26,7 @@ TEST(FileSafeName, KeepsWhatIsSafe) {
   EXPECT_EQ(file_safe_name(std::string(300, 'a')).size(), 100U);
 }
 
-TEST(FileSafeNames, AreDifferentEvenWithoutCase) {
+TEST(FileSafeNames, DifferIgnoringCase) {
   const std::vector<std::string> names{"a b", "a/b", "A?b", "a_b_2"};
   EXPECT_THAT(file_safe_names(names), ElementsAre("a_b", "a_b_2", "A_b_3", "a_b_2_2"));
 }
@@ -43,7 +43,7 @@ std::string lock_error(const fs::path& folder) {
   return test::input_error_of([&] { const FolderLock lock(folder); });
 }
 
-TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
+TEST(FolderLock, ExcludesASecondLock) {
   const test::TemporaryFolder folder;
   {
     const FolderLock lock(folder.path() / "a/b");
@@ -56,7 +56,7 @@ TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
   EXPECT_EQ(lock_error(folder.path() / "a/b"), "no error");
 }
 
-TEST(FolderLock, AFileThatAKilledRunHasLeftIsNoLock) {
+TEST(FolderLock, IgnoresTheFileOfAKilledRun) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / ".shapegauge-lock", "");
   EXPECT_EQ(lock_error(folder.path()), "no error");
@@ -73,13 +73,13 @@ std::string error_for(const fs::path& folder, bool replace = false) {
   return test::input_error_of([&] { prepare_result_folder(folder, mine, replace); });
 }
 
-TEST(ResultFolder, IsMadeWithThoseAbove) {
+TEST(ResultFolder, IsCreatedWithItsParents) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(error_for(folder.path() / "a/b"), "no error");
   EXPECT_TRUE(fs::is_empty(folder.path() / "a/b"));
 }
 
-TEST(ResultFolder, OtherFilesDoNotMatter) {
+TEST(ResultFolder, IgnoresOtherFiles) {
   const test::TemporaryFolder folder;
   write_text(folder.path() / "notes.txt", "x");
   EXPECT_EQ(error_for(folder.path()), "no error");
@@ -91,7 +91,7 @@ TEST(ResultFolder, TheSameConfigurationMayRunAgain) {
   EXPECT_EQ(error_for(folder.path()), "no error");
 }
 
-TEST(ResultFolder, ResultsOfAnotherConfigurationAreKeptUnlessForced) {
+TEST(ResultFolder, KeepsResultsOfAnotherConfigurationUnlessForced) {
   for (const std::string manifest : {R"({"configuration": {"name": "other"}})", "[]", "{"}) {
     const test::TemporaryFolder folder;
     write_text(folder.path() / "manifest.json", manifest);
@@ -103,7 +103,7 @@ TEST(ResultFolder, ResultsOfAnotherConfigurationAreKeptUnlessForced) {
   EXPECT_THAT(error_for(folder.path()), HasSubstr("`replace=true`"));
 }
 
-TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {
+TEST(ResultFolder, RejectsUnwritableFolders) {
   const test::TemporaryFolder folder;
   write_text(folder.path() / "x", "a file");
   EXPECT_THAT(error_for(folder.path() / "x"), HasSubstr("cannot create the "));
@@ -123,7 +123,7 @@ class StagedResultsTest : public test::FolderTest {
   }
 };
 
-TEST_F(StagedResultsTest, TakeThePlaceOfEarlierOnes) {
+TEST_F(StagedResultsTest, ReplaceEarlierResults) {
   {
     StagedResults staged(folder_.path());
     write_text(staged.folder() / "summary.csv", "new");
@@ -177,7 +177,7 @@ TEST_F(StagedResultsTest, AManifestThatListsOtherFilesRemovesNone) {
   fs::remove(neighbour);
 }
 
-TEST_F(StagedResultsTest, LeaveTheEarlierOnesWhereTheyAreNotPublished) {
+TEST_F(StagedResultsTest, KeepEarlierResultsUnlessPublished) {
   {
     const StagedResults staged(folder_.path());
     write_text(staged.folder() / "summary.csv", "new");
@@ -186,7 +186,7 @@ TEST_F(StagedResultsTest, LeaveTheEarlierOnesWhereTheyAreNotPublished) {
   EXPECT_FALSE(fs::exists(at(".shapegauge-new")));
 }
 
-TEST_F(StagedResultsTest, WhatAKilledRunHasLeftIsRemoved) {
+TEST_F(StagedResultsTest, RemoveFilesOfAKilledRun) {
   write_text(at(".shapegauge-new/per_class.csv"), "half");
   {
     const StagedResults staged(folder_.path());

@@ -44,13 +44,13 @@ TEST(ForEachModel, FailuresAreInTheOrderOfTheModels) {
   EXPECT_EQ(failures[1].message, "model 1");
 }
 
-TEST(ForEachModel, TheFirstModelThatFailsIsTheOneThatStops) {
+TEST(ForEachModel, StopsWithTheFirstFailedModel) {
   const std::vector<ModelFailure> failures = failures_of_two(true);
   ASSERT_EQ(failures.size(), 1U);
   EXPECT_EQ(failures[0].message, "model 0");
 }
 
-TEST(ForEachModel, WhatHasNotBegunIsSkippedAfterAFailure) {
+TEST(ForEachModel, StartsNoMoreModelsAfterAFailure) {
   const std::vector<std::size_t> models{2, 3, 5, 7};
   std::vector<std::size_t> begun;
   with_threads(1, [&] {
@@ -62,7 +62,7 @@ TEST(ForEachModel, WhatHasNotBegunIsSkippedAfterAFailure) {
   EXPECT_THAT(begun, testing::ElementsAre(2, 3));
 }
 
-TEST(ForEachModel, LackOfMemoryIsNoFailureOfAModel) {
+TEST(ForEachModel, PropagatesLackOfMemory) {
   const std::vector<std::size_t> models{0, 1, 2};
   const auto job = [](std::size_t model) {
     if (model == 1) throw std::bad_alloc();

@@ -78,7 +78,7 @@ void expect_printed(const std::string& printed, double value, const std::string&
   EXPECT_NEAR(*number, value, 0.00005) << what;
 }
 
-TEST_F(FiveShapes, EveryMeasureIsWorkedAndRight) {
+TEST_F(FiveShapes, EveryMeasureHasTheDocumentedValue) {
   const auto rows = table_after("## Measures");
   std::size_t worked = 0;
   for (const MeasureDefinition& definition : measure_definitions().entries()) {
@@ -95,14 +95,14 @@ TEST_F(FiveShapes, EveryMeasureIsWorkedAndRight) {
   EXPECT_EQ(rows.size(), worked);
 }
 
-TEST_F(FiveShapes, UnderThePaperProtocol) {
+TEST_F(FiveShapes, ProtocolsHaveTheDocumentedValues) {
   for (const auto& row : table_after("## Protocols")) {
     expect_printed(row[1], value(row[0], "psb"), row[0] + " psb");
     expect_printed(row[2], value(row[0], "paper"), row[0] + " paper");
   }
 }
 
-TEST_F(FiveShapes, UnderEveryOrderOfTheTied) {
+TEST_F(FiveShapes, TiesHaveTheDocumentedValues) {
   const auto rows = table_after("## Ties");
   EXPECT_EQ(rows.size(), list_of_words<Ties>().size());
   for (const auto& row : rows) {
@@ -112,7 +112,7 @@ TEST_F(FiveShapes, UnderEveryOrderOfTheTied) {
   }
 }
 
-TEST(Guide, NamesTheDistancesThatThereAre) {
+TEST(Guide, ListsAllDistances) {
   std::vector<std::string> named;
   for (const auto& row : table_after("## Distances")) {
     for (std::string_view cell = row[0]; cell.find('`') != std::string_view::npos;) {
@@ -124,7 +124,7 @@ TEST(Guide, NamesTheDistancesThatThereAre) {
   EXPECT_THAT(named, testing::UnorderedElementsAreArray(distances().names()));
 }
 
-TEST(Guide, NamesTheProtocolsAndTheCurvesThatThereAre) {
+TEST(Guide, ListsAllProtocolsAndCurves) {
   for (const std::string& name : list_of_words<Protocol>())
     EXPECT_THAT(guide(), testing::HasSubstr("\n| `" + name + "`"));
   const std::string curves = guide().substr(guide().find("## Precision-recall"));

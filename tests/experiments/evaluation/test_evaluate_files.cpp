@@ -83,11 +83,11 @@ class EvaluateFiles : public test::FolderTest {
   }
 };
 
-TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteForEveryDistance) {
+TEST_F(EvaluateFiles, FeaturesGiveTheBytesOfTheirMatrixForEveryDistance) {
   for (const std::string& distance : distances().names()) expect_same(distance, "labels.csv", {});
 }
 
-TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteUnderEveryConvention) {
+TEST_F(EvaluateFiles, FeaturesGiveTheBytesOfTheirMatrixUnderEveryConvention) {
   for (const std::string& protocol : list_of_words<Protocol>()) {
     for (const std::string& ties : list_of_words<Ties>()) {
       for (const char* labels : {"labels.csv", "sets.csv"}) {
@@ -98,7 +98,7 @@ TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteUnderEveryConvention)
   }
 }
 
-TEST_F(EvaluateFiles, WhatIsOddAboutTheDistancesOfFeaturesIsFound) {
+TEST_F(EvaluateFiles, FindsAnomaliesOfFeatureDistances) {
   const EvaluatedFiles evaluated =
       evaluate_files({.matrix = at("features.npy"), .labels = at("labels.csv"), .distance = "l2"}, {});
   const DistanceMatrix features = many_features(models);
@@ -122,7 +122,7 @@ TEST_F(EvaluateFiles, FeaturesThatAreEqualInSinglePrecisionAreAWarning) {
   EXPECT_THAT(evaluated.warnings, Contains(HasSubstr(std::to_string(models - 1) + " rows equal others")));
 }
 
-TEST_F(EvaluateFiles, IdsOfRowsNeedThoseOfOtherColumns) {
+TEST_F(EvaluateFiles, RejectsIdsOfRowsWithoutIdsOfColumns) {
   test::write_text(at("m.txt"), "1 2 3\n4 5 6\n");
   test::write_text(at("queries.csv"), "id,class\na,x\nb,y\n");
   test::write_text(at("targets.csv"), "id,class\nd,x\ne,y\nf,y\n");
@@ -143,7 +143,7 @@ TEST_F(EvaluateFiles, AFileWithoutIdsIsAnError) {
   EXPECT_THAT(error, HasSubstr("none.txt has no ids"));
 }
 
-TEST_F(EvaluateFiles, IdsThatAreGivenAreThoseOfTheMatrix) {
+TEST_F(EvaluateFiles, GivenIdsMustMatchTheMatrix) {
   test::write_text(at("m.csv"), "id,a,b,c\na,0,1,2\nb,1,0,3\nc,2,3,0\n");
   test::write_text(at("classes.csv"), "id,class\na,x\nb,x\nc,y\n");
   test::write_text(at("same.txt"), "a.off\nb\nc\n");
@@ -166,23 +166,23 @@ class MatrixWarnings : public test::FolderTest {
   }
 };
 
-TEST_F(MatrixWarnings, NothingOddIsNoWarning) {
+TEST_F(MatrixWarnings, AreAbsentWithoutAnomalies) {
   EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n"), IsEmpty());
 }
 
-TEST_F(MatrixWarnings, RowsOfInfiniteDistancesFindNothing) {
+TEST_F(MatrixWarnings, ReportRowsOfInfiniteDistances) {
   EXPECT_THAT(warnings_of("0 inf inf inf\ninf 0 4 5\ninf 4 0 6\ninf 5 6 0\n"),
               ElementsAre(HasSubstr("3 distances are infinite"),
                           HasSubstr("1 query is at infinite distance from all models (first: a): no model is found")));
 }
 
-TEST_F(MatrixWarnings, RoundingIsNoAsymmetry) {
+TEST_F(MatrixWarnings, IgnoreAsymmetryByRounding) {
   EXPECT_THAT(warnings_of("0 1.0000000000000002 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n"), IsEmpty());
   EXPECT_THAT(warnings_of("0 1.00000000001 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n"),
               ElementsAre(HasSubstr("not symmetric: 1 pair")));
 }
 
-TEST_F(MatrixWarnings, SayWhatWasFoundAndWhatItDoes) {
+TEST_F(MatrixWarnings, StateTheAnomalyAndItsEffect) {
   EXPECT_THAT(warnings_of("0 -1 2 inf\n1 0 4 5\n2 4.25 0.5 6\n3 5 6 0\n"),
               ElementsAre(HasSubstr("1 distance is negative"), HasSubstr("1 distance is infinite"),
                           HasSubstr("not symmetric: 3 pairs of entries (i, j) and (j, i) differ, by up to 2;"),
@@ -195,19 +195,19 @@ TEST_F(MatrixWarnings, SayWhatWasFoundAndWhatItDoes) {
               Contains(HasSubstr("in 4 of 4 rows the query is the farthest")));
 }
 
-TEST_F(MatrixWarnings, OfSimilaritiesSayNothingOfSignsAndTheDiagonal) {
+TEST_F(MatrixWarnings, OmitSignsAndDiagonalOfSimilarities) {
   EXPECT_THAT(warnings_of("9 3 2 1\n3 9 2 1\n2 2 9 4\n1 1 4 9\n", true), IsEmpty());
   EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n", true),
               Contains(HasSubstr("matrix of distances, which take no `similarity=true`")));
 }
 
-TEST_F(MatrixWarnings, QueriesThatFindThemselvesAreTold) {
+TEST_F(MatrixWarnings, ReportQueriesThatFindThemselves) {
   EXPECT_THAT(warnings_of("0 0 2 3\n0 0 4 5\n2 4 0 0\n3 5 0 0\n"), Contains(HasSubstr("a model at distance 0")));
   EXPECT_THAT(warnings_of("0 0 2 3\n0 0 4 5\n2 4 0 6\n3 5 6 0\n"), Not(Contains(HasSubstr("at distance 0"))));
 }
 
 // Twenty models of two classes, in which each is nearest to one of the other class.
-TEST(ChanceWarning, NearestNeighboursFarBelowChanceAreTold) {
+TEST(ChanceWarning, ReportsNearestNeighboursFarBelowChance) {
   const test::TemporaryFolder folder;
   std::string labels = "id,class\n";
   std::string far;
@@ -230,7 +230,7 @@ TEST(ChanceWarning, NearestNeighboursFarBelowChanceAreTold) {
   EXPECT_THAT(warnings(near), Not(Contains(HasSubstr("random order"))));
 }
 
-TEST_F(EvaluateFiles, DistancesAreNoFeatures) {
+TEST_F(EvaluateFiles, RejectsDistancesAsFeatures) {
   test::write_text(at("three.csv"), "id,class\na,x\nb,x\nc,y\n");
   test::write_text(at("d.csv"), "id,a,b,c\na,0,1,2\nb,1,0,3\nc,2,3,0\n");
   EXPECT_THAT(test::input_error_of(

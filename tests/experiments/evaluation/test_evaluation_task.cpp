@@ -43,14 +43,14 @@ TEST_F(EvaluationTaskTest, RowsAreInNaturalOrder) {
   EXPECT_TRUE(input.task.same_rows_and_columns);
 }
 
-TEST_F(EvaluationTaskTest, SimilaritiesAreTurnedRound) {
+TEST_F(EvaluationTaskTest, NegatesSimilarities) {
   const auto labels = two_classes();
   const auto matrix = file("s.txt", "9 5 1 0\n5 9 0 1\n1 0 9 5\n0 1 5 9\n");
   EXPECT_EQ(measure(open_evaluation_files({.matrix = matrix, .labels = labels, .similarity = true}), "FT"), 1);
   EXPECT_EQ(measure(open_evaluation_files({.matrix = matrix, .labels = labels}), "FT"), 0);
 }
 
-TEST_F(EvaluationTaskTest, FeaturesAreCompared) {
+TEST_F(EvaluationTaskTest, ComputesDistancesOfFeatures) {
   const auto labels = two_classes();
   for (const char* table : {"10,5,0\n1,0,0\n11,6,1\n2,1,0\n", "id,x,y\n10,5,0\n1,0,0\n11,6,1\n2,1,0\n"}) {
     // Without a header, numeric ids are taken as features: rows are 1, 2, 10, 11 then.
@@ -66,7 +66,7 @@ TEST_F(EvaluationTaskTest, FeaturesAreCompared) {
       HasSubstr("g.csv: the distance emd is not defined for signature 0"));
 }
 
-TEST_F(EvaluationTaskTest, QueriesByTargetsOrAllByAll) {
+TEST_F(EvaluationTaskTest, AcceptsQueriesByTargetsOrAllByAll) {
   const auto labels = file("split.csv", "id,class,split\n1,ant,query\n2,ant,target\n3,bee,target\n4,bee,both\n");
   const EvaluationData small = open_evaluation_files({.matrix = file("d.txt", "1 2 3\n2 1 0\n"), .labels = labels});
   EXPECT_THAT(small.task.query_ids, ElementsAre("1", "4"));
@@ -176,7 +176,7 @@ TEST_F(EvaluationTaskTest, IdsThatDifferInTheExtensionMatchExactly) {
               ElementsAre(testing::IsEmpty(), ElementsAre(0), testing::IsEmpty(), testing::IsEmpty()));
 }
 
-TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
+TEST_F(EvaluationTaskTest, MismatchesAreOneError) {
   const auto labels = two_classes();
   const auto three = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
   const auto error = [&](const EvaluationFiles& files) {
@@ -207,7 +207,7 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
 
 // In Python, row i of the list refers to row i of the matrix. Rows of the CSV: 10 and 2 of one class, 1 of the
 // other.
-TEST_F(EvaluationTaskTest, RowsOfAMatrixAreThoseOfAListOfLabels) {
+TEST_F(EvaluationTaskTest, RowsOfAMatrixFollowAListOfLabels) {
   const auto labels = file("labels.csv", "id,class\n10,ant\n2,ant\n1,bee\n");
   const auto matrix = file("d.txt", "0 1 5\n1 0 4\n5 4 0\n");
   const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});
@@ -264,7 +264,7 @@ TEST_F(EvaluationTaskTest, LabelsWithoutIdsAreInTheOrderOfTheRows) {
 
 // The documented behaviour of trec_eval's options, on one run: q1 and q2 are answered, q3 is judged only. -c divides by
 // all three. Its -q is per_query here.
-TEST_F(EvaluationTaskTest, AllJudgedQueriesCountWhereWanted) {
+TEST_F(EvaluationTaskTest, CountsAllJudgedQueriesOnRequest) {
   const auto run = file("r.txt", "q1 Q0 a 1 3 mine\nq1 Q0 b 2 2 mine\nq2 Q0 b 1 1 mine\n");
   const auto qrels = file("j.qrels", "q1 0 b 1\nq1 0 a 0\nq2 0 b 3\nq2 0 c 1\nq3 0 a 1\nq3 0 b 0\n");
   const EvaluationData answered = open_evaluation_files({.matrix = run, .qrels = qrels});

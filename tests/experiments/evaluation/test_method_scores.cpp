@@ -39,14 +39,14 @@ TEST_F(MethodScoresTest, AreReadByMethodAndAlignedByQuery) {
   EXPECT_THAT(align_methods(methods, std::vector<std::string>{"FT"}).measures, ElementsAre("FT"));
 }
 
-TEST_F(MethodScoresTest, EqualNamesGetThatOfTheirFile) {
+TEST_F(MethodScoresTest, EqualNamesAreExtendedByTheFile) {
   std::vector<MethodScores> methods = read(table, "one/per_query.csv");
   const std::vector<MethodScores> more = read(table, "two.csv");
   methods.insert(methods.end(), more.begin(), more.end());
   EXPECT_THAT(align_methods(methods, {}).methods, ElementsAre("one: a", "one: b", "two: a", "two: b"));
 }
 
-TEST_F(MethodScoresTest, WhatCannotBeComparedIsOneError) {
+TEST_F(MethodScoresTest, IncomparableScoresAreOneError) {
   const auto align_error = [&](const std::string& more, const std::vector<std::string>& measures = {}) {
     std::vector<MethodScores> methods = read(table);
     const std::vector<MethodScores> others = read(more, "other.csv");
@@ -93,7 +93,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& files, const s
   return align_methods(methods, {}, wanted).methods;
 }
 
-TEST(MethodNames, AreTheShortestThatTellFilesApart) {
+TEST(MethodNames, AreTheShortestUniqueNames) {
   EXPECT_THAT(names_of({"a/d.npy", "a/e.npy"}), ElementsAre("d", "e"));
   EXPECT_THAT(names_of({"d.npy", "x/d.npy"}), ElementsAre("d", "x/d"));
   EXPECT_THAT(names_of({"d.npy", "d.csv", "e.npy"}), ElementsAre("d.npy", "d.csv", "e"));
@@ -101,7 +101,7 @@ TEST(MethodNames, AreTheShortestThatTellFilesApart) {
   EXPECT_THAT(names_of({"a/d.npy", "./a/d.npy"}), ElementsAre("d", "d (2)"));
 }
 
-TEST(MethodNames, AreThoseThatAreWanted) {
+TEST(MethodNames, AreThoseRequested) {
   EXPECT_THAT(names_of({"d.npy", "x/d.npy"}, {"ours", "theirs"}), ElementsAre("ours", "theirs"));
   EXPECT_THAT(test::input_error_of([] {
                 names_of({"d.npy", "x/d.npy"}, {"ours"});

@@ -80,7 +80,7 @@ return files;
 }
 };
 
-TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
+TEST_F(ExperimentKinds, AreRecognisedByTheirKeys) {
   EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation", "multi_dataset"));
   EXPECT_TRUE(read_experiment(retrieval(), "test.json", at("")).inputs);
   EXPECT_EQ(read_experiment(comparison(), "test.json", at("")).configuration()["shapes"].size(), 4U);
@@ -121,7 +121,7 @@ TEST_F(ExperimentKinds, DoNotReadDocumentsOfEachOther) {
   }
 }
 
-TEST_F(ExperimentKinds, FindFilesOfDataSetsByThemselves) {
+TEST_F(ExperimentKinds, ResolveFilesOfDataSets) {
   test::write_text(at("set.json"), R"({"layout": "shrec11", "root": "data"})");
   Json document = retrieval();
   document["dataset"] = "set.json";
@@ -133,7 +133,7 @@ TEST_F(ExperimentKinds, FindFilesOfDataSetsByThemselves) {
   EXPECT_EQ(datasets[0]["name"], "set");
 }
 
-TEST_F(ExperimentKinds, HaveTheirPartsOfTheSchema) {
+TEST_F(ExperimentKinds, HaveSchemaDefinitions) {
   const Json schema = Json::parse(experiment_schema());
   const Json* part = &schema;
   for (const auto& [key, definition] : {std::pair{"shapes", "/definitions/comparison_experiment"},
@@ -218,7 +218,7 @@ TEST_F(ExperimentKinds, GiveTheSameBytesInParts) {
   }
 }
 
-TEST_F(ExperimentKinds, PartsNeedACacheAndAKindThatHasThem) {
+TEST_F(ExperimentKinds, PartsNeedACacheAndSupport) {
   Cache none;
   const Experiment experiment = read_experiment(retrieval(), "test.json", at(""));
   EXPECT_THAT(test::input_error_of([&] { (void)run_part(experiment, {}, at("out"), {}, none); }), HasSubstr("cache"));
@@ -227,7 +227,7 @@ TEST_F(ExperimentKinds, PartsNeedACacheAndAKindThatHasThem) {
   EXPECT_THAT(test::input_error_of([&] { (void)run_part(whole, {}, at("out"), {}, cache); }), HasSubstr("no parts"));
 }
 
-TEST_F(ExperimentKinds, GoOnFromTheCacheAfterAnInterruption) {
+TEST_F(ExperimentKinds, ContinueFromTheCacheAfterAnInterruption) {
   for (const auto& [name, document] : {std::pair{"retrieval", retrieval()},
                                        {"comparison", comparison()},
                                        {"segmentation", segmentation()},
@@ -290,7 +290,7 @@ nlohmann::ordered_json count_schema() {
     }})");
 }
 
-TEST_F(ExperimentKinds, CanBeAddedFromOutsideTheLibrary) {
+TEST_F(ExperimentKinds, CanBeAddedByUsers) {
   const ExperimentKind kind{.name = "count",
                             .description = "Counts characters.",
                             .keys = {"count"},

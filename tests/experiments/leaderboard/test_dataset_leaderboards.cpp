@@ -87,7 +87,7 @@ TEST_F(SubmittedDatasets, AreComparedByRanks) {
   EXPECT_TRUE(all.refused.empty());
 }
 
-TEST_F(SubmittedDatasets, LeaveOutAMethodThatOneLacks) {
+TEST_F(SubmittedDatasets, ExcludeMethodsMissingInOneDataSet) {
   add("s/more.csv", small_matrix(1));
   add("u/more.csv", small_matrix(1));
   add("t/poor.csv", "0,1\n1,0\n");
@@ -131,7 +131,7 @@ TEST_F(SubmittedDatasets, ShowTheDeviationOfRepetitions) {
   EXPECT_EQ(json["methods"][1]["rank_interval"][0], 2);
 }
 
-TEST_F(SubmittedDatasets, HaveASiteThatLeadsToTheirSites) {
+TEST_F(SubmittedDatasets, HaveASiteWithLinksToTheirSites) {
   const fs::path site = at("site");
   const DatasetLeaderboards all = judged();
   EXPECT_EQ(write_dataset_site(site, "Contest", all, options()).written, 6U);

@@ -45,7 +45,7 @@ TEST(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
   EXPECT_TRUE(board.refused.empty());
 }
 
-TEST(JudgeSubmissions, TakesSimilaritiesWhereTheDescriptionSaysSo) {
+TEST(JudgeSubmissions, ReadsSimilaritiesAsDescribed) {
   const SmallBoard small;
   small.add("alike.csv", small_matrix(0, -1));
   small.add("alike.json", R"({"name": "Alike", "similarity": true})");
@@ -55,7 +55,7 @@ TEST(JudgeSubmissions, TakesSimilaritiesWhereTheDescriptionSaysSo) {
   EXPECT_DOUBLE_EQ(board.micro[0][0].average, 1);
 }
 
-TEST(JudgeSubmissions, RefusesWhatLooksLikeTheOtherKindUnlessTheDescriptionInsists) {
+TEST(JudgeSubmissions, RejectsApparentSimilaritiesUnlessDescribed) {
   const SmallBoard small;
   small.add("alike.csv", small_matrix(0, -1));
   EXPECT_THAT(refusal_of(small), HasSubstr("similarities given as distances"));
@@ -65,7 +65,7 @@ TEST(JudgeSubmissions, RefusesWhatLooksLikeTheOtherKindUnlessTheDescriptionInsis
   EXPECT_THAT(board.submissions[2].warnings, testing::Not(testing::IsEmpty()));
 }
 
-TEST(JudgeSubmissions, RefusesUnusableFilesAndJudgesTheOthers) {
+TEST(JudgeSubmissions, RejectsUnusableFilesAndEvaluatesTheOthers) {
   std::string with_nan = small_matrix(0);
   with_nan.replace(with_nan.find(",2,"), 3, ",nan,");
   for (const auto& [name, text, word] : {std::tuple("nan.csv", with_nan, "row 0"),
@@ -96,7 +96,7 @@ TEST(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
   EXPECT_THAT(board.submissions[few].warnings, testing::Contains(HasSubstr("3 of 12 models")));
 }
 
-TEST(JudgeSubmissions, MatchesIdsAndNotPlaces) {
+TEST(JudgeSubmissions, MatchesModelsByIds) {
   const SmallBoard small;
   std::string matrix = "id";  // models in reverse order
   for (int i = 11; i >= 0; --i) matrix += fmt::format(",m{}", i);
@@ -113,7 +113,7 @@ TEST(JudgeSubmissions, MatchesIdsAndNotPlaces) {
   EXPECT_DOUBLE_EQ(board.micro[0][0].average, 1);
 }
 
-TEST(JudgeSubmissions, TellsSubmissionsOfOneNameApartAndNamesRepetitions) {
+TEST(JudgeSubmissions, GivesSubmissionsUniqueNames) {
   const SmallBoard small;
   small.add("again.csv", small_matrix(0));
   small.add("again.json", R"({"name": "good"})");
@@ -132,7 +132,7 @@ TEST(JudgeSubmissions, RanksOneSubmissionAlone) {
   EXPECT_TRUE(board.micro[0][0].interval);
 }
 
-TEST(JudgeSubmissions, NothingToJudgeIsAnErrorThatSaysWhy) {
+TEST(JudgeSubmissions, RejectsEmptySetsWithTheReason) {
   const SmallBoard small;
   small.add("good.csv", "0,1\n1,0\n");
   small.add("poor.csv", "0,1\n1,0\n");
@@ -140,7 +140,7 @@ TEST(JudgeSubmissions, NothingToJudgeIsAnErrorThatSaysWhy) {
               testing::AllOf(HasSubstr("good.csv"), HasSubstr("poor.csv"), HasSubstr("12")));
 }
 
-TEST(JudgeSubmissions, RefusesToRankByAnotherMeasureBeforeAnyWork) {
+TEST(JudgeSubmissions, RejectsUnknownRankingMeasuresFirst) {
   const SmallBoard small;
   JudgingOptions options = small.options();
   options.rank_by = "P@10";
@@ -151,7 +151,7 @@ TEST(JudgeSubmissions, RefusesToRankByAnotherMeasureBeforeAnyWork) {
   EXPECT_EQ(judge_submissions(small.found(), options, none).rank_by, 1U);
 }
 
-TEST(JudgeSubmissions, JudgesOnlyWhatChangedAgain) {
+TEST(JudgeSubmissions, ReevaluatesOnlyChangedSubmissions) {
   const SmallBoard small;
   const test::TemporaryFolder folder;
   const auto used = [&](const JudgingOptions& options) {
@@ -184,7 +184,7 @@ std::string labels_with(const std::string& header, const std::string& of_m1, con
   return text;
 }
 
-TEST(JudgeSubmissions, EveryInputOfAnEvaluationIsInItsKey) {
+TEST(JudgeSubmissions, CacheKeyContainsEveryInput) {
   const SmallBoard small;
   const test::TemporaryFolder folder;
   const auto computed = [&](const JudgingOptions& options) {
@@ -269,7 +269,7 @@ TEST(JudgeSubmissions, EveryInputOfAnEvaluationIsInItsKey) {
   EXPECT_EQ(computed(small.options()), 0U);
 }
 
-TEST(JudgeSubmissions, DistancesOfFeaturesAreInTheKey) {
+TEST(JudgeSubmissions, CacheKeyContainsTheDistanceOfFeatures) {
   const SmallBoard small;
   std::filesystem::remove(small.submissions() / "good.csv");  // a matrix of distances
   const test::TemporaryFolder folder;
@@ -313,7 +313,7 @@ TEST(JudgeSubmissions, EqualScoresHaveOneRank) {
   }
 }
 
-TEST(JudgeSubmissions, TheCacheChangesNothing) {
+TEST(JudgeSubmissions, ResultsDoNotDependOnTheCache) {
   const SmallBoard small;
   const test::TemporaryFolder folder;
   Cache first(folder.path() / "cache");

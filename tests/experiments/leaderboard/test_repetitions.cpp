@@ -49,7 +49,7 @@ TEST(Repetitions, AreOneMethodWithMeanAndStandardDeviation) {
   EXPECT_EQ(board.submissions[0].micro_deviation.size(), 0);
 }
 
-TEST(Repetitions, AreInTablesFilesAndPages) {
+TEST(Repetitions, AppearInTablesFilesAndPages) {
   const RepeatedBoard small;
   const Leaderboard board = small.judged();
   const std::string deviation = score_text(board.submissions[1].micro_deviation[1], {});
@@ -68,7 +68,7 @@ TEST(Repetitions, AreInTablesFilesAndPages) {
   EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("\"deviations\":{\"micro\":[0."));
 }
 
-TEST(Repetitions, OfOneFileAreASubmissionLikeOthers) {
+TEST(Repetitions, WithOneFileAreAnOrdinarySubmission) {
   const test_board::SmallBoard small;
   small.add("alone.seed7.csv", test_board::small_matrix(0.5));
   const Leaderboard board = small.judged();

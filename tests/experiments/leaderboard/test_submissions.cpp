@@ -46,7 +46,7 @@ TEST_F(SubmissionFolder, AreAllFilesOfReadableFormatsInNaturalOrder) {
   EXPECT_TRUE(found.refused.empty());
 }
 
-TEST_F(SubmissionFolder, AreDescribedByTheJsonBesideThem) {
+TEST_F(SubmissionFolder, AreDescribedByAJsonFile) {
   add("x.csv.gz");
   add("x.json", R"({"name": "Ours", "authors": ["A", "B"], "paper": "P", "url": "https://e.org", "similarity": true,
                     "ids": "order.txt"})");
@@ -62,7 +62,7 @@ TEST_F(SubmissionFolder, AreDescribedByTheJsonBesideThem) {
   EXPECT_EQ(one.ids, at("order.txt"));
 }
 
-TEST_F(SubmissionFolder, WithoutADescriptionSayNothing) {
+TEST_F(SubmissionFolder, MayHaveNoDescription) {
   add("x.npy");
   const FoundSubmissions found = find();
   EXPECT_TRUE(found.submissions.at(0).name.empty());
@@ -97,7 +97,7 @@ TEST_F(SubmissionFolder, ADescriptionWithoutASubmissionIsRefused) {
   EXPECT_EQ(found.refused[0].file, at("y.json"));
 }
 
-TEST_F(SubmissionFolder, DoNotLeadOutOfIt) {
+TEST_F(SubmissionFolder, RejectsPathsOutsideTheFolder) {
   const test::TemporaryFolder elsewhere;
   const auto secret = elsewhere.file("secret.txt", "secret");
   std::filesystem::create_symlink(secret, at("link.txt"));
@@ -124,14 +124,14 @@ TEST_F(SubmissionFolder, DoNotLeadOutOfIt) {
   }
 }
 
-TEST_F(SubmissionFolder, LeavesOutTheLabels) {
+TEST_F(SubmissionFolder, ExcludesTheLabels) {
   add("x.npy");
   add("labels.csv");
   EXPECT_EQ(find({at("labels.csv"), {}}).submissions.size(), 1U);
   EXPECT_EQ(find().submissions.size(), 2U);
 }
 
-TEST_F(SubmissionFolder, SkipsTextsAboutIt) {
+TEST_F(SubmissionFolder, SkipsReadmes) {
   add("x.npy");
   add("README.txt");
   add("License.csv");
@@ -146,7 +146,7 @@ TEST_F(SubmissionFolder, WithoutSubmissionsIsAnError) {
   EXPECT_THAT(test::input_error_of([&] { find(); }), HasSubstr("no submissions"));
 }
 
-TEST(Submissions, APathThatIsNotThereIsRefusedAndTheOthersAreFound) {
+TEST(Submissions, RejectMissingPathsAndKeepTheOthers) {
   const test::TemporaryFolder folder;
   const auto there = folder.file("a.npy", "0");
   const FoundSubmissions found = find_submissions(std::vector{folder.path() / "absent.npy", there});

@@ -67,7 +67,7 @@ TEST(WriteSite, RewritesPagesWhenClassesAreRenamed) {
   EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("renamed"));
 }
 
-TEST(WriteSite, CompletesWhatAnInterruptedCallLeft) {
+TEST(WriteSite, CompletesAnInterruptedSite) {
   const test_board::SmallBoard small;
   const fs::path site = small.folder.path() / "site";
   // A page that cannot be written: its place is taken by a folder.
@@ -107,7 +107,7 @@ TEST(WriteSite, ShowsNoFolders) {
             "m.npy: row 3 of labels.csv");
 }
 
-TEST(WriteSite, HidesClassesWhereTold) {
+TEST(WriteSite, HidesClassesOnRequest) {
   const test_board::SmallBoard small;
   const fs::path site = small.folder.path() / "site";
   update(small, site);
@@ -126,7 +126,7 @@ TEST(WriteSite, HidesClassesWhereTold) {
   EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("\"per_class\":[]"));
 }
 
-TEST(WriteSite, GivesTheSameBytesWhereverItComesFrom) {
+TEST(WriteSite, IsIndependentOfTheFolder) {
   const test_board::SmallBoard small;
   update(small, small.folder.path() / "grown");
   small.add("third.csv", test_board::small_matrix(1));
@@ -138,7 +138,7 @@ TEST(WriteSite, GivesTheSameBytesWhereverItComesFrom) {
   }
 }
 
-TEST(WriteSite, RanksWithoutAPageWhatNoReportCanShow) {
+TEST(WriteSite, RanksSubmissionsWithoutReportWithoutAPage) {
   const test_board::SmallBoard small;
   small.add("lists.lists", "m0 m3 m6\nm1 m4\n");
   const fs::path site = small.folder.path() / "site";
@@ -148,7 +148,7 @@ TEST(WriteSite, RanksWithoutAPageWhatNoReportCanShow) {
   EXPECT_FALSE(fs::exists(site / "methods/lists.html"));
 }
 
-TEST(WriteSite, RefusesAFolderOfOtherThings) {
+TEST(WriteSite, RejectsFoldersWithOtherFiles) {
   const test_board::SmallBoard small;
   const fs::path site = small.folder.path() / "site";
   test::write_text(site / "thesis.txt", "mine");

@@ -49,7 +49,7 @@ class RunMultiDataset : public test::FolderTest {
   [[nodiscard]] Json json_in(const std::string& file) const { return Json::parse(test::text_of(at(file))); }
 };
 
-TEST_F(RunMultiDataset, GivesEachDataSetTheResultsOfAnExperimentOfItsOwn) {
+TEST_F(RunMultiDataset, GivesEachDataSetTheResultsOfASingleExperiment) {
   const RunOutcome outcome = run(document(), "together");
   EXPECT_TRUE(outcome.left_out.empty());
   Json alone = document();
@@ -97,7 +97,7 @@ TEST_F(RunMultiDataset, TabulatesTheAveragesOfTheDataSets) {
   }
 }
 
-TEST_F(RunMultiDataset, LeavesOutDataSetsThatCannotBeUsedAndSaysWhy) {
+TEST_F(RunMultiDataset, ExcludesUnusableDataSetsWithTheReason) {
   Json json = document();
   json["datasets"].push_back({{"name", "gone"}, {"layout", "folders"}, {"root", "nowhere"}});
   json["datasets"].push_back({{"name", "unset"}, {"layout", "folders"}, {"root", "${SHAPEGAUGE_NO_SUCH_ROOT}"}});
@@ -129,7 +129,7 @@ TEST_F(RunMultiDataset, DoesNotWriteTheResultsOfADataSetIntoOne) {
   EXPECT_TRUE(run(json, "").left_out.empty()) << "a folder beside the data sets";
 }
 
-TEST_F(RunMultiDataset, FailsWhereNoDataSetCanBeUsed) {
+TEST_F(RunMultiDataset, FailsWithoutUsableDataSets) {
   Json json = document();
   for (Json& dataset : json["datasets"]) dataset["root"] = "nowhere";
   EXPECT_THAT(test::input_error_of([&] { run(json, "none"); }),
@@ -139,7 +139,7 @@ TEST_F(RunMultiDataset, FailsWhereNoDataSetCanBeUsed) {
   EXPECT_THAT(test::input_error_of([&] { read(json); }), HasSubstr("SHAPEGAUGE_NO_SUCH_ROOT"));
 }
 
-TEST_F(RunMultiDataset, NamesModelsLeftOutByTheirDataSet) {
+TEST_F(RunMultiDataset, NamesExcludedModelsWithTheirDataSet) {
   test::write_text(at("second/T4.off"), "OFF\nno mesh\n");
   Json json = document();
   json["on_error"] = "skip";
@@ -181,7 +181,7 @@ TEST_F(RunMultiDataset, ReplacesTheFilesOfAnEarlierRun) {
   EXPECT_TRUE(fs::exists(at("results/second/summary.csv")));
 }
 
-TEST_F(RunMultiDataset, RefusesConfigurationsThatSayTooMuchOrTooLittle) {
+TEST_F(RunMultiDataset, RejectsIncompleteOrContradictoryConfigurations) {
   Json both = document();
   both["dataset"] = both["datasets"][0];
   EXPECT_THAT(test::input_error_of([&] { read(both); }), HasSubstr("dataset"));

@@ -66,7 +66,7 @@ TEST_F(Evaluations, SummaryHasMicroAndMacro) {
                           ElementsAre("m", "psb", "macro", "29.17", "33.33", "75.00", "52.22", "66.72", "51.21")));
 }
 
-TEST(MergeEqualAverages, LeavesOneRowWhereBothReadTheSame) {
+TEST(MergeEqualAverages, MergesRowsThatPrintEqually) {
   const TextTable table{.header = {"method", "average", "NN"},
                         .rows = {{"a", "micro", "50.00"},
                                  {"a", "macro", "50.00"},
@@ -84,7 +84,7 @@ TEST(MergeEqualAverages, LeavesOneRowWhereBothReadTheSame) {
   EXPECT_EQ(merged.emphases[0].row, 3U);
 }
 
-TEST_F(Evaluations, FractionsAndDigitsAsAsked) {
+TEST_F(Evaluations, PrintFractionsAndDigitsAsRequested) {
   EXPECT_THAT(summary_table(named, {.percent = false, .decimals = 3}).rows[0],
               ElementsAre("m", "psb", "micro", "0.286", "0.333", "0.762", "0.533", "0.672", "0.513"));
 }
@@ -105,7 +105,7 @@ TEST_F(Evaluations, EveryEvaluationHasItsOwnRows) {
   EXPECT_THAT(class_curves_table(named, classes).rows, SizeIs(2 * 20 + 2 * 11));
 }
 
-TEST_F(Evaluations, IntervalsBesideTheScoresOrInColumnsOfTheirOwn) {
+TEST_F(Evaluations, PrintIntervalsNextToScoresOrInColumns) {
   for (const double i : {0, 1, 2, 3, 4, 5}) {
     named[0].intervals.micro.push_back({.low = 0.01 * i, .high = 0.9 + 0.01 * i});
     named[0].intervals.macro.push_back({.low = 0.1 + 0.01 * i, .high = 0.8 + 0.01 * i});
@@ -131,7 +131,7 @@ TEST_F(Evaluations, IntervalsBesideTheScoresOrInColumnsOfTheirOwn) {
   EXPECT_THAT(intervals_table(named).rows, SizeIs(0));
 }
 
-TEST_F(Evaluations, IntervalsHoldTheirAverages) {
+TEST_F(Evaluations, IntervalsContainTheirAverages) {
   const EvaluationIntervals over_queries = intervals_of(evaluation, {.blocks = ResamplingUnit::queries});
   const EvaluationIntervals over_classes = intervals_of(evaluation);
   for (Eigen::Index i = 0; i < 6; ++i) {
@@ -165,7 +165,7 @@ TEST_F(Evaluations, TheBestOfAnAverageIsBold) {
   EXPECT_EQ(bold, (std::map<std::size_t, int>{{0, 6}, {1, 6}, {3, 6}}));
 }
 
-TEST_F(Evaluations, PerClassLeavesOutClassesWithoutQueries) {
+TEST_F(Evaluations, PerClassOmitsClassesWithoutQueries) {
   const TextTable table = per_class_table(named, classes);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "class", "queries", "NN", "FT", "ST", "E", "DCG", "mAP"));
   EXPECT_THAT(
@@ -201,7 +201,7 @@ TEST_F(Evaluations, PerQueryScoresAreReadBackToTheBit) {
   EXPECT_EQ(read_method_scores(folder.path() / "per_query.csv").at(0).values, scores);
 }
 
-TEST(ScoreText, NothingIsNegativeZero) {
+TEST(ScoreText, NeverPrintsNegativeZero) {
   for (const double tiny : {-1e-17, -0.0, 0.0, -4e-5}) EXPECT_EQ(score_text(tiny, {}), "0.00");
   EXPECT_EQ(score_text(-5.1e-5, {}), "-0.01");
   EXPECT_EQ(score_text(-0.004, {.percent = false, .decimals = 2}), "0.00");
@@ -233,7 +233,7 @@ TEST_F(Evaluations, APlotHasRecallAndPrecision) {
   EXPECT_THAT(plot, testing::EndsWith("0.950000\t0.481224\n1.000000\t0.484354\n"));
 }
 
-TEST_F(Evaluations, AsJsonInFractions) {
+TEST_F(Evaluations, JsonHasFractions) {
   const auto json = evaluation_json(evaluation, classes);
   EXPECT_EQ(json["protocol"], "psb");
   EXPECT_EQ(json["ties"], "index");

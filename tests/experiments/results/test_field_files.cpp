@@ -52,7 +52,7 @@ TEST_F(FieldFiles, CsvNamesThePolygonsOfTheFile) {
   EXPECT_THAT(written("v.csv"), StartsWith("index,sdf,weight\n")) << "vertices are those of the file";
 }
 
-TEST_F(FieldFiles, NpyHoldsTheValues) {
+TEST_F(FieldFiles, NpyContainsTheValues) {
   const std::string bytes = written("x.npy");
   EXPECT_THAT(bytes, StartsWith("\x93NUMPY"));
   EXPECT_THAT(bytes, HasSubstr("'descr': '<f8', 'fortran_order': False, 'shape': (12,)"));

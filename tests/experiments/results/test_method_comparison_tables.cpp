@@ -63,7 +63,7 @@ TEST_F(ComparisonTables, TheSummaryHasAveragesIntervalsAndMarks) {
   EXPECT_THAT(bold, testing::UnorderedElementsAre(testing::Pair(1, 2), testing::Pair(0, 3)));
 }
 
-TEST_F(ComparisonTables, AMarkIsEarnedAtTheLevelItself) {
+TEST_F(ComparisonTables, MarksIncludeTheSignificanceLevel) {
   const TextTable table = comparison_summary(methods, comparisons, {.confidence = 0.5}, {});
   // FT: z is better than y with a p of 0.5, which is what is left of a confidence of 0.5.
   EXPECT_TRUE(std::ranges::any_of(table.emphases, [](const Emphasis& emphasis) {
@@ -83,7 +83,7 @@ TEST_F(ComparisonTables, PairsAreByMeasure) {
   EXPECT_EQ(pairs_table(methods, comparisons, {}, true).rows[3][7], "1e-05");
 }
 
-TEST_F(ComparisonTables, NoDifferenceIsNegativeZero) {
+TEST_F(ComparisonTables, NeverPrintsNegativeZero) {
   PairDifference& pair = comparisons[0].pairs[0];
   pair.difference = -1e-17;
   pair.effect_size = -1e-9;
@@ -92,7 +92,7 @@ TEST_F(ComparisonTables, NoDifferenceIsNegativeZero) {
   EXPECT_EQ(table.rows[0][10], "0.00");
 }
 
-TEST_F(ComparisonTables, AsJsonInFractionsWithTheSettings) {
+TEST_F(ComparisonTables, JsonHasFractionsAndSettings) {
   const auto json = comparison_json(
       methods, comparisons,
       {.test = PairTest::t, .blocks = ResamplingUnit::queries, .average = Average::macro, .confidence = 0.9});

@@ -68,14 +68,14 @@ TEST(MultiDatasetResults, HaveAllTablesAndPairsInFiles) {
   EXPECT_TRUE(json["tables"][0]["friedman"]["f"].is_null()) << "infinite: both data sets rank alike";
 }
 
-TEST(MultiDatasetResults, LeadToReportsWhereThereAreSome) {
+TEST(MultiDatasetResults, LinkToExistingReports) {
   MultiDatasetResults results = small_results();
   EXPECT_THAT(multi_dataset_html(results), HasSubstr("s/report.html"));
   for (EvaluatedDataset& dataset : results.datasets) dataset.page.clear();
   EXPECT_THAT(multi_dataset_html(results), testing::Not(HasSubstr("s/report.html")));
 }
 
-TEST(MultiDatasetResults, SayThatTestsTakeTwoOfEach) {
+TEST(MultiDatasetResults, StateThatTestsNeedTwoDataSetsAndMethods) {
   MultiDatasetResults results = small_results();
   EXPECT_THAT(test_words(results, main_table(results)), HasSubstr("chi-squared 2.00"));
   results.datasets.pop_back();

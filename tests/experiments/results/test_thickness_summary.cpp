@@ -29,7 +29,7 @@ TEST(ThicknessSummary, WeighsByArea) {
   EXPECT_DOUBLE_EQ(*summary.area_below, 1) << "2 is not below 2";
 }
 
-TEST(ThicknessSummary, WithoutValuesHasNone) {
+TEST(ThicknessSummary, IsEmptyWithoutValues) {
   const ThicknessSummary summary = summarise(field_of({none}, {1}));
   EXPECT_EQ(summary.missing, 1U);
   EXPECT_TRUE(std::isnan(summary.mean));

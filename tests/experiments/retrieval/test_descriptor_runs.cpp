@@ -71,7 +71,7 @@ CacheUse uses_of_kind(const ExperimentResults& results, EntryKind kind) {
   return results.cache.uses.at(static_cast<std::size_t>(kind));
 }
 
-TEST_F(DescriptorRuns, FeaturesAreThoseOfThePreparedShapes) {
+TEST_F(DescriptorRuns, DescribePreparedShapes) {
   const ExperimentResults results = run(document(), false);
   for (Eigen::Index i = 0; i < 9; ++i) {
     const Shape shape = prepare_shape(read_shape(results.models[static_cast<std::size_t>(i)].file), {}).shape;
@@ -99,7 +99,7 @@ TEST_F(DescriptorRuns, DerivedDistancesAreMadeOfTheOthers) {
   EXPECT_EQ(method_named(results, "again").evaluations.size(), 2U);
 }
 
-TEST_F(DescriptorRuns, ClassesPlayNoPartInDistances) {
+TEST_F(DescriptorRuns, DistancesDoNotDependOnClasses) {
   Json all = document();
   const Json more = Json::parse(R"([
     {"name": "ranks", "fuse_ranks": ["d2", "joint"]},
@@ -118,7 +118,7 @@ TEST_F(DescriptorRuns, ClassesPlayNoPartInDistances) {
   }
 }
 
-TEST_F(DescriptorRuns, TheCacheChangesNoByte) {
+TEST_F(DescriptorRuns, ResultsDoNotDependOnTheCache) {
   const auto fresh = files_of(run(document(), false, 1));
   EXPECT_TRUE(fresh.contains("features/joint.npy"));
   EXPECT_FALSE(fresh.contains("features/sum.npy"));
@@ -143,7 +143,7 @@ TEST_F(DescriptorRuns, FeaturesOfFieldsInTheCacheAreComputedFromThem) {
   EXPECT_EQ(files_of(results), fresh);
 }
 
-TEST_F(DescriptorRuns, WhatIsLearntDependsOnEveryModel) {
+TEST_F(DescriptorRuns, LearntFeaturesDependOnEveryModel) {
   run(document(), true);
   write_off(data() / "T8.off", test::small_shape("box", 9));
   const auto fresh = files_of(run(document(), false));
@@ -154,7 +154,7 @@ TEST_F(DescriptorRuns, WhatIsLearntDependsOnEveryModel) {
   EXPECT_EQ(files_of(results), fresh);
 }
 
-TEST_F(DescriptorRuns, AModelThatCannotBeDescribedIsAFailureOfItsOwn) {
+TEST_F(DescriptorRuns, ReportModelsThatCannotBeDescribed) {
   // A point cloud: ShapeDNA needs triangles.
   std::string cloud = "OFF\n30 0 0\n";
   for (int i = 0; i < 30; ++i)
@@ -176,7 +176,7 @@ DistanceMatrix without_4(const DistanceMatrix& distances) {
   return distances(others, others);
 }
 
-TEST_F(DescriptorRuns, AMethodThatCannotTakeAModelLeavesItToTheOthers) {
+TEST_F(DescriptorRuns, OtherMethodsKeepModelsThatOneCannotProcess) {
   Json document = this->document();
   document["on_error"] = "skip";
   const ExperimentResults before = run(document, false);
@@ -219,7 +219,7 @@ TEST_F(DescriptorRuns, AMethodThatCannotTakeAModelLeavesItToTheOthers) {
   }
 }
 
-TEST_F(DescriptorRuns, ModelsThatAMethodCannotTakeAreInItsRow) {
+TEST_F(DescriptorRuns, SummaryCountsModelsThatAMethodCannotProcess) {
   test::make_cloud(data() / "T4.off");
   Json document = this->document();
   document["on_error"] = "skip";
@@ -236,11 +236,11 @@ TEST_F(DescriptorRuns, ModelsThatAMethodCannotTakeAreInItsRow) {
   EXPECT_EQ(listed[0].at("model"), "4");
   const std::vector<std::string> sentences = incomplete_methods(results);
   ASSERT_EQ(sentences.size(), results.methods.size() - 1);
-  EXPECT_THAT(sentences[0], testing::HasSubstr("method \"fixed\" cannot take 1 of 9 models"));
+  EXPECT_THAT(sentences[0], testing::HasSubstr("method \"fixed\" cannot process 1 of 9 models"));
   EXPECT_EQ(files_of(run(document, true)), files) << "from the cache";
 }
 
-TEST_F(DescriptorRuns, AMethodThatCanTakeNoModelStopsTheRun) {
+TEST_F(DescriptorRuns, AMethodThatSupportsNoModelStopsTheRun) {
   for (int i = 0; i < 9; ++i) test::make_cloud(data() / ("T" + std::to_string(i) + ".off"));
   Json document = this->document();
   document["on_error"] = "skip";
@@ -248,7 +248,7 @@ TEST_F(DescriptorRuns, AMethodThatCanTakeNoModelStopsTheRun) {
               testing::HasSubstr("signature \"fixed\": none of 9 models can be used; the first is 0: "));
 }
 
-TEST_F(DescriptorRuns, WithoutAnyFieldThereIsAReportWithoutPictures) {
+TEST_F(DescriptorRuns, WithoutFieldsTheReportHasNoPictures) {
   Json document = test::small_configuration(data());
   document["signatures"] = {{{"name", "d2"}, {"descriptor", {{"type", "d2"}}}},
                             {{"name", "again"}, {"rerank", {{"of", "d2"}, {"method", "k_reciprocal"}}}}};

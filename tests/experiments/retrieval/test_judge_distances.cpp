@@ -52,7 +52,7 @@ std::vector<RowRange> ranges_of(Eigen::Index all, Eigen::Index rows) {
   return ranges;
 }
 
-TEST(JudgedRows, AreThoseOfTheWholeMatrixInAnyDivision) {
+TEST(JudgedRows, MatchTheWholeMatrixForAnyDivision) {
   const std::vector<EvaluationOptions> options = {{.protocol = Protocol::psb}, {.protocol = Protocol::paper}};
   const NamedDistance distance = distances().at("l1");
   for (const Eigen::Index models : {2, 3, 40, 700}) {
@@ -83,7 +83,7 @@ TEST(JudgedRows, AreThoseOfTheWholeMatrixInAnyDivision) {
   }
 }
 
-TEST(LargestOfFirst, IsThatOfTheFirstRow) {
+TEST(LargestOfFirst, IsTheLargestDistanceOfTheFirstRow) {
   for (const Eigen::Index far : {1, 3, 5}) {
     Signatures signatures = Signatures::Constant(6, 1, 1);
     signatures(0, 0) = 0;

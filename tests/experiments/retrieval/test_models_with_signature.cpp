@@ -18,7 +18,7 @@ DistanceMatrix with_infinite_second() {
   return expected;
 }
 
-TEST(ModelsWithSignature, OthersAreInfinitelyFar) {
+TEST(ModelsWithSignature, OtherModelsAreInfinitelyFar) {
   const ModelsWithSignature models(second_of_three(), 3);
   EXPECT_FALSE(models.are_all());
   EXPECT_THAT(models.places(), testing::ElementsAre(0, 2));
@@ -27,7 +27,7 @@ TEST(ModelsWithSignature, OthersAreInfinitelyFar) {
   EXPECT_EQ(models.spread(between), with_infinite_second());
 }
 
-TEST(ModelsWithSignature, RowsOfAMatrixBecomeThoseOfTheWholeOne) {
+TEST(ModelsWithSignature, ExpandsRowsToTheWholeMatrix) {
   const ModelsWithSignature models(second_of_three(), 3);
   DistanceMatrix whole(3, 3);
   whole << 0, 1, 5, 2, 0, 3, 7, 4, 0;
@@ -46,7 +46,7 @@ TEST(ModelsWithSignature, WithAllModelsDistancesAreUnchanged) {
   EXPECT_EQ(models.spread(between), between);
 }
 
-TEST(ModelsWithSignature, TheFirstOneStandsInForThoseWithoutSignature) {
+TEST(ModelsWithSignature, FirstSignatureReplacesMissingOnes) {
   Signatures all(4, 2);
   all << 1, 2, 3, 4, 5, 6, 7, 8;
   const std::vector<ModelFailure> without{{.model = 0, .message = ""}, {.model = 3, .message = ""}};

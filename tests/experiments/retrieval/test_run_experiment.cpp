@@ -77,7 +77,7 @@ TEST_F(RunExperiment, CloudsAreRetrievedToo) {
   EXPECT_EQ(results.methods.at(0).distances, results.methods.at(1).distances) << "points, whatever the site";
 }
 
-TEST_F(RunExperiment, DistancesAreThoseOfTheStepsDoneByHand) {
+TEST_F(RunExperiment, DistancesMatchTheSingleSteps) {
   const ExperimentResults results = run();
   const auto histogram_of = [&](const char* name) {
     const Shape shape = prepare_shape(read_shape(data() / name), {}).shape;
@@ -90,14 +90,14 @@ TEST_F(RunExperiment, DistancesAreThoseOfTheStepsDoneByHand) {
   EXPECT_GT(expected, 0.5);
 }
 
-TEST_F(RunExperiment, AConcatenationIsTheMeanOfItsPartsDistances) {
+TEST_F(RunExperiment, ConcatenationsHaveTheMeanDistance) {
   const ExperimentResults results = run();
   const auto& both = results.methods[3].distances;
   const DistanceMatrix expected = (results.methods[0].distances + results.methods[1].distances) / 2;
   EXPECT_TRUE(both.isApprox(expected, 1e-5));
 }
 
-TEST_F(RunExperiment, TheRangeOfTheDataSetIsThatOfAllShapes) {
+TEST_F(RunExperiment, RangeOfTheDataSetEnclosesAllShapes) {
   // With the range fixed to that of the data set, signatures agree to single precision.
   const ExperimentResults results = run();
   Interval range{.low = 1e9, .high = -1e9};
@@ -225,7 +225,7 @@ TEST_F(RunExperiment, EveryKindOfBadModelIsSkippedIfAskedFor) {
   EXPECT_EQ(Json::parse(text_of(at("out") / "manifest.json"))["failed_models"].size(), 5U);
 }
 
-TEST_F(RunExperiment, WhatIsPlainlyWrongStopsBeforeAnythingIsComputed) {
+TEST_F(RunExperiment, InvalidConfigurationsStopBeforeComputing) {
   fs::remove(data() / "T8.off");
   bool began = false;
   RunControl control;
@@ -235,7 +235,7 @@ TEST_F(RunExperiment, WhatIsPlainlyWrongStopsBeforeAnythingIsComputed) {
   EXPECT_FALSE(began);
 }
 
-TEST_F(RunExperiment, WithoutAnyModelLeftEvenSkippingStops) {
+TEST_F(RunExperiment, StopsIfAllModelsAreSkipped) {
   for (int i = 0; i < 9; ++i) fs::remove(data() / ("T" + std::to_string(i) + ".off"));
   EXPECT_THAT(test::input_error_of([&] {
                 static_cast<void>(run({{"on_error", "skip"}}));
@@ -251,7 +251,7 @@ TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
   EXPECT_EQ(results.methods[0].distances.rows(), 4);
 }
 
-TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
+TEST_F(RunExperiment, AnInterruptionStopsSoon) {
   std::atomic<int> asked = 0;
   std::size_t most_done = 0;
   RunControl control;
@@ -262,7 +262,7 @@ TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
   EXPECT_LE(most_done, 2U);
 }
 
-TEST_F(RunExperiment, FilesOfAnEarlierRunAreClearedAwayWithItsManifestOnly) {
+TEST_F(RunExperiment, RemovesFilesOfAnEarlierRunByItsManifest) {
   test::publish(at("out"), run());
   write_text(at("out") / "distances/mine.npy", "x");
   Json document = test::small_configuration(data());
@@ -328,7 +328,7 @@ TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {
   EXPECT_EQ(parse_csv(text_of(at("out") / "shape_seconds.csv"), "shape_seconds.csv").size(), 10U);
 }
 
-TEST_F(RunExperiment, TheManifestSaysWhatWasRun) {
+TEST_F(RunExperiment, ManifestDescribesTheRun) {
   test::publish(at("out"), run({{"seed", 5}}));
   const Json manifest = Json::parse(text_of(at("out") / "manifest.json"));
   for (const char* key : {"shapegauge", "commit", "compiler", "libraries", "configuration", "seed", "inputs"}) {

@@ -91,7 +91,7 @@ TEST_F(WriteResults, SummariesHaveTheAveragesOfEachMethodInPercent) {
   EXPECT_GT(interval[1], 70);
 }
 
-TEST_F(WriteResults, TablesByClassAndQueryHaveTheirScores) {
+TEST_F(WriteResults, WritesScoresPerClassAndQuery) {
   write();
   const auto of_class = test::csv_record(out("per_class.csv"), {{"method", "line"}, {"class", "a"}});
   EXPECT_EQ(of_class.at("queries"), "3");
@@ -112,7 +112,7 @@ TEST_F(WriteResults, TablesByClassAndQueryHaveTheirScores) {
   EXPECT_LT(std::stod(shown.at("low")), 75);
 }
 
-TEST_F(WriteResults, DistancesAndFeaturesAreThoseOfTheMethods) {
+TEST_F(WriteResults, WritesDistancesAndFeaturesOfTheMethods) {
   write();
   EXPECT_EQ(parse_npy(test::text_of(out("distances/line.npy")), "distances/line.npy", TableShape::square), line_);
   EXPECT_EQ(parse_npy(test::text_of(out("distances/perfect_2.npy")), "distances/perfect_2.npy", TableShape::square),
@@ -124,7 +124,7 @@ TEST_F(WriteResults, DistancesAndFeaturesAreThoseOfTheMethods) {
     EXPECT_EQ(test::text_of(out(ids)), "0\n1\n2\n3\n4\n");
 }
 
-TEST_F(WriteResults, DistancesThatAreNotKeptAreNoFiles) {
+TEST_F(WriteResults, WritesNoDistancesIfDisabled) {
   results_.configuration.keep_distances = false;
   write();
   EXPECT_FALSE(std::filesystem::exists(out("distances")));

@@ -35,7 +35,7 @@ class CollectionOf : public test::FolderTest {
   }
 };
 
-TEST_F(CollectionOf, AFolderIsAllShapesInItAndBelow) {
+TEST_F(CollectionOf, ReadsFoldersRecursively) {
   std::filesystem::create_directory_symlink(at(""), at("deep/circle"));
   const Collection found = find_collection(at(""));
   EXPECT_THAT(ids_of(found), ElementsAre("a9.OBJ", "a10.off", "deep/er/b.stl"));
@@ -53,7 +53,7 @@ TEST_F(CollectionOf, AFolderWithALinkHasItsOwnName) {
   EXPECT_EQ(found.skipped.folders, 2U);
 }
 
-TEST_F(CollectionOf, AListIsItsLines) {
+TEST_F(CollectionOf, ReadsLists) {
   const Collection found = find_collection(written("list.txt", "# shapes\n\n deep/er/b.stl \r\na10.off\n"));
   EXPECT_THAT(ids_of(found), ElementsAre("a10.off", "deep/er/b.stl"));
   EXPECT_TRUE(std::filesystem::exists(found.file(found.files[1].path)));
@@ -62,7 +62,7 @@ TEST_F(CollectionOf, AListIsItsLines) {
   EXPECT_THAT(input_error_of([&] { find_collection(written("none.txt", "#\n")); }), HasSubstr("has no shapes"));
 }
 
-TEST_F(CollectionOf, ADataSetIsItsModels) {
+TEST_F(CollectionOf, ReadsDataSets) {
   const auto table = written("models.csv", "id,path,class\none,a10.off,x\ntwo,deep/er/b.stl,y\n");
   EXPECT_THAT(ids_of(find_collection(table)), ElementsAre("one", "two"));
   const auto configuration = written(
@@ -86,7 +86,7 @@ TEST_F(CollectionOf, ADataSetMayBeGivenByItsFile) {
               AllOf(HasSubstr("run.json: dataset: "), HasSubstr("absent.json: no such file")));
 }
 
-TEST_F(CollectionOf, AnInvalidDataSetIsAnErrorWithItsPlace) {
+TEST_F(CollectionOf, InvalidDataSetsAreErrorsWithTheirLocation) {
   for (const auto& [dataset, message] : {std::pair(R"({})", "run.json: dataset: "),
                                          {R"({"layout": "folders", "root": 3})", "run.json: dataset.root: "},
                                          {R"({"layout": "shrec07", "root": ".", "split": "test"})", "dataset.split: "},
@@ -98,7 +98,7 @@ TEST_F(CollectionOf, AnInvalidDataSetIsAnErrorWithItsPlace) {
   }
 }
 
-TEST_F(CollectionOf, WhatIsNoneIsAnError) {
+TEST_F(CollectionOf, RejectsOtherFiles) {
   EXPECT_THAT(input_error_of([&] { find_collection(at("absent")); }), HasSubstr("No such file"));
   EXPECT_THAT(input_error_of([&] { find_collection(at("a10.off")); }), HasSubstr("is not a collection"));
   EXPECT_THAT(input_error_of([&] { find_collection(written("no.json", R"({"name": "n"})")); }),
@@ -107,7 +107,7 @@ TEST_F(CollectionOf, WhatIsNoneIsAnError) {
   EXPECT_THAT(input_error_of([&] { find_collection(at("empty")); }), HasSubstr("has no shapes"));
 }
 
-TEST(UsualIndexPath, LiesBesideTheCollection) {
+TEST(UsualIndexPath, IsNextToTheCollection) {
   EXPECT_EQ(usual_index_path("/a/models"), "/a/models.search-index");
   EXPECT_EQ(usual_index_path("/a/models/"), "/a/models.search-index");
   EXPECT_EQ(usual_index_path("/a/list.txt", "b/own.json"), "/a/list.txt.own.search-index");

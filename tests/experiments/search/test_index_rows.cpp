@@ -52,7 +52,7 @@ void expect_sum_of(const CollectionSum& sum, const OpenIndex& index, const Dista
   }
 }
 
-TEST(IndexRows, DistancesByTermAreThoseOfEachPair) {
+TEST(IndexRows, DistancesPerTermMatchEachPair) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "median", "bag"}) {
     const OpenIndex index = folder.open(signature);
@@ -71,7 +71,7 @@ TEST(IndexRows, DistancesByTermAreThoseOfEachPair) {
   }
 }
 
-TEST(IndexRows, TheSumIsThatOfWholeMatrices) {
+TEST(IndexRows, SumMatchesWholeMatrices) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "median", "mutual ranks", "d2"}) {
     SCOPED_TRACE(signature);
@@ -80,7 +80,7 @@ TEST(IndexRows, TheSumIsThatOfWholeMatrices) {
   }
 }
 
-TEST(IndexRows, NearestModelsAreThoseBySum) {
+TEST(IndexRows, NearestModelsFollowTheSum) {
   const SearchedFolder folder;
   for (const char* signature : {"local", "d2"}) {
     const OpenIndex index = folder.open(signature);

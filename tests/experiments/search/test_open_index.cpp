@@ -51,7 +51,7 @@ TEST(OpenIndex, IsDescribedOnceAndThenRead) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes);
 }
 
-TEST(OpenIndex, ShapesWithoutOneOfTheSignaturesAreLeftOut) {
+TEST(OpenIndex, ExcludesShapesWithoutASignature) {
   const SearchedFolder folder;
   test::make_cloud(folder.models() / "T4.off");  // it has D2, but no conventional SDF
   IndexUpdate update;
@@ -70,7 +70,7 @@ TEST(OpenIndex, ShapesWithoutOneOfTheSignaturesAreLeftOut) {
   EXPECT_THAT(search(index, queries, {}, {}, none, notes)[0].failure, HasSubstr("needs triangles"));
 }
 
-TEST(OpenIndex, FollowsFilesThatComeChangeAndVanish) {
+TEST(OpenIndex, UpdatesForAddedChangedAndRemovedFiles) {
   const SearchedFolder folder;
   folder.open();
   folder.add("T9.off", "box", 9);
@@ -93,7 +93,7 @@ TEST(OpenIndex, FollowsFilesThatComeChangeAndVanish) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 }
 
-TEST(OpenIndex, ANewTimeAloneDescribesNothing) {
+TEST(OpenIndex, ANewModificationTimeAloneRecomputesNothing) {
   const SearchedFolder folder;
   folder.open();
   make_old(folder);
@@ -103,7 +103,7 @@ TEST(OpenIndex, ANewTimeAloneDescribesNothing) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 }
 
-TEST(OpenIndex, LeavesOutABrokenModelAndReportsItOnce) {
+TEST(OpenIndex, ExcludesUnusableModelsAndReportsThemOnce) {
   const SearchedFolder folder;
   test::write_text(folder.models() / "T5.off", "OFF\n3 1 0\n0 0 0\n");
   IndexUpdate first;
@@ -128,7 +128,7 @@ TEST(OpenIndex, NoUsableModelIsAnError) {
   EXPECT_FALSE(std::filesystem::exists(folder.index()));
 }
 
-TEST(OpenIndex, IsMadeAnewWithANoteWhereItIsDamagedOrOfAnotherMethod) {
+TEST(OpenIndex, RebuildsDamagedIndexesAndThoseOfOtherMethods) {
   const SearchedFolder folder;
   folder.open();
   const std::string bytes = test::bytes_of(folder.index());
@@ -148,7 +148,7 @@ TEST(OpenIndex, IsMadeAnewWithANoteWhereItIsDamagedOrOfAnotherMethod) {
   EXPECT_THAT(update.notes, ElementsAre(HasSubstr("of another method or program")));
 }
 
-TEST(OpenIndex, OverwritesNoFileThatIsNoIndex) {
+TEST(OpenIndex, DoesNotOverwriteOtherFiles) {
   const SearchedFolder folder;
   Cache cache(folder.at("cache"));
   test::write_text(folder.at("notes.txt"), "index");
@@ -161,7 +161,7 @@ TEST(OpenIndex, OverwritesNoFileThatIsNoIndex) {
   }
 }
 
-TEST(OpenIndex, IsOfOneCollectionThatMayMove) {
+TEST(OpenIndex, BelongsToOneCollectionThatMayMove) {
   const SearchedFolder folder;
   Cache cache(folder.at("cache"));
   folder.open();
@@ -186,7 +186,7 @@ TEST(OpenIndex, IsOfOneCollectionThatMayMove) {
   EXPECT_TRUE(update.rebuilt);
 }
 
-TEST(OpenIndex, AsItIsNeedsNoModelsAndSaysWhatIsWrong) {
+TEST(OpenIndex, WithoutUpdateNeedsNoModels) {
   const SearchedFolder folder;
   folder.open();
   std::filesystem::remove_all(folder.models());
@@ -198,7 +198,7 @@ TEST(OpenIndex, AsItIsNeedsNoModelsAndSaysWhatIsWrong) {
               HasSubstr("is damaged"));
 }
 
-TEST(OpenIndex, AnInterruptedDescriptionLeavesTheIndexAndGoesOnFromTheCache) {
+TEST(OpenIndex, AnInterruptedUpdateKeepsTheIndexAndContinuesFromTheCache) {
   const SearchedFolder folder;
   Cache cache(folder.at("cache"));
   std::atomic<int> asked = 0;
@@ -214,7 +214,7 @@ TEST(OpenIndex, AnInterruptedDescriptionLeavesTheIndexAndGoesOnFromTheCache) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 }
 
-TEST(OpenIndex, TwoAtOnceLeaveAWholeOne) {
+TEST(OpenIndex, ConcurrentUpdatesLeaveAValidIndex) {
   const SearchedFolder folder;
   std::vector<std::thread> writers;
   for (int i = 0; i < 3; ++i) writers.emplace_back([&] { folder.open(); });

@@ -60,7 +60,7 @@ TEST(Search, AReRankedMemberHasTheDistancesOfARun) {
   }
 }
 
-TEST(Search, ACopyOfAMemberHasItsAnswerAndTheMemberFirst) {
+TEST(Search, ACopyOfAMemberFindsItFirst) {
   const SearchedFolder folder;
   OpenIndex index = folder.open();
   std::filesystem::copy_file(folder.models() / "T4.off", folder.at("copy.off"));
@@ -76,7 +76,7 @@ TEST(Search, ACopyOfAMemberHasItsAnswerAndTheMemberFirst) {
   }
 }
 
-TEST(Search, AShapeFromElsewhereHasTheDistancesThatARunWithItHas) {
+TEST(Search, AnExternalQueryHasTheDistancesOfARun) {
   const SearchedFolder folder;
   OpenIndex index = folder.open("d2");  // features independent of other shapes
   write_off(folder.at("query.off"), test::small_shape("box", 7));
@@ -92,7 +92,7 @@ TEST(Search, AShapeFromElsewhereHasTheDistancesThatARunWithItHas) {
   }
 }
 
-TEST(Search, AReRankedShapeFromElsewhereIsDiffusedWithTheCollection) {
+TEST(Search, AnExternalQueryIsDiffusedWithTheCollection) {
   const SearchedFolder folder;
   OpenIndex index = folder.open();
   write_off(folder.at("query.off"), test::small_shape("box", 7));
@@ -112,7 +112,7 @@ TEST(Search, AReRankedShapeFromElsewhereIsDiffusedWithTheCollection) {
   for (const RankedModel& one : answer.nearest) EXPECT_NEAR(one.distance, expected(9, one.model), 1e-5);
 }
 
-TEST(Search, FindsTheOwnKindFirstBothAsFileAndAsShape) {
+TEST(Search, FindsTheClassOfTheQueryFirst) {
   const SearchedFolder folder;
   OpenIndex index = folder.open();
   const Shape shape = test::small_shape("sphere", 8);
@@ -133,7 +133,7 @@ TEST(Search, FindsTheOwnKindFirstBothAsFileAndAsShape) {
   for (const RankedModel& one : of_file.nearest) EXPECT_THAT(kind, testing::Contains(one.model));
 }
 
-TEST(Search, AQueryThatCannotBeUsedDoesNotSinkTheOthers) {
+TEST(Search, AnswersOtherQueriesIfOneIsUnusable) {
   const SearchedFolder folder;
   OpenIndex index = folder.open();
   test::write_text(folder.at("broken.off"), "OFF\n3 1 0\n0 0 0\n");

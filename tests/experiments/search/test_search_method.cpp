@@ -40,7 +40,7 @@ TEST(SearchMethodOf, ASignatureThatIsNotComputedFromEachShapeIsAnError) {
   EXPECT_EQ(folder.method("median").diffusion.neighbours, IntegerList{});
 }
 
-TEST(SearchMethodOf, TheKeyIsOfAllThatAnswersDependOn) {
+TEST(SearchMethodOf, KeyContainsEverythingThatResultsDependOn) {
   const SearchedFolder folder;
   const std::string key = folder.method().key();
   nlohmann::json document = folder.configuration();
@@ -72,7 +72,7 @@ std::vector<std::string> term_names(const SearchMethod& method) {
   return names;
 }
 
-TEST(SearchMethodOf, ASignatureIsKeptWithWhatItIsMadeOf) {
+TEST(SearchMethodOf, KeepsASignatureWithItsTerms) {
   const SearchedFolder folder;
   const SearchMethod alone = folder.method("d2");
   EXPECT_THAT(kept_signatures(alone), ElementsAre("d2"));

@@ -15,7 +15,7 @@ MappedBytes in_memory(std::string bytes) {
   return {.memory = kept, .bytes = *kept};
 }
 
-TEST(ShapeIndex, ComesBackFromItsBytes) {
+TEST(ShapeIndex, SurvivesARoundTrip) {
   ShapeIndex index;
   index.collection = "/models";
   index.models = {{.id = "a", .path = "b/a", .bytes = 3, .modified = -4, .sha256 = "12"}};

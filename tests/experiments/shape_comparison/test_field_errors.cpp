@@ -65,7 +65,7 @@ TEST(NormalErrors, ANormalThatPointsTheOtherWayIsWrongIfSidesMatter) {
   EXPECT_LT(normal_errors(truth, samples.points, turned, samples.weights, false).median, rounding);
 }
 
-TEST(NormalErrors, WhatIsNotThereDoesNotCount) {
+TEST(NormalErrors, IgnoresMissingNormalsAndWeights) {
   const Shape box = test::box({3, 2, 1}, 4);
   Samples samples = sample_shape(box, SampleSite::faces);
   samples.normals.row(0).setZero();
@@ -98,7 +98,7 @@ TEST(ValueErrors, AreNoneForTheReferenceItself) {
   EXPECT_EQ(errors.relative_percentile_90, 0);
 }
 
-TEST(ValueErrors, AreThoseFromTheNearestSample) {
+TEST(ValueErrors, CompareWithTheNearestSample) {
   PlacedValues moved = line();
   moved.points.col(0).array() += 0.3;
   moved.points.col(1).array() += 7;
@@ -131,14 +131,14 @@ TEST(ValueErrors, RelativeToNegativeValuesArePositive) {
   EXPECT_DOUBLE_EQ(value_errors(moved, reference, 9).relative_median, 0.5);
 }
 
-TEST(ValueErrors, OfAValueOfZeroAreInfiniteOrNone) {
+TEST(ValueErrors, RelativeToZeroAreInfiniteOrZero) {
   PlacedValues reference = line();
   reference.values.setZero();
   EXPECT_EQ(value_errors(reference, reference, 9).relative_median, 0);
   EXPECT_EQ(value_errors(line(), reference, 9).relative_median, std::numeric_limits<double>::infinity());
 }
 
-TEST(PlacedValues, AreThoseThatAreThereInTheirOwnUnits) {
+TEST(PlacedValues, AreTheExistingValuesInUnitsOfTheFile) {
   Samples samples;
   samples.points = line().points;
   samples.weights = Eigen::VectorXd::Ones(10);

@@ -96,12 +96,12 @@ TEST_F(MeasureThroughCache, AllDependOnThePreparationFieldsAndHistograms) {
   EXPECT_EQ(misses(), 3U);
 }
 
-TEST_F(MeasureThroughCache, RunTimesAreThoseOfAsManyThreads) {
+TEST_F(MeasureThroughCache, RunTimesAreStoredPerNumberOfThreads) {
   EXPECT_EQ(misses(2), 3U);
   EXPECT_EQ(misses(2), 0U);
 }
 
-TEST_F(MeasureThroughCache, WhatIsComputedLaterChangesNothing) {
+TEST_F(MeasureThroughCache, LaterComputationsChangeNothing) {
   document["name"] = "other";
   document["signatures"][0]["name"] = "other";
   document["shapes"][2]["name"] = "other";

@@ -44,7 +44,7 @@ TEST_F(RunComparison, NotesShapesThatAreNotPerturbedAsRequested) {
   EXPECT_THAT(test::publish(at("notes"), run()).notes, testing::IsEmpty());
 }
 
-TEST_F(RunComparison, AShapeIsNoDistanceFromItself) {
+TEST_F(RunComparison, AShapeHasDistanceZeroFromItself) {
   const ShapeComparisonResults results = run();
   ASSERT_EQ(results.shapes.size(), 3U);
   EXPECT_EQ(results.shapes[2].name, "again");
@@ -117,7 +117,7 @@ TEST_F(RunComparison, TheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(one["inputs"]["shapes"]["clean"].get<std::string>().size(), 64U);
 }
 
-TEST_F(RunComparison, ShapesOfOtherPosesAndShapesWithoutAReferenceHaveNoErrors) {
+TEST_F(RunComparison, UnregisteredShapesHaveNoErrors) {
   Json poses = document();
   poses["registered"] = false;
   EXPECT_FALSE(run(poses).shapes[0].fields[0].errors);
@@ -131,7 +131,7 @@ TEST_F(RunComparison, ShapesOfOtherPosesAndShapesWithoutAReferenceHaveNoErrors) 
   EXPECT_TRUE(fs::exists(at("out") / "timings.csv"));
 }
 
-TEST_F(RunComparison, ABadShapeStopsItOrIsLeftOut) {
+TEST_F(RunComparison, AnUnusableShapeStopsTheRunOrIsSkipped) {
   write_text(at("flat.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   Json changed = document();
   changed["shapes"][2]["file"] = "flat.off";
@@ -170,7 +170,7 @@ TEST_F(RunComparison, ASecondRunMeasuresNothing) {
   }
 }
 
-TEST_F(RunComparison, AnInterruptedOneGoesOnFromTheCache) {
+TEST_F(RunComparison, AnInterruptedRunContinuesFromTheCache) {
   Json longer = document();
   longer["shapes"].push_back(
       {{"name", "fewer"}, {"file", "sphere.off"}, {"perturbations", {{{"type", "remove_faces"}, {"fraction", 0.1}}}}});

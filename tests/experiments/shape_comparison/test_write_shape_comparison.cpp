@@ -107,7 +107,7 @@ TEST_F(WriteShapeComparison, TimesAreByShapeAndSample) {
               ElementsAre(1.5, 0.001, 0.003, 100));
 }
 
-TEST_F(WriteShapeComparison, ShapesOfOtherPlacesHaveNoErrors) {
+TEST_F(WriteShapeComparison, UnregisteredShapesHaveNoErrors) {
   write();
   results_.comparison.registered = false;
   write();
@@ -116,7 +116,7 @@ TEST_F(WriteShapeComparison, ShapesOfOtherPlacesHaveNoErrors) {
   EXPECT_FALSE(std::filesystem::exists(out("normals.csv")));
 }
 
-TEST_F(WriteShapeComparison, TheManifestHasWhatWasReadAndWhatFailed) {
+TEST_F(WriteShapeComparison, ManifestHasInputsAndFailures) {
   results_.failures = {{.id = "gone", .message = "it is broken"}};
   write();
   const auto manifest = nlohmann::json::parse(test::text_of(out("manifest.json")));

@@ -92,7 +92,7 @@ TEST_F(DescribeThroughCache, ASecondRunComputesNothingAndWritesTheSameBytes) {
   }
 }
 
-TEST_F(DescribeThroughCache, TheSameBytesWhateverPartOfTheCacheIsLeft) {
+TEST_F(DescribeThroughCache, AnyPartOfTheCacheGivesTheSameBytes) {
   const auto fresh = fresh_files(document());
   run(document());
   for (const EntryKind kind : {EntryKind::shape, EntryKind::samples, EntryKind::field, EntryKind::distances,
@@ -144,7 +144,7 @@ TEST_F(DescribeThroughCache, ViewsAreMadeOfTheValuesInTheCacheOnce) {
   EXPECT_EQ(views.computed, 0U);
 }
 
-TEST_F(DescribeThroughCache, NoViewsWhereTheyAreNotWantedOrThereAreNoPictures) {
+TEST_F(DescribeThroughCache, NoViewsIfDisabledOrWithoutPictures) {
   for (const char* setting : {"views", "pictures"}) {
     Json without = document();
     without["report"][setting] = false;
@@ -194,14 +194,14 @@ TEST_F(DescribeThroughCache, AChangedModelIsTheOnlyOneComputed) {
   EXPECT_EQ(files_of(results), fresh_files(document()));
 }
 
-TEST_F(DescribeThroughCache, RecomputingTakesNothing) {
+TEST_F(DescribeThroughCache, RecomputingIgnoresTheCache) {
   run(document());
   Cache anew(cache(), true);
   EXPECT_EQ(uses_of(run(document(), anew)), all_computed);
   EXPECT_EQ(uses_of(run(document())), all_taken);
 }
 
-TEST_F(DescribeThroughCache, PerturbedModelsAreTheirOwn) {
+TEST_F(DescribeThroughCache, PerturbedModelsHaveOwnEntries) {
   Json noisy = document();
   noisy["perturbations"] = Json::parse(R"([{"type": "one_of", "assign": "in_turn", "choices": [
       [], [{"type": "vertex_noise", "amplitude": 0.01}]]}])");
@@ -234,7 +234,7 @@ TEST_F(DescribeThroughCache, AModelThatFailsFailsAgain) {
   EXPECT_THAT(test::input_error_of([&] { run(document()); }), HasSubstr("model 3: "));
 }
 
-TEST_F(DescribeThroughCache, DamagedEntriesAreComputedAnew) {
+TEST_F(DescribeThroughCache, RecomputesDamagedEntries) {
   const auto fresh = fresh_files(document());
   run(document());
   std::size_t i = 0;

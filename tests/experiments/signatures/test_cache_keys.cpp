@@ -22,7 +22,7 @@ std::vector<Perturbation> noise(double amplitude) {
   return make_perturbations({{{"type", "vertex_noise"}, {"amplitude", amplitude}}});
 }
 
-TEST(CacheKeys, AShapeIsItsBytesAndItsFormatWhereverItIs) {
+TEST(CacheKeys, AShapeDependsOnItsBytesAndFormatButNotOnItsPath) {
   const Configuration plain;
   const std::string key = key_of_shape(source, plain);
   EXPECT_EQ(key.size(), 64U);

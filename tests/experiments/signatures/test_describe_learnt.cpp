@@ -120,7 +120,7 @@ TEST(DescribeLearnt, ModelsWithoutTheFieldAreIgnored) {
   EXPECT_EQ(feature_of(models, 2), 1);
 }
 
-TEST(DescribeLearnt, WhatIsLearntIsWithoutModelsThatCannotBeDescribed) {
+TEST(DescribeLearnt, LearnsWithoutModelsThatCannotBeDescribed) {
   const std::map<std::size_t, float> values{{0, 1}, {1, 500}, {2, 3}, {5, 200}};
   DescribedModels models = models_of(values);
   const Outcome outcome = described(models, mean_configuration(OnError::skip));
@@ -140,7 +140,7 @@ TEST(DescribeLearnt, TheFirstModelThatCannotBeDescribedStops) {
   EXPECT_THAT(outcome.failures[0].message, testing::HasSubstr("too large"));
 }
 
-TEST(DescribeLearnt, FromNothingIsAnError) {
+TEST(DescribeLearnt, RejectsAnEmptyCollection) {
   DescribedModels none;
   EXPECT_THROW(described(none, mean_configuration()), InputError);
   DescribedModels without_field = models_of({{0, -1}});
@@ -149,7 +149,7 @@ TEST(DescribeLearnt, FromNothingIsAnError) {
   EXPECT_THROW(described(all_fail, mean_configuration(OnError::skip)), InputError);
 }
 
-TEST(DescribeLearnt, TakesFromTheCacheWhatDependsOnTheSameModels) {
+TEST(DescribeLearnt, ReusesResultsOfTheSameModels) {
   const test::TemporaryFolder folder;
   const auto run = [&](const std::map<std::size_t, float>& values) {
     Cache cache(folder.path() / "cache");

@@ -27,7 +27,7 @@ TEST(DistancesThroughCache, AreComputedOnce) {
   EXPECT_EQ(use_of(second).computed, 1U);
 }
 
-TEST(DistancesThroughCache, LargeOnesAreNotKept) {
+TEST(DistancesThroughCache, LargeMatricesAreNotStored) {
   const test::TemporaryFolder folder;
   Cache cache(folder.path() / "cache");
   distances_through_cache(Signatures::Random(max_models_of_cached_distances + 1, 1), "l1", cache);

@@ -39,7 +39,7 @@ std::string picture_of(const Shape& shape, SampleSite site, double value) {
   return model_picture(shape, samples, Eigen::VectorXd::Constant(samples.points.rows(), value), {});
 }
 
-TEST(ModelPicture, HasTheSizeAskedForAndSeesThroughAroundTheShape) {
+TEST(ModelPicture, HasTheRequestedSizeAndATransparentBackground) {
   const Image image = decoded(picture_of(test::sphere(1, 3), SampleSite::faces, 0.3));
   const PictureOptions options;
   EXPECT_EQ(image.width, options.width);
@@ -48,7 +48,7 @@ TEST(ModelPicture, HasTheSizeAskedForAndSeesThroughAroundTheShape) {
   EXPECT_EQ(image.pixels[static_cast<std::size_t>(4 * (image.height / 2 * image.width + image.width / 2)) + 3], 255);
 }
 
-TEST(ModelPicture, TheSameValueHasTheSameColourWhereverItIsSampled) {
+TEST(ModelPicture, EqualValuesHaveEqualColoursForEverySampling) {
   const Shape sphere = test::sphere(1, 4);
   const Image faces = decoded(picture_of(sphere, SampleSite::faces, 0.1));
   for (const SampleSite site : {SampleSite::vertices, SampleSite::surface}) {
@@ -75,7 +75,7 @@ TEST(ModelPicture, LargeValuesAreYellowSmallOnesPurpleAndNoneGrey) {
   EXPECT_NEAR(none[0], none[2], 1e-9);
 }
 
-TEST(ModelPicture, OfACloudToo) {
+TEST(ModelPicture, ShowsClouds) {
   const Shape cloud = test::random_points(test::sphere(1, 4), 800, 1);
   EXPECT_GT(mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.56)), 0), 100);
 }

@@ -16,7 +16,7 @@ ordered_json view_of(const Shape& shape, const Eigen::VectorXd& values, const Sa
   return ordered_json::parse(model_view(shape, fields, faces));
 }
 
-TEST(ModelView, HasAtMostTheFacesAskedForAndTheRangeOfTheField) {
+TEST(ModelView, HasAtMostTheRequestedFacesAndTheRangeOfTheField) {
   const Shape sphere = test::sphere(1, 4);  // 5120 faces
   for (const SampleSite site : {SampleSite::faces, SampleSite::vertices, SampleSite::surface}) {
     const Samples samples = site == SampleSite::surface ? sample_surface(sphere, 2000) : sample_shape(sphere, site);
@@ -34,7 +34,7 @@ TEST(ModelView, HasAtMostTheFacesAskedForAndTheRangeOfTheField) {
   }
 }
 
-TEST(ModelView, AFewFacesStayAsTheyAre) {
+TEST(ModelView, KeepsSmallMeshes) {
   const Shape box = test::box({1, 2, 3}, 2);
   const Samples samples = sample_shape(box, SampleSite::vertices);
   const ordered_json view = view_of(box, samples.points.col(0), samples, 200);

@@ -35,7 +35,7 @@ ModelDescription model_without_field() {
   return model;
 }
 
-TEST(AssembleSignatures, PartsStandInTheOrderOfTheirNames) {
+TEST(AssembleSignatures, ConcatenatesInTheGivenOrder) {
   ModelDescription model;
   model.fields.resize(1);
   model.features = {{.features = Eigen::VectorXf{{0.25F, 0.75F}}}, {.features = Eigen::VectorXf{{1.0F}}}, {}};

@@ -39,7 +39,7 @@ TEST(Axis, TicksAreRoundAndWithin) {
   EXPECT_THAT(axis_ticks({.low = 2, .high = 2}), ElementsAre(2));
 }
 
-TEST(Axis, LabelsTellTicksApart) {
+TEST(Axis, LabelsAreDistinct) {
   EXPECT_THAT(tick_labels({0, 0.05, 0.1}), ElementsAre("0", "0.05", "0.1"));
   EXPECT_THAT(tick_labels({1.9955, 1.996, 1.9965}), ElementsAre("1.9955", "1.996", "1.9965"));
   EXPECT_THAT(tick_labels({-1e-18, 20000, 40000}), ElementsAre("0", "2e+04", "4e+04"));
@@ -51,7 +51,7 @@ TEST(Axis, PartsAreLinearOrLogarithmic) {
   EXPECT_DOUBLE_EQ((ChartAxis{.low = 1, .high = 10000, .logarithmic = true}.part(10)), 0.25);
 }
 
-TEST(MethodLook, IsThatOfTheReportsAndDiffers) {
+TEST(MethodLook, MatchesTheReportAndIsDistinct) {
   EXPECT_EQ(method_look(0).colour, method_colour(0));
   EXPECT_THAT(method_look(0).dashes, ElementsAre());
   EXPECT_THAT(method_look(1).dashes, ElementsAre(7, 3));

@@ -33,7 +33,7 @@ TEST(Drawing, SvgHasPathsDashesAndTextAsText) {
             std::string::npos);
 }
 
-TEST(Drawing, PixelsHaveItsColours) {
+TEST(Drawing, PngHasTheColoursOfTheDrawing) {
   Drawing drawing{.width = 40, .height = 20, .elements = {}};
   drawing.rectangle({0, 0}, {20, 20}, {255, 0, 0});
   const Image image = to_image(drawing, 1);
@@ -52,7 +52,7 @@ TEST(Drawing, PdfIsTheSameEachTime) {
   EXPECT_EQ(pdf, to_pdf(small_drawing()));
 }
 
-TEST(Drawing, FilesAreOfTheFormatOfTheirNames) {
+TEST(Drawing, SelectsTheFormatByExtension) {
   const test::TemporaryFolder folder;
   for (const auto& [name, beginning] : {std::pair{"a.svg", "<svg"}, {"a.PDF", "%PDF"}, {"a.png", "\x89PNG"}}) {
     write_drawing(folder.path() / name, small_drawing());

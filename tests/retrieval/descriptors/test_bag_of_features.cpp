@@ -85,7 +85,7 @@ TEST(BagOfFeatures, CountsTheWeightNearestToEachWord) {
   EXPECT_EQ(found, (Eigen::Vector3f{0.2F, 0.2F, 0.6F}));
 }
 
-TEST(BagOfFeatures, SoftAssignmentSharesWhatLiesBetween) {
+TEST(BagOfFeatures, SoftAssignmentSplitsSamplesBetweenWords) {
   const Codebook two = {Eigen::RowVector2f::Ones(), Eigen::Matrix2f{{0, 0}, {1, 0}}};
   const auto at = [](double x) {
     return std::vector<ScalarField>{{Eigen::VectorXd::Constant(1, x), Eigen::VectorXd::Ones(1)},
@@ -122,7 +122,7 @@ TEST(BagOfFeatures, AsADescriptorItLearnsAndDescribes) {
             bag_of_features(fields, codebook_of({fields}, options), options));
 }
 
-TEST(BagOfFeatures, RefusesWhatIsNone) {
+TEST(BagOfFeatures, RejectsInvalidInput) {
   const std::vector<ScalarField> fields = clustered(corners, 1);
   const BagOfFeaturesOptions options = {.words = 3};
   const Codebook words = codebook_of({fields}, options);
@@ -136,7 +136,7 @@ TEST(BagOfFeatures, RefusesWhatIsNone) {
   EXPECT_THROW(codebook_of({nothing}, options), ArgumentError);
 }
 
-TEST(Codebook, TakesSamplesInTheMiddlesOfEqualPartsOfTheWeight) {
+TEST(Codebook, SamplesAtMidpointsOfEqualShares) {
   // Of four samples of equal weight the second and the fourth begin beyond a quarter and three quarters of it.
   const std::vector<ScalarField> fields = {{Eigen::Vector4d(10, 20, 30, 40), Eigen::Vector4d::Ones()}};
   Eigen::MatrixXf words = codebook_of({fields}, {.words = 2, .standardise = false, .samples_per_shape = 2}).words;

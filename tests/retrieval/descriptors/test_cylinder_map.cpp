@@ -35,7 +35,7 @@ void for_each_cell(const Shape& shape, const CylinderFrame& frame, Check check) 
   }
 }
 
-TEST(CylinderMap, OfASphereIsItsProfile) {
+TEST(CylinderMap, MatchesTheProfileOfASphere) {
   const CylinderFrame frame = {.axis = 2, .radius = 3, .angles = 64, .heights = 32};
   for_each_cell(test::sphere(2, 6), frame, [](const Cell& cell, double distance, double cosine) {
     const double square = 4 - cell.height * cell.height;

@@ -40,7 +40,7 @@ TEST(D2, CloudsAreDescribedByTheirPoints) {
 }
 
 /// Pairs are weighted by the areas of their points.
-TEST(D2, OfACloudDoesNotDependOnWhereItIsDenser) {
+TEST(D2, DoesNotDependOnTheDensityOfACloud) {
   // Two plates, 4 apart: three quarters of the points are on the first, each with a third of the weight.
   const auto plate = [](Eigen::Index points, double z, std::uint64_t seed) {
     const Shape square{Points{{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
@@ -55,7 +55,7 @@ TEST(D2, OfACloudDoesNotDependOnWhereItIsDenser) {
   EXPECT_LT(distance_of_d2(d2(Shape{uneven, {}}, {.points = 1200, .bins = 12}), expected), 0.15);
 }
 
-TEST(D2, RefusesOptionsOutOfRangeAndSinglePlaces) {
+TEST(D2, RejectsOptionsOutOfRangeAndSinglePositions) {
   const Shape ball = test::sphere(1, 1);
   EXPECT_THROW(d2(ball, {.points = 1}), InputError);
   EXPECT_THROW(d2(ball, {.bins = 0}), InputError);

@@ -15,7 +15,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(Descriptors, HaveNamesOfTheirOwnAndDefaultsWithinTheirBounds) {
+TEST(Descriptors, HaveUniqueNamesAndValidDefaults) {
   std::set<std::string_view> names;
   for (const Descriptor& one : descriptors().entries()) {
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
@@ -61,7 +61,7 @@ TEST(Descriptors, FeaturesThatAreNoFiniteNumbersAreAnError) {
   EXPECT_THROW(features(), InputError);
 }
 
-TEST(Descriptors, SettingsChangeWhatTheySay) {
+TEST(Descriptors, SettingsHaveAnEffect) {
   const Shape shape = test::sphere(1, 2);
   const Descriptor& one = descriptors().at("d2");
   DescriptorSettings settings = default_settings(one);
@@ -69,14 +69,14 @@ TEST(Descriptors, SettingsChangeWhatTheySay) {
   EXPECT_EQ(one.describe({shape, {}}, {}, settings), d2(shape, {.bins = 10}));
 }
 
-TEST(Descriptors, RefuseOptionsAndNamesThatAreNone) {
+TEST(Descriptors, RejectUnknownOptionsAndNames) {
   const Shape shape = test::sphere(1, 1);
   EXPECT_THROW(d2(shape, {.bins = 0}), InputError);
   EXPECT_THROW(d2(shape, {.longest = std::nan("")}), InputError);
   EXPECT_EQ(descriptors().find("d3"), nullptr);
 }
 
-TEST(Descriptors, AreRegisteredOnlyWhole) {
+TEST(Descriptors, RejectIncompleteEntries) {
   Descriptor one = descriptors().at("d2");
   one.name = "test_without_distance";
   one.distance = nullptr;
@@ -99,7 +99,7 @@ TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
   EXPECT_THROW(joint.describe(input, {}, settings), InputError);
 }
 
-TEST(DescriptorDistances, AreThoseOfAllPairs) {
+TEST(DescriptorDistances, MatchEachPair) {
   Signatures features(3, 2);
   features << 0, 0, 1, 2, 4, 0;
   const DistanceMatrix matrix = descriptor_distances(descriptors().at("d2"), features);
@@ -108,7 +108,7 @@ TEST(DescriptorDistances, AreThoseOfAllPairs) {
   EXPECT_THROW(descriptor_distances(descriptors().at("d2"), features), InputError);
 }
 
-TEST(FeatureDistance, IsADistanceOrADescriptorsOwn) {
+TEST(FeatureDistance, IsADistanceOrThatOfADescriptor) {
   EXPECT_EQ(feature_distance("chi2").function, distances().at("chi2").function);
   for (const Descriptor& one : descriptors().entries())
     EXPECT_EQ(feature_distance(std::string(one.name)).function, one.distance);

@@ -25,7 +25,7 @@ void expect_same(const Shape& shape, Describe describe) {
   }
 }
 
-TEST_P(DescriptorsOfDoubledTriangles, AreThoseOfTheFirst) {
+TEST_P(DescriptorsOfDoubledTriangles, MatchTheMeshWithoutDoubles) {
   expect_same(GetParam().shape, [](const Shape& shape) { return d2(shape, {.points = 100}); });
   expect_same(GetParam().shape, [](const Shape& shape) { return light_field(shape, {.pixels = 32}); });
   expect_same(GetParam().shape,
@@ -34,7 +34,7 @@ TEST_P(DescriptorsOfDoubledTriangles, AreThoseOfTheFirst) {
   expect_same(GetParam().shape, [](const Shape& shape) { return panorama(shape); });
 }
 
-TEST_P(DescriptorsOfDoubledTriangles, AreThoseOfTheFirstVoxelised) {
+TEST_P(DescriptorsOfDoubledTriangles, MatchTheVoxelisedMeshWithoutDoubles) {
   expect_same(GetParam().shape, [](const Shape& shape) {
     return spherical_harmonics(shape, {.shells = 6, .bandwidth = 5, .voxels = true});
   });

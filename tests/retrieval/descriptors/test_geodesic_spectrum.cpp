@@ -35,7 +35,7 @@ TEST(DominantEigenvalues, AreTheLargestOfAllBySize) {
 
 // By the Funk-Hecke formula the operator whose kernel is the distance on the unit sphere has the eigenvalues
 // 2 pi int arccos(t) P_l(t) dt, each 2 l + 1 times: relative to l = 0 they are 1/4, 0, 1/64, 0, 1/256, ...
-TEST(GeodesicSpectrum, OfASphereIsThatOfTheDistanceKernel) {
+TEST(GeodesicSpectrum, OfASphereMatchesTheDistanceKernel) {
   const Eigen::VectorXf found = spectrum_of(test::sphere(2, 5));
   for (Eigen::Index k = 0; k < 3; ++k) EXPECT_NEAR(found[k], std::log(1.0 / 4), 0.03) << k;
   for (Eigen::Index k = 3; k < 10; ++k) EXPECT_NEAR(found[k], std::log(1.0 / 64), 0.15) << k;
@@ -70,9 +70,9 @@ TEST(GeodesicSpectrum, IsTheSameWithASharedProxy) {
             one.describe({.shape = shape, .fields = {}}, {}, settings));
 }
 
-TEST(GeodesicSpectrum, RefusesWhatHasNoArea) { EXPECT_THROW(spectrum_of(Shape{}), InputError); }
+TEST(GeodesicSpectrum, RejectsShapesWithoutArea) { EXPECT_THROW(spectrum_of(Shape{}), InputError); }
 
-TEST(ShapeDna, OnTheProxyIsAboutThatOnTheMesh) {
+TEST(ShapeDna, OnTheProxyIsCloseToTheMesh) {
   const Shape shape = test::torus(1, 0.4, 40, 100);
   ProxySource source(shape);
   const Eigen::VectorXf on_mesh = shape_dna(shape);

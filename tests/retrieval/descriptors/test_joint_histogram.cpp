@@ -66,7 +66,7 @@ TEST(JointHistogram, SquareRootsAreTakenLast) {
   EXPECT_LT((roots.cwiseAbs2() - joint_histogram(fields, axes)).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-TEST(JointHistogram, DividedByTheMeanNoScaleMatters) {
+TEST(JointHistogram, DividedByTheMeanIsScaleInvariant) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   const std::vector<JointAxis> axes = {{.bins = 8}, {.bins = 8, .divide_by_mean = true, .low = 0.5, .high = 2}};
   const Eigen::VectorXf before = joint_histogram(fields, axes);
@@ -136,7 +136,7 @@ TEST(JointHistogram, OfAFieldThatIsConstantUpToRoundingHasOneBin) {
   EXPECT_EQ(compute_features(joint, {none, fields}, {}, settings), constant);
 }
 
-TEST(JointHistogram, OverADataSetOfOneValueItIsThatOfEachShapesOwnRange) {
+TEST(JointHistogram, OverADataSetOfOneValueUsesEachShapesRange) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   fields[0].values.setConstant(0.7);
   const Shape none;
@@ -166,7 +166,7 @@ TEST(JointHistogram, TheDataSetsRangeIsOfTheDividedValues) {
   EXPECT_TRUE(learnt.isApprox(LearntFeatures{{0.5F, 2.0F}, {0.2F, 0.6F}}, 1e-6F)) << learnt;
 }
 
-TEST(JointHistogram, RefusesWhatIsNone) {
+TEST(JointHistogram, RejectsInvalidInput) {
   const std::vector<ScalarField> fields = all_pairs(random_values(5, 1), random_values(4, 2));
   const std::vector<JointAxis> axes(2);
   EXPECT_THROW(joint_histogram(std::span(fields).first(1), std::span(axes).first(1)), ArgumentError);

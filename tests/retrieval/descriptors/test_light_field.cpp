@@ -47,7 +47,7 @@ TEST(LightField, RotationsOfTheDodecahedronChangeNothing) {
   EXPECT_GT((before - after).cwiseAbs().sum() / 255, 10 * distance_of_light_fields(before, after));
 }
 
-TEST(LightField, AllViewsOfASphereAreThoseOfADisc) {
+TEST(LightField, ViewsOfASphereAreDiscs) {
   const Eigen::VectorXf found = light_field(test::sphere(3, 4));
   ASSERT_EQ(found.size(), 4500);
   EXPECT_LE(found.maxCoeff(), 10);

@@ -79,7 +79,7 @@ TEST(Panorama, FeaturesAreFourierMagnitudesByTheirDefinition) {
   EXPECT_EQ(found.size(), 2 * (3 * 2 * 2 * 16 + wavelet_features));
 }
 
-TEST(Panorama, RotationReflectionPlaceAndScaleChangeLittle) {
+TEST(Panorama, RotationReflectionTranslationAndScaleChangeLittle) {
   const Shape bar = knobbed_bar();
   const Eigen::VectorXf expected = panorama(bar);
   const double tolerance = 0.02 * distance_to_others();
@@ -147,7 +147,7 @@ Eigen::MatrixXd haar_matrix(Eigen::Index size) {
   return all;
 }
 
-TEST(Panorama, WaveletFeaturesAreThoseOfTheHaarTransform) {
+TEST(Panorama, WaveletFeaturesMatchTheHaarTransform) {
   const PanoramaOptions options;
   const Shape box = test::box({4, 2, 1}, 2);  // along x is its own principal pose, except for signs
   const Eigen::VectorXf found = panorama(box, options);

@@ -51,7 +51,7 @@ TEST(Silhouette, OfASphereIsADisc) {
   EXPECT_NEAR(static_cast<double>(covered(found)), std::numbers::pi * 0.64 / 4 * pixels * pixels, 130);
 }
 
-TEST(Silhouette, ThinPartsLeaveATrace) {
+TEST(Silhouette, ShowsThinParts) {
   Shape needle;
   needle.vertices.resize(3, 3);
   needle.vertices << 0.111, 0.2, 0, 0.1111, 0.2, 0, 0.111, 0.2001, 0;

@@ -47,7 +47,7 @@ TEST(HarmonicNorms, DoNotChangeWhenTheFunctionTurns) {
   EXPECT_LT((transform.norms(function(turned)) - expected).cwiseAbs().maxCoeff(), 1e-10);
 }
 
-TEST(HarmonicNorms, WantAValueForEachDirection) {
+TEST(HarmonicNorms, NeedAValueForEachDirection) {
   EXPECT_THROW(static_cast<void>(HarmonicTransform(4).norms(Eigen::VectorXd::Zero(7))), ArgumentError);
 }
 

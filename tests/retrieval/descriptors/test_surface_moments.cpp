@@ -7,7 +7,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(SurfaceMoments, OfABoxAreThoseOfItsSides) {
+TEST(SurfaceMoments, OfABoxMatchItsSides) {
   const Eigen::Vector3d size(1, 2, 4);
   const Eigen::Vector3d move(10, 20, 30);
   const SurfaceMoments found =

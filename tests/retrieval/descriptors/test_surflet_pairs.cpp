@@ -48,7 +48,7 @@ TEST(SurfletPairs, SharesAddUpToOne) {
 
 // On the unit sphere the chord t of two random points has the density t / 2 on [0, 2] and mean 4/3; both normals have
 // the cosine t / 2 with the chord, and 1 - t^2 / 2 with each other.
-TEST(SurfletPairs, OfASphereAreThoseOfRandomChords) {
+TEST(SurfletPairs, OfASphereMatchRandomChords) {
   const SurfletPairsOptions options{.distance_bins = 12, .angle_bins = 8, .largest_distance = 3};
   const Eigen::VectorXf features = pairs_of(test::sphere(2, 5), options);
   std::array<Eigen::VectorXd, 4> expected{Eigen::VectorXd::Zero(12), Eigen::VectorXd::Zero(8), Eigen::VectorXd::Zero(8),
@@ -107,7 +107,7 @@ TEST(SurfletPairs, IsTheSameWithASharedProxy) {
             one.describe({.shape = shape, .fields = {}}, {}, settings));
 }
 
-TEST(SurfletPairs, RefusesWhatHasNoPairs) {
+TEST(SurfletPairs, RejectsShapesWithoutPairs) {
   EXPECT_THROW(pairs_of(Shape{}), InputError);
   EXPECT_THROW(pairs_of(Shape{Points::Zero(4, 3), {}}), InputError);
   EXPECT_THROW(pairs_of(test::sphere(1, 1), {.distance_bins = 1}), InputError);
