@@ -114,14 +114,16 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       "--benchmark psb/\nErrors are fractions; smaller is better. The row \"people\" compares human segmentations with "
       "each other.");
   const auto arguments = std::make_shared<SegmentationEvaluationArguments>();
-  command->add_option("segmentations", arguments->folders, "Folders with N.seg for every mesh, one folder a method");
+  command->add_option("segmentations", arguments->folders, "Folders with N.seg for every mesh, one folder per method");
   begin_option_group(*command, input_options);
   command
       ->add_option("--benchmark", arguments->benchmark,
                    "Folder with meshes off/N.off and human segmentations seg/N/*.seg, as in the Princeton benchmark")
       ->required();
   begin_option_group(*command, "Evaluation");
-  command->add_option("--by", arguments->weights, "Weight per triangle")
+  command
+      ->add_option("--by", arguments->weights,
+                   "Weight of a triangle in the errors: 1 (faces), as in the benchmark's tables, or its area")
       ->check(one_of(list_of_words<TriangleWeights>()))
       ->capture_default_str();
   command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, which takes the longest");

@@ -19,6 +19,11 @@ void expect_obj_tetrahedron(const std::string& text) { test::expect_same(read_ob
 
 TEST(ReadObj, Plain) { expect_obj_tetrahedron(test::as_obj(tetrahedron())); }
 
+TEST(ReadObj, KeywordsInCapitals) {
+  expect_obj_tetrahedron("V 0 0 0\nV 1 0 0\nV 0 1 \\\n0\nV 0 0 1\nVN 0 0 1\nF 1 3 \\\n2\nF 1 2 4\nF 1 4 3\nF 2 3 4\n");
+  EXPECT_EQ(read_obj("V 0 0 0\nVN 0 0 1\n", "t.obj").normals.rows(), 1);
+}
+
 TEST(ReadObj, TextureAndNormals) {
   expect_obj_tetrahedron(obj_vertices +
                          "vt 0 0\nvn 0 0 1\nf 1/1/1 3/1 2//1\nf 1//1 2//1 4//1\nf 1/1 4/1 3/1\nf 2 3 4\n");
