@@ -69,8 +69,9 @@ std::uint32_t number_of_facets(std::string_view bytes) {
 
 /// ASCII files begin with "solid", like many headers of binary files; those contain bytes that no text has.
 bool is_ascii(const std::string& bytes) {
-  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
-  if (start == std::string::npos || lower_case(bytes.substr(start, 5)) != "solid") return false;
+  const std::string_view text = without_byte_order_mark(bytes);
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string_view::npos || lower_case(std::string(text.substr(start, 5))) != "solid") return false;
   const std::string_view head = std::string_view(bytes).substr(0, 512);
   return head.find('\0') == std::string_view::npos;
 }

@@ -31,7 +31,12 @@ std::string with_first_replaced(std::string text, const std::string& what, const
   return text.replace(text.find(what), what.size(), with);
 }
 
-TEST(ReadStl, Ascii) { expect_same(read_stl(as_ascii_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
+TEST(ReadStl, Ascii) {
+  const std::string text = as_ascii_stl(test::tetrahedron());
+  for (const std::string& bytes : {text, "\xEF\xBB\xBF" + text}) {
+    expect_same(read_stl(bytes, "t.stl"), renumbered_tetrahedron());
+  }
+}
 
 TEST(ReadStl, Binary) { expect_same(read_stl(as_binary_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
 
