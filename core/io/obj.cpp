@@ -177,7 +177,8 @@ bool begins_like_obj(std::string_view bytes) {
                                                                   "p", "o",  "g",  "s",  "mtllib", "usemtl"};
   const std::string_view line = first_line_of_data(bytes);
   const std::size_t end = line.find_first_of(" \t");
-  return end != std::string_view::npos && std::ranges::count(statements, line.substr(0, end)) > 0;
+  return end != std::string_view::npos &&
+         std::ranges::count(statements, lower_case(std::string(line.substr(0, end)))) > 0;
 }
 
 }  // namespace

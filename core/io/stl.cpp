@@ -252,7 +252,10 @@ ShapeFormat stl_format() {
   return {.name = "STL",
           .description = "Stereolithography, ASCII or binary, without indices; written as binary, in single precision",
           .extensions = extensions,
-          .begins_like = [](std::string_view bytes) { return bytes.starts_with("solid") || has_size_of_binary(bytes); },
+          .begins_like =
+              [](std::string_view bytes) {
+                return lower_case(std::string(bytes.substr(0, 5))) == "solid" || has_size_of_binary(bytes);
+              },
           .check_header = check_stl_header,
           .read = read_alone<read_stl>,
           .write = write_stl};

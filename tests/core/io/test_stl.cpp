@@ -5,6 +5,7 @@
 #include <string>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/stl.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/support/test_files.h"
@@ -52,6 +53,7 @@ TEST(ReadStl, AsciiOnOneLineInCapitalsAndOfTwoSolids) {
   const Shape shape = read_stl("SOLID\n" + facet + facet + "ENDSOLID\nsolid b\n" + facet + "endsolid b", "t.stl");
   EXPECT_EQ(shape.vertices.rows(), 3);
   EXPECT_EQ(shape.triangles, (Triangles(3, 3) << 0, 1, 2, 0, 1, 2, 0, 1, 2).finished());
+  EXPECT_TRUE(is_recognised_shape({.bytes = "Solid a\n" + facet + "ENDSOLID\n", .name = "standard input"}));
 }
 
 TEST(ReadStl, ZeroAndMinusZeroAreOneVertex) {
