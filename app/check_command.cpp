@@ -128,8 +128,8 @@ void add_check_command(CLI::App& app, int& status) {
   command
       ->add_option(
           "--min-area", arguments->min_area,
-          "Area, in squared units of the file, below which regions are only counted; at least the square of an "
-          "eighth of the limit")
+          "Minimum area of listed regions, in squared units of the file; smaller ones are counted only. At least the "
+          "square of an eighth of the limit")
       ->type_name("AREA")
       ->capture_default_str();
   static constexpr auto parameters = parameters_of(inscribed_ball_table);

@@ -39,7 +39,7 @@ struct CompareArguments {
   EvaluationArguments evaluation;
   std::vector<std::string> of_distances;  // given options that act on distances only
   ResamplingArguments resampling{.blocks = "queries", .confidence = 0.95, .resampling = {}};
-  std::string test = "randomization";
+  std::string test{word_of(ComparisonOptions{}.test)};
   std::string average = "micro";
   std::string reference;
   std::vector<std::string> names;
@@ -305,7 +305,8 @@ void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
   begin_option_group(command, "Comparison");
   command.add_option("--test", arguments.test, "Significance test of pairs")
       ->check(one_of(list_of_words<PairTest>()))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->transform([](const std::string& name) { return name == "randomization" ? "randomisation" : name; });  // older
   command.add_option("--average", arguments.average, "Average to compare: over queries (micro) or classes (macro)")
       ->check(one_of(list_of_words<Average>()))
       ->capture_default_str();

@@ -122,6 +122,12 @@ std::vector<std::string> without_help_command(std::span<const std::string> argum
   return words;
 }
 
+/// Returns true if the arguments end where a command must follow.
+bool lacks_command(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  return chosen.empty() ? !commands_of(app).empty() : lacks_command(*chosen.front());
+}
+
 int parse_and_run(CLI::App& app, std::span<const std::string> given) {
   std::vector<std::string> arguments = without_help_command(given);
   if (const auto unknown = unknown_word(app, arguments)) return report(*unknown, exit_unusable_input);
@@ -134,6 +140,10 @@ int parse_and_run(CLI::App& app, std::span<const std::string> given) {
       app.exit(error, text, text);
       print_output("{}", text.str());
       return exit_success;
+    }
+    if (lacks_command(app)) {
+      print_output("{}", app.help());
+      return exit_unusable_input;
     }
     const std::string message = error.what();
     const bool suggests = message.ends_with('?');

@@ -36,7 +36,7 @@ void write_normals(const NormalsArguments& arguments, const NormalFileWriter& wr
   write(job.output, shape, samples, result.normals);
   remark_on_polygons(shape, samples.site, remarks);
   remark_on(chosen, remarks);
-  for (std::string& warning : outcome_warnings(result.outcomes)) remarks.warnings.push_back(std::move(warning));
+  remark_on(result.outcomes, remarks);
 }
 
 }  // namespace

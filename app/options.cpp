@@ -207,6 +207,10 @@ void remark_on(const ChosenOffset& chosen, Remarks& remarks) {
   if (const auto leak = leak_warning(chosen)) remarks.warnings.push_back(*leak);
 }
 
+void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
+  for (std::string& warning : outcome_warnings(outcomes)) remarks.warnings.push_back(std::move(warning));
+}
+
 nlohmann::ordered_json to_json(const ChosenOffset& chosen) {
   nlohmann::ordered_json json{
       {"offset", chosen.offset}, {"automatic", chosen.automatic.has_value()}, {"gap_fraction", chosen.gap}};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/shape_files.h"
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/retrieval/histogram.h"
@@ -126,6 +127,9 @@ void remark_on_cavities(const Shape& shape, bool measures_hull, Remarks& remarks
 
 /// Notes an automatically chosen offset, and warns of an offset smaller than the gaps of the shape.
 void remark_on(const ChosenOffset& chosen, Remarks& remarks);
+
+/// Adds the warnings about samples (outcome_warnings()).
+void remark_on(const FieldOutcomes& outcomes, Remarks& remarks);
 
 /// Returns the offset for `--timings`: `offset`, `automatic`, `gap_fraction`; for "auto" also `noise_fraction`,
 /// `sufficient`.

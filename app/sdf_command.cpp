@@ -168,10 +168,6 @@ void write_timings(const fs::path& path, const Shape& shape, double read_seconds
   write_file_atomically(path, timings.dump(2) + "\n");
 }
 
-void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
-  for (std::string& warning : outcome_warnings(outcomes)) remarks.warnings.push_back(std::move(warning));
-}
-
 /// Adds an option for each parameter of the methods.
 void add_settings(CLI::App& command, SdfArguments& arguments) {
   for (const FieldType& method : methods()) {
@@ -186,7 +182,7 @@ void add_settings(CLI::App& command, SdfArguments& arguments) {
 /// Adds --output, --summary, --format and --plot.
 void add_outputs(CLI::App& command, SdfArguments& arguments) {
   add_shape_outputs(command, arguments.files,
-                    ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)")
+                    ".csv (index, value, weight), .npy, .ply (coloured mesh or points) or .png (picture)")
       ->required(false);
   command.add_flag("--summary", arguments.summary,
                    "Print minimum, percentiles, maximum and mean of the thickness, and the area below --below; done "

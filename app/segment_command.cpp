@@ -80,19 +80,22 @@ SegmentationOptions options_of(const SegmentArguments& arguments) {
   return options;
 }
 
-/// Chooses the offset for a shape, if the options have a use for it.
-void set_offset(const OffsetArguments& arguments, const Shape& shape, SegmentationOptions& options, Remarks& remarks) {
-  if (options.method != SegmentationAlgorithm::paper || options.field != SegmentedSdf::offset) return;
-  const ChosenOffset chosen = choose_offset(parse_offset(arguments).fraction_of(shape), shape);
-  options.offset = chosen.offset;
-  remark_on(chosen, remarks);
+bool uses_offset(const SegmentationOptions& options) {
+  return options.method == SegmentationAlgorithm::paper && options.field == SegmentedSdf::offset;
 }
 
 void segment(const SegmentArguments& arguments, SegmentationOptions options, LabelWriter write, const Shape& given,
              const ShapeJob& job, Remarks& remarks) {
-  const Shape shape = cleaned(given, arguments.cleaning, false, remarks);
-  set_offset(arguments.offset, shape, options, remarks);
-  const Labels labels = segment_shape(shape, options);
+  const GivenOffset offset = parse_offset(arguments.offset);
+  const Shape shape = cleaned(given, arguments.cleaning, uses_offset(options) && offset.is_automatic(), remarks);
+  if (uses_offset(options)) {
+    const ChosenOffset chosen = choose_offset(offset.fraction_of(shape), shape);
+    options.offset = chosen.offset;
+    remark_on(chosen, remarks);
+  }
+  OffsetSdfOutcomes outcomes;
+  const Labels labels = segment_shape(shape, options, &outcomes);
+  remark_on(field_outcomes(outcomes), remarks);
   write(job.output, shape, labels);
   if (const auto polygons = polygon_note(shape)) {
     remarks.notes.push_back(

@@ -49,7 +49,8 @@ std::vector<fs::path> with_shapes_of_folders(const std::vector<std::string>& wor
     const std::vector<fs::path> shapes = model_files(word);
     if (shapes.empty()) {
       throw InputError(
-          fmt::format("{}: the folder has no shapes ({})", word, fmt::join(unambiguous_shape_extensions(), ", ")));
+          fmt::format("{}: the folder has no shapes ({}); folders in it are not searched, name them as {}/*/", word,
+                      fmt::join(unambiguous_shape_extensions(), ", "), word));
     }
     inputs.insert(inputs.end(), shapes.begin(), shapes.end());
   }

@@ -85,6 +85,7 @@ MatrixChecks::RowFindings MatrixChecks::check_row(const DistanceTable& rows, Eig
   found.at_zero = least == 0 && most > 0;
   if (!has_diagonal) return found;
   const double own = rows(row, diagonal);
+  if (std::isinf(own)) return found;  // excludes the model from its own list
   found.nonzero_diagonal = own != 0;
   found.nearest_to_others = own >= most && own > least;
   return found;

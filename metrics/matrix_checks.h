@@ -18,9 +18,9 @@ struct MatrixFindings {
   /// Pairs i < j with different entries (i, j) and (j, i); 0 if all of them differ by rounding only, that is, by at
   /// most 1e-12 of the largest finite |distance| off the diagonal.
   Eigen::Index asymmetric_pairs = 0;
-  double largest_asymmetry = 0;  ///< maximum finite |(i, j) - (j, i)|; 0 if asymmetric_pairs is
-  Eigen::Index nonzero_diagonal = 0;
-  /// Rows whose diagonal entry is the largest and not also the smallest; none in a matrix of distances.
+  double largest_asymmetry = 0;       ///< maximum finite |(i, j) - (j, i)|; 0 if asymmetric_pairs is
+  Eigen::Index nonzero_diagonal = 0;  ///< finite entries
+  /// Rows whose finite diagonal entry is the largest and not also the smallest; none in a matrix of distances.
   Eigen::Index rows_nearest_to_others = 0;
   Eigen::Index rows_at_zero = 0;  ///< rows whose smallest entry off the diagonal is 0 and not the largest
   std::vector<std::pair<Eigen::Index, Eigen::Index>>

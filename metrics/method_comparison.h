@@ -19,7 +19,7 @@ namespace shapegauge {
 /// 16.4).
 enum class PairTest { randomisation, t, bootstrap };
 template <>
-inline constexpr std::array<std::string_view, 3> words_of<PairTest>{"randomization", "t", "bootstrap"};
+inline constexpr std::array<std::string_view, 3> words_of<PairTest>{"randomisation", "t", "bootstrap"};
 
 /// Options of a comparison.
 struct ComparisonOptions {

@@ -146,11 +146,13 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
     const SegmentationMethod method = segmentation_method(json);
     const CleanedShape clean = cleaned(shape_of(vertices, faces, normals), remove_outliers);
     const Shape& shape = clean.shape;
-    const std::vector<std::int32_t> parts = segment_shape(shape, method.options);
+    OffsetSdfOutcomes outcomes;
+    const std::vector<std::int32_t> parts = segment_shape(shape, method.options, &outcomes);
     Computed result;
     result.labels =
         Eigen::Map<const Eigen::VectorX<std::int32_t>>(parts.data(), static_cast<Eigen::Index>(parts.size()));
     result.labels = clean.spread(result.labels, -1);
+    result.warnings = outcome_warnings(field_outcomes(outcomes));
     if (clean.warning) result.warnings.push_back(*clean.warning);
     const SegmentationOptions& options = method.options;
     if (options.method == SegmentationAlgorithm::paper && options.field == SegmentedSdf::offset) {

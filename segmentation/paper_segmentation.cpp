@@ -81,12 +81,17 @@ std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::spa
 }
 
 std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<double> offset,
-                                             const PaperSegmentationOptions& options) {
+                                             const PaperSegmentationOptions& options, OffsetSdfOutcomes* outcomes) {
   const SoundMesh mesh = sound_mesh(shape);
   const SurfaceGraph graph = surface_graph(mesh.shape);
   ScalarField field{.values = {}, .weights = graph.samples.weights};
-  field.values = offset ? offset_sdf(mesh.shape, graph.samples, {.offset = *offset}).values
-                        : cone_sdf(mesh.shape, graph.samples, {}).values;
+  if (offset) {
+    OffsetSdfResult result = offset_sdf(mesh.shape, graph.samples, {.offset = *offset});
+    field.values = std::move(result.values);
+    if (outcomes != nullptr) *outcomes = result.outcomes;
+  } else {
+    field.values = cone_sdf(mesh.shape, graph.samples, {}).values;
+  }
   return mesh.extended(paper_segmentation(graph, {&field, 1}, options));
 }
 

@@ -12,6 +12,8 @@
 
 namespace shapegauge {
 
+struct OffsetSdfOutcomes;
+
 /// Cache version of paper_segmentation(); see docs/manual/cache.md.
 inline constexpr int paper_segmentation_version = 5;
 
@@ -36,9 +38,10 @@ std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::spa
                                              const PaperSegmentationOptions& options);
 
 /// Segments a shape by its SDF: one label per triangle or point. `offset` is that of the offset surface,
-/// as a fraction of the diagonal; without it, uses the conventional SDF, for meshes only. Throws InputError also as
-/// sound_mesh(), offset_sdf() and cone_sdf() do.
+/// as a fraction of the diagonal; without it, uses the conventional SDF, for meshes only. `outcomes`, if any, receives
+/// those of the offset SDF. Throws InputError also as sound_mesh(), offset_sdf() and cone_sdf() do.
 std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<double> offset,
-                                             const PaperSegmentationOptions& options = {});
+                                             const PaperSegmentationOptions& options = {},
+                                             OffsetSdfOutcomes* outcomes = nullptr);
 
 }  // namespace shapegauge

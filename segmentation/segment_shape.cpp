@@ -15,12 +15,13 @@ std::optional<SegmentationAlgorithm> algorithm_with(std::string_view parameter) 
                                                                   : SegmentationAlgorithm::best;
 }
 
-std::vector<std::int32_t> segment_shape(const Shape& shape, const SegmentationOptions& options) {
+std::vector<std::int32_t> segment_shape(const Shape& shape, const SegmentationOptions& options,
+                                        OffsetSdfOutcomes* outcomes) {
   if (options.method == SegmentationAlgorithm::best) return part_segmentation(shape, options.best);
   PaperSegmentationOptions paper;
   if (options.best.parts > 0) paper.clusters = options.best.parts;
   return paper_segmentation(shape, options.field == SegmentedSdf::offset ? std::optional(options.offset) : std::nullopt,
-                            paper);
+                            paper, outcomes);
 }
 
 }  // namespace shapegauge

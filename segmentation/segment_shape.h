@@ -52,8 +52,9 @@ inline constexpr std::array segmentation_table = {
 /// Returns the only algorithm that has the parameter of segmentation_table; nothing if both have it.
 std::optional<SegmentationAlgorithm> algorithm_with(std::string_view parameter);
 
-/// Segments a shape by the chosen algorithm: one label per triangle or point. Throws InputError as the
-/// algorithms do.
-std::vector<std::int32_t> segment_shape(const Shape& shape, const SegmentationOptions& options);
+/// Segments a shape by the chosen algorithm: one label per triangle or point. `outcomes`, if any, receives those of the
+/// offset SDF where the algorithm uses it. Throws InputError as the algorithms do.
+std::vector<std::int32_t> segment_shape(const Shape& shape, const SegmentationOptions& options,
+                                        OffsetSdfOutcomes* outcomes = nullptr);
 
 }  // namespace shapegauge

@@ -24,6 +24,7 @@ namespace shapegauge {
 
 class OffsetSdfSolver;
 class ProxySource;
+struct OffsetSdfOutcomes;
 struct Spectrum;
 
 /// Shape for which several fields are computed, with the data they share. Keeps a reference to the shape.
@@ -74,6 +75,9 @@ Samples take_samples(const Shape& shape, const SamplePlan& plan);
 
 /// Number of samples by outcome. The key "total" is always present.
 using FieldOutcomes = std::map<std::string, std::size_t>;
+
+/// Returns the outcomes of an offset SDF by name.
+FieldOutcomes field_outcomes(const OffsetSdfOutcomes& outcomes);
 
 /// Returns a warning such as "3 of 200 samples missing" for each outcome that users should know about.
 std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes);

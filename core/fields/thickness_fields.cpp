@@ -40,16 +40,9 @@ FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePla
             options.offset = offset ? *offset : source.automatic_offset().offset;
             const OffsetSdfSolver& solver = source.offset_sdf_solver();
             OffsetSdfResult result = solver.solve(samples, options);
-            const OffsetSdfOutcomes& outcomes = result.outcomes;
             return FieldValues{.values = std::move(result.values),
                                .normals = std::move(result.normals),
-                               .outcomes = {{"total", outcomes.total},
-                                            {"direct", outcomes.direct},
-                                            {"searched", outcomes.searched},
-                                            {"undecided", outcomes.undecided},
-                                            {"missing", outcomes.missing},
-                                            {"two_sided", outcomes.two_sided},
-                                            {"enlarged", outcomes.enlarged}},
+                               .outcomes = field_outcomes(result.outcomes),
                                .offset = offset ? std::nullopt : std::optional(options.offset),
                                .build_seconds = solver.build_seconds() + result.build_seconds,
                                .query_seconds = result.query_seconds};
@@ -98,6 +91,12 @@ FieldComputation gap_field(const ParameterValues& values, const SamplePlan& /*sa
 }
 
 }  // namespace
+
+FieldOutcomes field_outcomes(const OffsetSdfOutcomes& outcomes) {
+  return {{"total", outcomes.total},         {"direct", outcomes.direct},   {"searched", outcomes.searched},
+          {"undecided", outcomes.undecided}, {"missing", outcomes.missing}, {"two_sided", outcomes.two_sided},
+          {"enlarged", outcomes.enlarged}};
+}
 
 FieldType offset_sdf_type() {
   return {"offset_sdf", "Shape diameter function of the offset surface.", offset_sdf_parameters(), offset_sdf_field,

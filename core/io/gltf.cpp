@@ -271,6 +271,16 @@ Positions positions_of(const tinygltf::Model& model, int accessor_index, const s
   return positions;
 }
 
+void require_indices(const tinygltf::Accessor& accessor, const std::string& name) {
+  static constexpr std::array types{TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                                    TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT};
+  if (accessor.type != TINYGLTF_TYPE_SCALAR || std::ranges::count(types, accessor.componentType) == 0) {
+    fail(name, "the indices of a mesh are no unsigned integers");
+  }
+  if (accessor.sparse.isSparse) fail(name, "the indices of a mesh are sparse, which is not read");
+  if (accessor.bufferView < 0) fail(name, "the indices of a mesh have no buffer view; it may be compressed");
+}
+
 /// Returns the corners of a primitive: its indices, or all of its vertices in order.
 std::vector<std::int32_t> corners_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
                                      std::size_t vertices, const std::string& name) {
@@ -280,7 +290,7 @@ std::vector<std::int32_t> corners_of(const tinygltf::Model& model, const tinyglt
     return corners;
   }
   const tinygltf::Accessor& accessor = item_at(model.accessors, primitive.indices, "accessor", name);
-  if (accessor.bufferView < 0) fail(name, "the indices of a mesh have no buffer view; it may be compressed");
+  require_indices(accessor, name);
   const std::size_t size = size_of_component(accessor.componentType, name);
   const BufferItems items = items_in(model, accessor.bufferView, accessor.byteOffset, accessor.count, size, name);
   corners.reserve(items.count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <fmt/format.h>
@@ -20,6 +21,12 @@ namespace shapegauge {
 
 namespace {
 
+/// Returns true for the keyword of a statement, which some programs write in capitals.
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  const auto lower = [](unsigned char c) { return static_cast<char>(std::tolower(c)); };
+  return std::ranges::equal(word, keyword, {}, lower);
+}
+
 class ObjReader {
  public:
   explicit ObjReader(const TextScanner& scanner) : scanner_(scanner), beginning_(scanner) {}
@@ -27,9 +34,9 @@ class ObjReader {
   Shape read() {
     while (!scanner_.at_end()) {
       const std::string_view statement = scanner_.read_word();
-      if (statement == "v") {
+      if (is_keyword(statement, "v")) {
         read_vertex();
-      } else if (statement == "f" || statement == "fo") {  // the older name
+      } else if (is_keyword(statement, "f") || is_keyword(statement, "fo")) {  // the older name
         read_face();
       } else if (statement == "surf" || statement == "curv" || statement == "curv2") {
         free_form_ = true;
@@ -77,7 +84,7 @@ class ObjReader {
   void read_normals() {
     scanner_ = beginning_;
     for (std::size_t normal = 1; !scanner_.at_end(); skip_statement()) {
-      if (scanner_.read_word() != "vn") continue;
+      if (!is_keyword(scanner_.read_word(), "vn")) continue;
       soup_.add_normal(read_vector("normal", normal, "a normal's component"));
       ++normal;
     }
@@ -150,7 +157,7 @@ std::string with_separate_continuations(const std::string& bytes) {
   for (std::size_t begin = 0; begin < bytes.size();) {
     const std::size_t end = std::min(bytes.find_first_of("\r\n", begin), bytes.size());
     const std::string_view line = trim(std::string_view(bytes).substr(begin, end - begin));
-    const bool has_numbers = continued || line.starts_with('v') || line.starts_with('f');
+    const bool has_numbers = continued || line.find_first_of("vfVF") == 0;
     continued = has_numbers && line.ends_with('\\');
     if (continued) {
       text.append(line.substr(0, line.size() - 1)).append(" \\");
@@ -170,7 +177,8 @@ bool begins_like_obj(std::string_view bytes) {
                                                                   "p", "o",  "g",  "s",  "mtllib", "usemtl"};
   const std::string_view line = first_line_of_data(bytes);
   const std::size_t end = line.find_first_of(" \t");
-  return end != std::string_view::npos && std::ranges::count(statements, line.substr(0, end)) > 0;
+  return end != std::string_view::npos &&
+         std::ranges::count(statements, lower_case(std::string(line.substr(0, end)))) > 0;
 }
 
 }  // namespace
@@ -183,7 +191,7 @@ Shape read_obj(const std::string& bytes, const std::string& name) {
 void check_obj_header(const std::string& bytes, const std::string& name) {
   TextScanner scanner(bytes, name);
   while (!scanner.at_end()) {
-    if (scanner.read_word() == "v") return;
+    if (is_keyword(scanner.read_word(), "v")) return;
     scanner.skip_line();
   }
   scanner.fail_whole("not an OBJ file: no vertices");

@@ -92,6 +92,11 @@ bool ends_keyword(std::string_view rest) {
          std::string_view(" \t\r\n#").find(rest.front()) != std::string_view::npos;
 }
 
+bool begins_with_keyword(std::string_view text) {
+  const std::size_t length = parse_keyword(text).length;
+  return length > 0 && ends_keyword(text.substr(length));
+}
+
 /// Returns true if the next non-blank line has exactly one word.
 bool single_word_on_line(TextScanner scanner) { return !scanner.read_word().empty() && scanner.at_line_end(); }
 
@@ -254,6 +259,10 @@ class OffBody {
     if (face_follows()) {
       scanner_.fail(
           fmt::format("another face after the last of {}: the numbers of vertices and faces are wrong", counts_.faces));
+    }
+    if (!scanner_.at_end() && begins_with_keyword(scanner_.rest())) {
+      scanner_.advance(0);
+      scanner_.fail("another OFF file follows; write each shape into a file of its own");
     }
     if (counts_.faces > 0 && soup_.triangles() == 0) {
       scanner_.fail_whole(message_no_triangles(counts_.faces));

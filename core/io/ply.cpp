@@ -28,6 +28,11 @@ namespace shapegauge {
 
 namespace {
 
+/// Returns true for no bytes, zeros and line ends.
+bool is_padding(std::string_view bytes) {
+  return bytes.find_first_not_of(std::string_view("\0\r\n", 3)) == std::string_view::npos;
+}
+
 /// Sequential values of an ASCII PLY file's body. Every reading function returns false at the end.
 class PlyTextSource {
  public:
@@ -36,6 +41,7 @@ class PlyTextSource {
   bool read_real(double& value, PlyType /*type*/) { return body_.read_number(value, "a coordinate"); }
   bool read_whole(std::int64_t& value, PlyType /*type*/) { return body_.read_integer(value, "an index or a length"); }
   bool skip(PlyType /*type*/, std::uint64_t count) { return body_.skip_words(count); }
+  bool at_end() { return body_.at_end() || is_padding(body_.rest()); }
   [[nodiscard]] std::size_t remaining() const { return body_.remaining(); }
   /// Throws InputError for the last value read.
   [[noreturn]] void fail(std::string_view message) const { body_.fail(message); }
@@ -54,6 +60,7 @@ class PlyBinarySource {
   bool skip(PlyType type, std::uint64_t count) {
     return std::visit([&](auto example) { return bytes_.skip(sizeof(example) * count); }, type);
   }
+  [[nodiscard]] bool at_end() const { return is_padding(text_.rest().substr(text_.remaining() - bytes_.remaining())); }
   [[nodiscard]] std::size_t remaining() const { return bytes_.remaining(); }
   [[noreturn]] void fail(std::string_view message) const { text_.fail_whole(message); }
 
@@ -99,6 +106,9 @@ class PlyBody {
       if ((element.name == "face" || element.name == "tristrips") && element.count > 0 && soup_.triangles() == 0) {
         source_.fail(message_no_triangles(element.count));
       }
+    }
+    if (!source_.at_end()) {
+      source_.fail("more data follow its last element: the numbers of items or the properties in the header are wrong");
     }
     return soup_.shape();
   }

@@ -68,8 +68,9 @@ std::uint32_t number_of_facets(std::string_view bytes) {
 
 /// ASCII files begin with "solid", like many headers of binary files; those contain bytes that no text has.
 bool is_ascii(const std::string& bytes) {
-  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
-  if (start == std::string::npos || lower_case(bytes.substr(start, 5)) != "solid") return false;
+  const std::string_view text = without_byte_order_mark(bytes);
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string_view::npos || lower_case(std::string(text.substr(start, 5))) != "solid") return false;
   const std::string_view head = std::string_view(bytes).substr(0, 512);
   return head.find('\0') == std::string_view::npos;
 }
@@ -250,7 +251,10 @@ ShapeFormat stl_format() {
   return {.name = "STL",
           .description = "Stereolithography, ASCII or binary, without indices; written as binary, in single precision",
           .extensions = extensions,
-          .begins_like = [](std::string_view bytes) { return bytes.starts_with("solid") || has_size_of_binary(bytes); },
+          .begins_like =
+              [](std::string_view bytes) {
+                return lower_case(std::string(bytes.substr(0, 5))) == "solid" || has_size_of_binary(bytes);
+              },
           .check_header = check_stl_header,
           .read = read_alone<read_stl>,
           .write = write_stl};

@@ -8,7 +8,7 @@
 namespace shapegauge {
 
 /// Cache version of diagnose(); see docs/manual/cache.md.
-inline constexpr int diagnostics_version = 5;
+inline constexpr int diagnostics_version = 6;
 
 /// Defects and properties of a shape before it is measured. Edges and components are those of the welded mesh; a
 /// triangle with fewer than three distinct corners has no edges. Duplicate triangles are counted and otherwise ignored

@@ -229,8 +229,11 @@ std::vector<double> gaps_in_diagonals(const Shape& shape) {
   const Shape unit_shape = in_unit_frame(without_duplicates(shape), frame);
   const DistanceGrid grid(unit_shape);
   const Flood flood(grid);
-  if (!flood.gaps().empty() || !flood.has_sealed_space() || is_cloud(shape)) return flood.gaps();
-  return {half_crack_width(unit_shape, grid.tree(), grid.cell())};
+  std::vector<double> gaps = flood.gaps();
+  if (flood.has_sealed_space() && !is_cloud(shape)) {
+    gaps.push_back(half_crack_width(unit_shape, grid.tree(), grid.cell()));
+  }
+  return gaps;
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ struct GapSizes {
 /// that radius about random points leave hardly a hole.
 ///
 /// Determined on a grid of about 200,000 distances to the shape, whose cells have at most about 1 % of the diagonal.
-/// Radii are accurate to about half a cell. If the widest gap is below half a cell, it is half the width of the widest
-/// crack. Independent of orientation and of the order of vertices and triangles. Throws InputError
+/// Radii are accurate to about half a cell. Of an inner space that is open through gaps below half a cell only, the gap
+/// is half the width of the widest crack of the mesh. Independent of orientation and of the order of vertices and triangles. Throws InputError
 /// for an unusable shape (require_usable()).
 GapSizes gap_sizes(const Shape& shape);
 

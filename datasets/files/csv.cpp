@@ -48,7 +48,7 @@ CsvReader::CsvReader(std::string_view text, std::string source, char separator)
 std::optional<CsvRow> CsvReader::next() {
   while (!rest_.empty()) {
     CsvRow row = take_row();
-    const bool blank = row.cells.size() == 1 && row.cells.front().empty() && !quoted_;
+    const bool blank = !quoted_ && std::ranges::all_of(row.cells, &std::string::empty);
     if (!blank) return row;
   }
   return std::nullopt;

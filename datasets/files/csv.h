@@ -29,8 +29,9 @@ class CsvReader {
   /// The text must outlive the reader.
   CsvReader(std::string_view text, std::string source, char separator);
 
-  /// Returns the next row that is not blank; nothing at the end. Throws InputError "<source>:<line>: ..." for an
-  /// unclosed quotation mark, for text after a closing one, and for a row of more than max_csv_cells.
+  /// Returns the next row that is not blank: empty cells only, none of them quoted. Nothing at the end. Throws
+  /// InputError "<source>:<line>: ..." for an unclosed quotation mark, for text after a closing one, and for a row of
+  /// more than max_csv_cells.
   std::optional<CsvRow> next();
 
  private:

@@ -5,7 +5,10 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
+#include <ranges>
 #include <set>
+#include <span>
 #include <system_error>
 #include <unordered_map>
 #include <unordered_set>
@@ -81,6 +84,16 @@ class Queries {
   std::vector<std::unordered_set<std::string>> models_;
 };
 
+// Returns true if distances fall with the rank, and not all are equal. `ranks` are those of the models in the file.
+bool is_reversed(const RankedAnswers::Answer& answer, std::span<const double> ranks) {
+  std::vector<std::pair<double, double>> by_rank;
+  for (std::size_t i = 0; i < ranks.size(); ++i) by_rank.emplace_back(ranks[i], answer.models[i].second);
+  std::ranges::sort(by_rank);
+  const auto distances = by_rank | std::views::values;
+  return by_rank.front().first < by_rank.back().first && distances.front() > distances.back() &&
+         std::ranges::is_sorted(distances, std::greater());
+}
+
 RankedAnswers read_folder_of_lists(const std::filesystem::path& folder) {
   RankedAnswers result;
   for (const std::filesystem::path& file : ranked_list_files(folder)) {
@@ -112,6 +125,7 @@ RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
   RankedAnswers result;
   Queries queries;
   std::set<std::string> tags;
+  std::vector<std::vector<double>> ranks;
   for (const WordLine& line : word_lines(text, source, " \t", 6)) {
     expect_words(line, 6, "query Q0 model rank score tag");
     const auto score = parse_number(line.words[4]);
@@ -122,9 +136,14 @@ RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
     queries.add_model(place, line.words[2], line.where);
     if (place == result.answers.size()) result.answers.push_back({std::string(line.words[0]), {}});
     result.answers[place].models.emplace_back(line.words[2], -*score);
+    ranks.resize(result.answers.size());
+    ranks[place].push_back(parse_number(line.words[3]).value_or(0));
     tags.emplace(line.words[5]);
   }
   if (tags.size() == 1) result.name = *tags.begin();
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    if (is_reversed(result.answers[i], ranks[i])) ++result.reversed;
+  }
   return result;
 }
 

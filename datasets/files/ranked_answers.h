@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@ struct RankedAnswers {
   };
   std::vector<Answer> answers;  ///< in order of first appearance of the queries
   std::string name;             ///< tag of a TREC run, if all lines have the same
+  std::size_t reversed = 0;     ///< answers of a TREC run whose scores rise with the rank
 };
 
 /// Relevance judgements.

@@ -29,8 +29,13 @@ class Collector {
   explicit Collector(std::string where, ModelKeys keys = {}) : where_(std::move(where)), keys_(std::move(keys)) {}
 
   void add(const std::string& id, const std::string& class_name, const std::string& where) {
-    const auto [known, added] = class_of_model_.emplace(keys_.of(id), class_name);
-    if (!added) throw InputError(fmt::format("{}: repeated model {}", where, quoted_word(id)));
+    const auto [known, added] = ids_.emplace(keys_.of(id), id);
+    if (!added && known->second == id) throw InputError(fmt::format("{}: repeated model {}", where, quoted_word(id)));
+    if (!added) {
+      throw InputError(
+          fmt::format("{}: model {} counts as {}: extensions of shapes, and T before a number, are ignored", where,
+                      quoted_word(id), quoted_word(known->second)));
+    }
     const auto [position, is_new] = positions_.emplace(class_name, classes_.classes.size());
     if (is_new) classes_.classes.push_back({.name = class_name, .parent = std::nullopt, .models = {}});
     classes_.classes[position->second].models.push_back(id);
@@ -46,7 +51,7 @@ class Collector {
   ModelKeys keys_;
   Classification classes_;
   std::map<std::string, std::size_t> positions_;
-  std::unordered_map<std::string, std::string> class_of_model_;
+  std::unordered_map<std::string, std::string> ids_;  // by key
 };
 
 struct Roles {

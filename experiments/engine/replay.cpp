@@ -137,7 +137,7 @@ Json recorded_configuration(const Json& manifest, const fs::path& root, const Pa
                                  dotted(datasets.front())));
   }
   if (datasets.empty() && files.empty()) {
-    throw InputError("`dataset_root`: all shapes of this run were generated; leave it out");
+    throw InputError("`dataset_root`: all shapes of this run were generated; omit it");
   }
   for (const Place& dataset : datasets) move_dataset(configuration, dataset, absolute_root);
   move_files(configuration, files, absolute_root);

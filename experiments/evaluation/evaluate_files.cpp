@@ -143,6 +143,12 @@ bool has_ranked_answers(const EvaluationFiles& files) {
 }
 
 EvaluationData data_of(const RankedAnswers& answers, RankedTask ranked) {
+  if (2 * answers.reversed > answers.answers.size()) {
+    ranked.task.warnings.push_back(fmt::format(
+        "in {} of {} lists the scores rise with the rank: as in trec_eval, the highest score is the best and "
+        "ranks are ignored; scores that are distances need a minus sign",
+        answers.reversed, answers.answers.size()));
+  }
   return {.distances = {}, .answers = std::move(ranked.answers), .name = answers.name, .task = std::move(ranked.task)};
 }
 
@@ -377,6 +383,9 @@ EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOpti
   }
   result.warnings = task.warnings;
   result.findings = checks.findings();
+  if (!task.same_rows_and_columns && std::ranges::count(task.retrieval.own_column, -1) == 0) {
+    result.findings.rows_at_zero = 0;  // the queries themselves, which are not in their lists
+  }
   const std::vector<std::string> odd = matrix_warnings(result.findings, task.query_ids, files.similarity);
   result.warnings.insert(result.warnings.end(), odd.begin(), odd.end());
   for (const auto& warning :

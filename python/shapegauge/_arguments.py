@@ -215,20 +215,45 @@ def shape_text(array: _numpy.ndarray) -> str:
     return " x ".join(map(str, array.shape))
 
 
+def _exact_doubles(array: _numpy.ndarray, what: str) -> _numpy.ndarray:
+    """Returns the array in float64, which rounds integers beyond 2^53: they are rejected."""
+    limit = 2**53
+    if array.dtype.kind in "iu" and array.size > 0 and max(int(array.max()), -int(array.min())) > limit:
+        raise InputError(f"{what} have an integer beyond 2^53, where numbers are rounded; scale them, or give floats")
+    return _numpy.ascontiguousarray(array, dtype=_numpy.float64)
+
+
 def matrix_of(values: Any, what: str) -> _numpy.ndarray:
     """Returns a matrix of float64."""
     array = array_of(values, what)
     if array.ndim != 2:
         raise InputError(f"{what} must be a matrix, not {kind_of(values) if array.ndim == 0 else shape_text(array)}")
-    return _numpy.ascontiguousarray(array, dtype=_numpy.float64)
+    return _exact_doubles(array, what)
 
 
-def square_matrix(distances: Any) -> _numpy.ndarray:
-    """Returns a square matrix of float64."""
+def _square_of_condensed(condensed: _numpy.ndarray) -> _numpy.ndarray:
+    """Returns the symmetric matrix with these distances above its diagonal, row by row, as SciPy's pdist() has them."""
+    models = (1 + _math.isqrt(1 + 8 * len(condensed))) // 2
+    if models * (models - 1) // 2 != len(condensed):
+        raise InputError(f"distances must be n x n, or the n (n - 1) / 2 of pairs, not {len(condensed)}")
+    square = _numpy.zeros((models, models))
+    square[_numpy.triu_indices(models, 1)] = condensed
+    return square + square.T
+
+
+def square_matrix(distances: Any, accepts_condensed: bool = False) -> _numpy.ndarray:
+    """Returns a square matrix of float64. NaN on the diagonal is 0."""
     array = array_of(distances, "distances")
+    if array.ndim == 1 and accepts_condensed:
+        return _square_of_condensed(_exact_doubles(array, "distances"))
     if array.ndim != 2 or array.shape[0] != array.shape[1]:
         given = kind_of(distances) if array.ndim == 0 else shape_text(array)
         hint = "; scipy.spatial.distance.squareform() makes a condensed vector square" if array.ndim == 1 else ""
         raise InputError(f"distances must be n x n, not {given}{hint}")
     check_order([("rows of distances", index_of(distances)), ("columns of distances", index_of(distances, "columns"))])
-    return _numpy.ascontiguousarray(array, dtype=_numpy.float64)
+    matrix = _exact_doubles(array, "distances")
+    missing = _numpy.flatnonzero(_numpy.isnan(matrix.diagonal()))
+    if len(missing) > 0:
+        matrix = matrix.copy()
+        matrix[missing, missing] = 0
+    return matrix

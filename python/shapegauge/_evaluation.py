@@ -233,15 +233,16 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
              confidence: Optional[float] = None, blocks: str = "classes", resamples: int = 10000, seed: int = 1) -> Scores:
     """Evaluates distances against the classes of the models: labels[i] is the class of row i and column i.
 
-    distances: n x n floats; similarities with similarity=True; or, with distance="l2" or a descriptor's name, features,
-    one row a model. labels: text or integers. protocol: "psb", "paper" or "trec" (default: psb, or trec with relevance).
-    measures: names of measures (default: those of the protocol). ties: "index", "optimistic", "pessimistic" or
-    "expected". missing_labels: "error", or "no_class": a model without a label is not a query, and relevant to none.
-    targets: labels of the columns, if they are other models than the rows. subclasses: those of the models, which grade
-    models of one class for nDCG@N; None, "" or the label of the model: no subclass. relevance: n x n grades instead of
-    labels, 0 for not relevant. curve: "psb", "paper", "trec", "raw" or "trec_eval" (default: that of the protocol).
-    evaluator: program to reproduce, such as "shrec21", instead of protocol, measures, ties and minimum_class_size.
-    confidence: level of `intervals`, such as 0.95. blocks: unit of resampling, "classes" or "queries".
+    distances: n x n floats, or those of pairs as SciPy's pdist() has them; similarities with similarity=True; or, with
+    distance="l2" or a descriptor's name, features, one row per model. labels: text or integers. protocol: "psb",
+    "paper" or "trec" (default: psb, or trec with relevance). measures: names of measures (default: those of the
+    protocol). ties: "index", "optimistic", "pessimistic" or "expected". missing_labels: "error", or "no_class": a model
+    without a label is not a query, and relevant to none. targets: labels of the columns, if they are other models than
+    the rows. subclasses: those of the models, which grade models of one class for nDCG@N; None, "" or the label of the
+    model: no subclass. relevance: n x n grades instead of labels, 0 for not relevant. curve: "psb", "paper", "trec",
+    "raw" or "trec_eval" (default: that of the protocol). evaluator: program to reproduce, such as "shrec21", instead of
+    protocol, measures, ties and minimum_class_size. confidence: level of `intervals`, such as 0.95. blocks: unit of
+    resampling, "classes" or "queries".
 
     >>> scores = sg.evaluate(distances, labels, protocol="psb")
     >>> scores["FT"]
@@ -273,7 +274,7 @@ def _number(value: Any, name: str) -> Any:
 def _distances_of(distances: Any, distance: Optional[str], rectangular: bool, threads: int,
                   prefix: str = "") -> _numpy.ndarray:
     if distance is None:
-        return matrix_of(distances, "distances") if rectangular else square_matrix(distances)
+        return matrix_of(distances, "distances") if rectangular else square_matrix(distances, accepts_condensed=True)
     features = matrix_of(distances, "features")
     warning = _native.check_features(features)
     with _numpy.errstate(over="ignore"):  # infinite features are refused
@@ -424,7 +425,7 @@ def _named_methods(methods: Any) -> dict[str, Any]:
 
 
 def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union[str, Iterable[str]] = (),
-            test: str = "randomization", blocks: str = "queries", confidence: float = 0.95, resamples: int = 10000,
+            test: str = "randomisation", blocks: str = "queries", confidence: float = 0.95, resamples: int = 10000,
             seed: int = 1, ties: str = "index", minimum_class_size: int = 2, similarity: bool = False,
             missing_labels: str = "error", distance: Optional[str] = None, threads: int = 0) -> Comparison:
     """Compares methods on the same queries. methods: name -> distances, or a list of distances.
@@ -446,7 +447,8 @@ def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union
             scores.append(_evaluate(distances, labels, settings, name, f"{name}: "))
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
-    native = _native.compare(list(methods), [one._native for one in scores], word(test, "test"),
+    test = "randomisation" if test == "randomization" else word(test, "test")  # the older word
+    native = _native.compare(list(methods), [one._native for one in scores], test,
                              word(blocks, "blocks"), _number(confidence, "confidence"),
                              _number(resamples, "resamples"), _number(seed, "seed"),
                              number_of_threads(threads))

@@ -34,8 +34,7 @@ TEST_F(CacheCommand, ClearsFullAndEmptyCaches) {
 
 TEST_F(CacheCommand, RejectsInvalidArgumentsWithOneLine) {
   test::write_text(at("file"), "x");
-  expect_error_lines({{"cache", "subcommand is required"},
-                      {"cache empty", "there is no command \"empty\""},
+  expect_error_lines({{"cache empty", "there is no command \"empty\""},
                       {"cache info --cache " + quoted("file"), "cannot read the cache"},
                       {"cache clear --cache " + quoted("file"), "cannot read the cache"}});
 }

@@ -146,6 +146,7 @@ TEST_F(CompareCommand, DependsOnSeedAndTestButNotOnThreads) {
   EXPECT_EQ(p(""), p(""));
   EXPECT_NE(p("--seed 7"), p("--seed 8"));
   EXPECT_NE(p("--test t"), p(""));
+  EXPECT_EQ(p("--test randomization"), p("--test randomisation"));
   EXPECT_NE(p("--blocks classes"), p(""));
 }
 

@@ -90,6 +90,15 @@ TEST_F(Program, ShortHelpShowsTheOptionsNeededMost) {
                                     HasSubstr("All options: shapegauge sdf --help")));
 }
 
+TEST_F(Program, ShowsTheShortHelpWhereACommandIsMissing) {
+  for (const std::string command : {"", "dataset", "-q dataset"}) {
+    const Outcome outcome = run_executable(command);
+    EXPECT_EQ(outcome.status, 2) << command;
+    EXPECT_EQ(outcome.output, run_executable(command + " -h").output);
+    EXPECT_EQ(outcome.errors, "") << command;
+  }
+}
+
 TEST_F(Program, NamesUnknownCommandsAndOptions) {
   expect_error_lines({{"--versoin", "there is no option --versoin; did you mean --version?"},
                       {"run --outptu x y.json", "there is no option --outptu; did you mean --output?"},
@@ -97,7 +106,6 @@ TEST_F(Program, NamesUnknownCommandsAndOptions) {
                       {"sdf x.off --methd=cone", "did you mean --method?"},
                       {"--set name=1 run x.json", "--set must follow the command"},
                       {"run -x", "there is no option -x"},
-                      {"", "subcommand is required"},
                       {"rum", "there is no command \"rum\"; did you mean \"run\"?"},
                       {"dataset list x", "there is no command \"list\"; known here: \"info\""},
                       {"evaluate x.npy --ties exepcted", "there is no choice \"exepcted\"; did you mean \"expected\"?"},

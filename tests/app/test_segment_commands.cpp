@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -68,6 +70,38 @@ TEST_F(SegmentCommands, SegmentNeedsNoOptionsAndTakesFolders) {
   EXPECT_EQ(run("segment psb/off -o parts/").status, 0);
   for (const char* name : {"parts/1.seg", "parts/21.seg"}) EXPECT_EQ(text_of(at(name)), segments(0, 1)) << name;
   expect_error_lines({{"segment psb", "the folder has no shapes"}});
+}
+
+TEST_F(SegmentCommands, AutomaticOffsetsIgnoreOutliers) {
+  Shape cloud = test::random_points(test::box({2, 2, 0.4}, 1), 2000, 1);
+  cloud.vertices.conservativeResize(2003, Eigen::NoChange);
+  cloud.vertices.bottomRows<3>() << 30, 0, 0, 0, 30, 0, 0, 0, 30;
+  write_off(folder_.path() / "cloud.off", cloud);
+  const auto lines_with = [&](const std::string& options) {
+    const std::string command = fmt::format("segment '{}' --replace -o '{}' {}", at("cloud.off"), at("x.seg"), options);
+    const Outcome outcome = run_executable(command);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("3 of 2003 points are outliers"));
+    const std::string text = text_of(at("x.seg"));
+    return std::ranges::count(text, '\n');
+  };
+  EXPECT_EQ(lines_with("--method paper --offset auto"), 2000);
+  EXPECT_EQ(lines_with("--method paper --offset 5%"), 2003);
+  EXPECT_EQ(lines_with("--method paper --offset 5% --remove-outliers"), 2000);
+}
+
+TEST_F(SegmentCommands, WarnsOfAnOpenCloud) {
+  const Shape whole = test::random_points(test::box({2, 2, 0.4}, 1), 6000, 1);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < whole.vertices.rows(); ++i) {
+    if (whole.vertices(i, 2) < 0.199 || whole.vertices.row(i).head<2>().norm() > 0.4) kept.push_back(i);
+  }
+  for (const bool is_open : {false, true}) {
+    write_off(folder_.path() / "x.off", is_open ? Shape{whole.vertices(kept, Eigen::all), {}} : whole);
+    const Outcome outcome = run_executable(
+        fmt::format("segment '{}' --method paper --offset 5% --replace -o '{}'", at("x.off"), at("x.seg")));
+    EXPECT_EQ(outcome.errors.find("outside on both sides") != std::string::npos, is_open) << outcome.errors;
+  }
 }
 
 TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {

@@ -105,6 +105,10 @@ TEST(MatrixChecks, FindSimilarities) {
   const Matrix similarities = 10000.0 - sound(50).array();
   EXPECT_EQ(check_matrix(similarities, true).rows_nearest_to_others, 50);
   EXPECT_EQ(check_matrix(Matrix::Ones(5, 5), true).rows_nearest_to_others, 0);
+  Matrix masked = sound(50);
+  masked.diagonal().setConstant(std::numeric_limits<double>::infinity());
+  EXPECT_EQ(check_matrix(masked, true).rows_nearest_to_others, 0) << "an infinite diagonal excludes each model";
+  EXPECT_EQ(check_matrix(masked, true).nonzero_diagonal, 0);
 }
 
 TEST(MatrixChecks, AreIndependentOfTheBlockSize) {

@@ -35,6 +35,16 @@ def test_scores_pickle_and_copy():
     assert scores["FT"] != 0
 
 
+def test_distances_may_be_condensed_or_without_a_diagonal():
+    distances, labels = toy()
+    scores = sg.evaluate(distances, labels)
+    same_scores(sg.evaluate(distances[np.triu_indices(len(distances), 1)], labels), scores)
+    for excluded in (np.nan, np.inf):
+        matrix = distances.copy()
+        np.fill_diagonal(matrix, excluded)
+        same_scores(sg.evaluate(matrix, labels), scores)
+
+
 def test_fields_pickle_and_say_where_their_samples_are():
     vertices, faces = bumpy_torus()
     field = sg.sdf(vertices, faces)

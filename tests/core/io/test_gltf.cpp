@@ -169,6 +169,10 @@ TEST_F(Gltf, RejectsInconsistentFiles) {
   EXPECT_THAT(error_of(with_change(whole, R"("count": 4)", R"("count": 5)")), HasSubstr("buffer view 0"));
   EXPECT_THAT(error_of(with_change(whole, R"("byteLength": 24)", R"("byteLength": 2400)")), HasSubstr("buffer view 1"));
   EXPECT_THAT(error_of(with_change(whole, R"("mesh": 0)", R"("mesh": 7)")), HasSubstr("mesh 7"));
+  for (const char* const type : {"5126", "5122"}) {
+    EXPECT_THAT(error_of(with_change(whole, "5123", type)), HasSubstr("indices"));
+  }
+  EXPECT_THAT(error_of(with_change(whole, "SCALAR", "VEC2")), HasSubstr("indices"));
   EXPECT_THAT(error_of(with_change(whole, R"({"mesh": 0})", R"({"mesh": 0, "children": [0]})")), HasSubstr("node 0"));
   EXPECT_THAT(error_of(with_change(whole, "tetrahedron.bin", "absent.bin")), HasSubstr("absent.bin"));
   EXPECT_THAT(error_of(with_change(whole, "tetrahedron.bin", "../secret.bin")), HasSubstr("out of the folder"));

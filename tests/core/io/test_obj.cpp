@@ -4,6 +4,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/formats.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/support/test_files.h"
 
@@ -18,6 +19,13 @@ const std::string obj_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 void expect_obj_tetrahedron(const std::string& text) { test::expect_same(read_obj(text, "t.obj"), tetrahedron()); }
 
 TEST(ReadObj, Plain) { expect_obj_tetrahedron(test::as_obj(tetrahedron())); }
+
+TEST(ReadObj, KeywordsInCapitals) {
+  expect_obj_tetrahedron("V 0 0 0\nV 1 0 0\nV 0 1 \\\n0\nV 0 0 1\nVN 0 0 1\nF 1 3 \\\n2\nF 1 2 4\nF 1 4 3\nF 2 3 4\n");
+  const std::string cloud = "V 0 0 0\nVN 0 0 1\n";
+  EXPECT_EQ(read_obj(cloud, "t.obj").normals.rows(), 1);
+  EXPECT_TRUE(is_recognised_shape({.bytes = cloud, .name = "standard input"}));
+}
 
 TEST(ReadObj, TextureAndNormals) {
   expect_obj_tetrahedron(obj_vertices +

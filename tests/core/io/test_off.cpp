@@ -127,6 +127,7 @@ TEST(ReadOff, RefusesTextThatIsNotAMesh) {
       {{"4OFF\n4\n4 4 6\n" + off_vertices + off_faces, "three dimensions"},
        {"nOFF\n4\n4 4 6\n" + off_vertices + off_faces, "three dimensions"},
        {"C4nOFF\n4\n4 4 6\n" + off_vertices + off_faces, "three dimensions"},
+       {start + off_faces + start + off_faces, "t.off:11: another OFF file"},
        {"\nply\nformat ascii 1.0\n", "t.off:2: not an OFF file"},
        {"\nOFFX 1 2 3\n", "t.off:2: not an OFF file"},
        {"\n-4 4 6\n", "t.off:2: not an OFF file"},

@@ -169,6 +169,8 @@ TEST(ReadPly, RefusesUnusableText) {
       {{ascii(one_face + "uchar int vertex_indices\n", ply_vertices + "2 0 1\n"), "t.ply:14: none of its 1 faces"},
        {ascii(one_face + "char int vertex_indices\n", ply_vertices + "-2 0 1\n"), "t.ply:14: face 0 cannot have -2"},
        {ascii(strips, ply_vertices + "3 0 1 9\n"), "t.ply:14: face 0 refers to vertex 9"},
+       {text + "3 0 1 2\n", "more data follow"},
+       {ascii(one_face + "uchar int vertex_indices\n", ply_vertices + "3 0 1 2 255\n"), "more data follow"},
        {text.substr(0, text.find("0 0 1\n") + 3), "t.ply:13: ends after 3 of 4 vertices"},
        {text.substr(0, text.find("3 1 2 3") + 5), "t.ply:17: ends after 3 of 4 faces"},
        {ascii(header, ply_vertices + replaced_once(ply_faces, "0 1 3", "0 1 4")),
@@ -191,6 +193,7 @@ TEST(ReadPly, RefusesUnusableBinaryFiles) {
     const std::size_t body = bytes.find("end_header\n") + 11;
     test::expect_refused(
         {{bytes.substr(0, bytes.size() - 1), "3 of 4 faces"},
+         {bytes + bytes, "more data follow"},
          {bytes.substr(0, body + 20), "1 of 4 vertices"},
          {bytes.substr(0, body + std::size_t{4} * 18 + 5), "0 of 1 items of its element \"camera\""},
          {as_binary_ply(wrong_index, order, true), "face 2 refers to vertex 4"},

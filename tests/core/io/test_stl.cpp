@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/formats.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/support/test_files.h"
 
@@ -31,7 +32,12 @@ std::string with_first_replaced(std::string text, const std::string& what, const
   return text.replace(text.find(what), what.size(), with);
 }
 
-TEST(ReadStl, Ascii) { expect_same(read_stl(as_ascii_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
+TEST(ReadStl, Ascii) {
+  const std::string text = as_ascii_stl(test::tetrahedron());
+  for (const std::string& bytes : {text, "\xEF\xBB\xBF" + text}) {
+    expect_same(read_stl(bytes, "t.stl"), renumbered_tetrahedron());
+  }
+}
 
 TEST(ReadStl, Binary) { expect_same(read_stl(as_binary_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
 
@@ -47,6 +53,7 @@ TEST(ReadStl, AsciiOnOneLineInCapitalsAndOfTwoSolids) {
   const Shape shape = read_stl("SOLID\n" + facet + facet + "ENDSOLID\nsolid b\n" + facet + "endsolid b", "t.stl");
   EXPECT_EQ(shape.vertices.rows(), 3);
   EXPECT_EQ(shape.triangles, (Triangles(3, 3) << 0, 1, 2, 0, 1, 2, 0, 1, 2).finished());
+  EXPECT_TRUE(is_recognised_shape({.bytes = "Solid a\n" + facet + "ENDSOLID\n", .name = "standard input"}));
 }
 
 TEST(ReadStl, WeldsZeroAndMinusZero) {

@@ -35,6 +35,19 @@ Shape cube_with_holes(double top, double bottom) {
   });
 }
 
+/// The six sides of a cube from -1 to 1, each moved outwards by `crack`.
+Shape cracked_cube(double crack) {
+  std::vector<Shape> sides;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      Shape patch = without(test::box({2, 2, 2}, 8), [&](const Eigen::Vector3d& x) { return x[axis] * side < 0.99; });
+      patch.vertices.rowwise() += crack * side * Eigen::RowVector3d::Unit(axis);
+      sides.push_back(patch);
+    }
+  }
+  return test::joined(sides);
+}
+
 /// A cell of the grid in diagonals: at most 1.1 %.
 double half_cell(const Shape& shape) { return 0.0055 * bounding_box_diagonal(shape); }
 
@@ -71,22 +84,22 @@ TEST(GapSize, IsZeroWithoutAnInnerSpace) {
 }
 
 TEST(GapSize, OfPatchesIsTheWidthOfTheCracks) {
-  // The six sides of a cube, each moved outwards; only the widest crack is above the resolution of the grid.
   for (const double crack : {1e-6, 1e-4, 1e-2, 0.1}) {
-    std::vector<Shape> sides;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      for (const double side : {-1.0, 1.0}) {
-        Shape patch = without(test::box({2, 2, 2}, 8), [&](const Eigen::Vector3d& x) { return x[axis] * side < 0.99; });
-        patch.vertices.rowwise() += crack * side * Eigen::RowVector3d::Unit(axis);
-        sides.push_back(patch);
-      }
-    }
-    const Shape cube = test::joined(sides);
+    const Shape cube = cracked_cube(crack);
     const double half_width = crack / 2 * std::numbers::sqrt2;
     const GapSizes sizes = gap_sizes(cube);
     EXPECT_NEAR(sizes.widest, half_width, crack > 0.05 ? 1.5 * half_cell(cube) : 0.01 * half_width) << crack;
     EXPECT_EQ(sizes.closable, sizes.widest);
   }
+}
+
+TEST(GapSize, FindsCracksBesideAWideGap) {
+  const double crack = 1e-3;
+  const Shape two = test::joined(
+      {cracked_cube(crack), test::transformed(cube_with_holes(1 / 2.0, 0), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
+  const double half_width = crack / 2 * std::numbers::sqrt2;
+  EXPECT_NEAR(gap_sizes(two).widest, 1 / 2.0, half_cell(two));
+  EXPECT_NEAR(gap_sizes(two).closable, half_width, 0.01 * half_width);
 }
 
 TEST(GapSize, OfTilesIsHalfTheirDistance) {

@@ -27,7 +27,6 @@ std::string csv_error_of(const std::string& text) {
 TEST(Csv, SplitsCellsAtCommas) {
   EXPECT_THAT(cells_of("a, b ,,c d"), ElementsAre("a", "b", "", "c d"));
   EXPECT_THAT(cells_of("a,"), ElementsAre("a", ""));
-  EXPECT_THAT(cells_of(","), ElementsAre("", ""));
   EXPECT_THAT(parse_csv("", "f.csv"), testing::IsEmpty());
 }
 
@@ -65,6 +64,14 @@ TEST(Csv, RowsHaveLineNumbersAndEmptyLinesAreSkipped) {
   EXPECT_EQ(rows[1].line, 3U);
   EXPECT_EQ(rows[2].line, 5U);
   EXPECT_THAT(test::input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
+}
+
+TEST(Csv, RowsOfEmptyCellsAreBlank) {
+  const auto rows = parse_word_table("id;class\n;\na;1\n ; \n\"\";\n;\n", "f");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_THAT(rows[1].cells, ElementsAre("a", "1"));
+  EXPECT_EQ(rows[1].line, 3U);
+  EXPECT_THAT(rows[2].cells, ElementsAre("", "")) << "one is quoted";
 }
 
 TEST(Csv, LinesMayEndWithCarriageReturns) {

@@ -20,6 +20,15 @@ TEST(RankedAnswers, OrderTrecRunsByScore) {
   EXPECT_THAT(run.answers[0].models, ElementsAre(Pair("a", -0.5), Pair("c", 100)));
 }
 
+TEST(RankedAnswers, CountsListsWhoseScoresRiseWithTheRank) {
+  const auto reversed = [](const char* text) { return parse_trec_run(text, "r").reversed; };
+  EXPECT_EQ(reversed("q Q0 a 1 0.1 r\nq Q0 b 2 0.1 r\nq Q0 c 3 0.2 r\np Q0 a 1 5 r\np Q0 b 2 4 r\n"), 1U);
+  EXPECT_EQ(reversed("q Q0 b 2 0.2 r\nq Q0 a 1 0.1 r\n"), 1U) << "in any order of lines";
+  EXPECT_EQ(reversed("q Q0 a 1 0.1 r\nq Q0 b 2 0.3 r\nq Q0 c 3 0.2 r\n"), 0U);
+  EXPECT_EQ(reversed("q Q0 a 0 0.1 r\nq Q0 b 0 0.2 r\n"), 0U) << "without ranks";
+  EXPECT_EQ(reversed("q Q0 a 1 1 r\nq Q0 b 2 1 r\np Q0 a 1 1 r\n"), 0U) << "without an order of scores";
+}
+
 TEST(RankedAnswers, KeepTheOrderOfLists) {
   const RankedAnswers lists = parse_ranked_lists("q1 c a,b\n q2, a\n", "l");
   ASSERT_EQ(lists.answers.size(), 2U);

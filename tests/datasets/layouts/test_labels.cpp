@@ -101,7 +101,7 @@ TEST_F(ModelLabelsTest, DistinguishFilesOfOneNameByTheirExtensions) {
 
 TEST_F(ModelLabelsTest, ErrorsNameTheLine) {
   test::expect_refused({{"id,kind\n1,a\n", "id and class"},
-                        {"id,class\n1,a\nT1.off,b\n", "labels.csv:3: repeated model \"T1.off\""},
+                        {"id,class\n1,a\nT1.off,b\n", "labels.csv:3: model \"T1.off\" counts as \"1\""},
                         {"id,class\nm0.off,a\nm0.obj,b\nm0.off,b\n", "labels.csv:4: repeated model"},
                         {"id,class\n1\n", "labels.csv:2: 1 cell"},
                         {"id,class,Label\n1,a,b\n", "labels.csv:1: "},

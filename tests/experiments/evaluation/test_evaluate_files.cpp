@@ -238,6 +238,27 @@ TEST_F(EvaluateFiles, RejectsDistancesAsFeatures) {
               AllOf(HasSubstr("d.csv"), HasSubstr("not features")));
 }
 
+TEST_F(EvaluateFiles, WarnsOfTrecRunsWhoseScoresAreDistances) {
+  const auto warnings_of = [&](const char* run) {
+    test::write_text(at("x.run"), run);
+    return evaluate_files({.matrix = at("x.run"), .labels = at("labels.csv")}, {}).warnings;
+  };
+  EXPECT_THAT(warnings_of("0 Q0 1 1 0.1 r\n0 Q0 2 2 0.2 r\n1 Q0 0 1 0.1 r\n1 Q0 2 2 0.3 r\n"),
+              Contains(HasSubstr("in 2 of 2 lists the scores rise")));
+  EXPECT_THAT(warnings_of("0 Q0 1 1 0.2 r\n0 Q0 2 2 0.1 r\n"), Not(Contains(HasSubstr("the scores rise"))));
+}
+
+TEST_F(EvaluateFiles, OnlyQueriesThatAreTakenForOtherModelsFindThemselves) {
+  test::write_text(at("q.csv"), "id,class\na,x\nb,x\n");
+  test::write_text(at("t.csv"), "id,class\na,x\nb,x\nc,y\n");
+  test::write_text(at("d.txt"), "0 1 2\n1 0 3\n");
+  for (const bool shared : {false, true}) {
+    const EvaluatedFiles evaluated = evaluate_files(
+        {.matrix = at("d.txt"), .labels = at("q.csv"), .targets = at("t.csv"), .shared_ids = shared}, {});
+    EXPECT_THAT(evaluated.warnings, Contains(HasSubstr("at distance 0")).Times(shared ? 0 : 1));
+  }
+}
+
 TEST_F(EvaluateFiles, SettingsOfMatricesAreErrorsWithRankedLists) {
   using Change = void (*)(EvaluationFiles&);
   const std::vector<std::pair<const char*, Change>> changes{
