@@ -31,11 +31,13 @@ class ConeSearch {
              const Visit& visit, Ball& ball)
       : nodes_(nodes),
         leaves_(leaves),
-        apex_(cone.apex.cast<float>()),
-        axis_(cone.axis.cast<float>()),
-        squared_cosine_(static_cast<float>(cone.cosine * cone.cosine)),
-        sine_(static_cast<float>(std::sqrt(std::max(0.0, 1 - cone.cosine * cone.cosine)))),
-        min_normal_cosine_(static_cast<float>(cone.min_normal_cosine - rounding_)),
+        query_{.centre = {},
+               .radius = 0,
+               .apex = cone.apex.cast<float>(),
+               .axis = cone.axis.cast<float>(),
+               .squared_cosine = static_cast<float>(cone.cosine * cone.cosine),
+               .sine = static_cast<float>(std::sqrt(std::max(0.0, 1 - cone.cosine * cone.cosine))),
+               .min_normal_cosine = static_cast<float>(cone.min_normal_cosine - rounding_)},
         visit_(visit),
         ball_(ball) {
     set_ball();
@@ -43,7 +45,7 @@ class ConeSearch {
 
   void visit(const TriangleBvhNode& node) {
     Keys keys = keys_of(node);
-    float radius = radius_;
+    float radius = query_.radius;
     std::array<std::size_t, children_per_node> order;
     std::size_t count = 0;
     for (std::size_t i = 0; i < children_per_node; ++i) {
@@ -53,8 +55,8 @@ class ConeSearch {
       order[rank] = i;
     }
     for (std::size_t rank = 0; rank < count; ++rank) {
-      if (radius_ < radius) keys = keys_of(node);
-      radius = radius_;
+      if (query_.radius < radius) keys = keys_of(node);
+      radius = query_.radius;
       if (keys[order[rank]] < unreachable) visit_child(node.child[order[rank]]);
     }
   }
@@ -71,7 +73,7 @@ class ConeSearch {
   void visit_leaf(const TriangleBvhLeaf& leaf) {
     std::array<std::int32_t, triangles_per_leaf> triangles;
     std::size_t count = 0;
-    const float squared_radius = radius_ * radius_ * static_cast<float>(1 + single_precision_margin);
+    const float squared_radius = query_.radius * query_.radius * static_cast<float>(1 + single_precision_margin);
     for (std::uint32_t lanes = triangles_in_ball(leaf, ball_.centre, squared_radius); lanes != 0; lanes &= lanes - 1) {
       const std::int32_t triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))];
       const bool is_repeated = count > 0 && triangle == triangles[count - 1];
@@ -83,58 +85,23 @@ class ConeSearch {
 
   /// Caches the ball, enlarged by the error of single precision for coordinates of the order of 1.
   void set_ball() {
-    centre_ = ball_.centre.cast<float>();
-    radius_ = static_cast<float>(ball_.radius * (1 + rounding_) + rounding_);
+    query_.centre = ball_.centre.cast<float>();
+    query_.radius = static_cast<float>(ball_.radius * (1 + rounding_) + rounding_);
   }
 
-  /// Returns the squared distances from the apex to the boxes of the children that may intersect ball and cone.
-  /// The inner loops are vectorised by the compiler.
   [[nodiscard]] Keys keys_of(const TriangleBvhNode& node) const {
-    alignas(64) Keys to_ball2{};
-    alignas(64) Keys to_apex2{};
-    alignas(64) Keys height{};  // of the disk above the ball's centre
-    alignas(64) Keys along{};   // the axis, from the apex to the middle of the disk
-    alignas(64) Keys from_apex2{};
-    alignas(64) Keys normal_cosine{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float centre = centre_[static_cast<Eigen::Index>(k)];
-      const float apex = apex_[static_cast<Eigen::Index>(k)];
-      const float axis = axis_[static_cast<Eigen::Index>(k)];
-      for (std::size_t i = 0; i < children_per_node; ++i) {
-        const float beside_ball = std::max(std::max(node.low[k][i] - centre, centre - node.high[k][i]), 0.0F);
-        const float beside_apex = std::max(std::max(node.low[k][i] - apex, apex - node.high[k][i]), 0.0F);
-        const float from_apex = node.centre[k][i] - apex;
-        to_ball2[i] += beside_ball * beside_ball;
-        to_apex2[i] += beside_apex * beside_apex;
-        height[i] += (node.centre[k][i] - centre) * node.normal[k][i];
-        along[i] += from_apex * axis;
-        normal_cosine[i] += node.normal[k][i] * axis;
-        from_apex2[i] += from_apex * from_apex;
-      }
-    }
-    for (std::size_t i = 0; i < children_per_node; ++i) {
-      const float reach = along[i] * sine_ + node.half_height[i] + node.radius[i] + static_cast<float>(rounding_);
-      const bool in_cone = reach >= 0 && (from_apex2[i] - along[i] * along[i]) * squared_cosine_ <= reach * reach;
-      const bool in_ball = std::abs(height[i]) - node.half_height[i] <= radius_ && to_ball2[i] <= radius_ * radius_;
-      const bool faces_axis = std::abs(normal_cosine[i]) + node.normal_deviation[i] >= min_normal_cosine_;
-      if (!in_cone || !in_ball || !faces_axis) to_apex2[i] = unreachable;
-    }
-    return to_apex2;
+    alignas(64) Keys keys;
+    distances_in_reach(node, query_, keys);
+    return keys;
   }
 
   static constexpr double rounding_ = 1e-6;
 
   const std::vector<TriangleBvhNode>& nodes_;
   const std::vector<TriangleBvhLeaf>& leaves_;
-  Eigen::Vector3f apex_;
-  Eigen::Vector3f axis_;
-  float squared_cosine_;
-  float sine_;
-  float min_normal_cosine_;
+  BallAndCone query_;
   const Visit& visit_;
   Ball& ball_;
-  Eigen::Vector3f centre_;
-  float radius_ = 0;
 };
 
 }  // namespace

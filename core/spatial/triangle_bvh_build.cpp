@@ -166,34 +166,54 @@ class Builder {
     return sum.stableNormalized();
   }
 
+  template <typename Visit>
+  void for_each_corner(Part part, const Visit& visit) const {
+    for (const std::int32_t i : part) {
+      const auto& [a, b, c] = triangles_[static_cast<std::size_t>(i)];
+      for (const Eigen::Vector3d* corner : {&a, &b, &c}) visit(*corner);
+    }
+  }
+
+  /// Returns the maximum length of the difference between unit normals of triangles, turned to the same side, and
+  /// another.
+  [[nodiscard]] double normal_deviation(Part part, const Eigen::Vector3d& normal) const {
+    double square = 0;
+    for (const std::int32_t i : part) {
+      const Eigen::Vector3d own = crosses_[static_cast<std::size_t>(i)].stableNormalized();
+      if (own.isZero(0)) continue;
+      square = std::max(square, std::min((own - normal).squaredNorm(), (own + normal).squaredNorm()));
+    }
+    return std::sqrt(square);
+  }
+
   void set_disk(std::size_t node, std::size_t child, Part part) {
-    const Eigen::Vector3f normal = mean_normal(part).cast<float>();
-    const Eigen::Vector3f centre = box_of_part(part).center().cast<float>();
+    const Eigen::Vector3f normal_single = mean_normal(part).cast<float>();
+    const Eigen::Vector3d normal = normal_single.cast<double>();
+    const Eigen::Vector3d middle = box_of_part(part).center();
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for_each_corner(part, [&](const Eigen::Vector3d& corner) {
+      const double along = normal.dot(corner - middle);
+      low = std::min(low, along);
+      high = std::max(high, along);
+    });
+    const Eigen::Vector3f centre = (middle + (low + high) / 2 * normal).cast<float>();
     double height = 0;
     double radius2 = 0;
-    double deviation2 = 0;
-    for (const std::int32_t i : part) {
-      const Triangle& triangle = triangles_[static_cast<std::size_t>(i)];
-      const Eigen::Vector3d own = crosses_[static_cast<std::size_t>(i)].stableNormalized();
-      if (!own.isZero(0)) {
-        const double sign = own.dot(normal.cast<double>()) < 0 ? -1 : 1;
-        deviation2 = std::max(deviation2, (sign * own - normal.cast<double>()).squaredNorm());
-      }
-      for (const Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c}) {
-        const Eigen::Vector3d from_centre = *corner - centre.cast<double>();
-        const double along = normal.cast<double>().dot(from_centre);
-        height = std::max(height, std::abs(along));
-        radius2 = std::max(radius2, (from_centre - along * normal.cast<double>()).squaredNorm());
-      }
-    }
+    for_each_corner(part, [&](const Eigen::Vector3d& corner) {
+      const Eigen::Vector3d from_centre = corner - centre.cast<double>();
+      const double along = normal.dot(from_centre);
+      height = std::max(height, std::abs(along));
+      radius2 = std::max(radius2, (from_centre - along * normal).squaredNorm());
+    });
     for (std::size_t k = 0; k < 3; ++k) {
-      nodes_[node].normal[k][child] = normal[static_cast<Eigen::Index>(k)];
+      nodes_[node].normal[k][child] = normal_single[static_cast<Eigen::Index>(k)];
       nodes_[node].centre[k][child] = centre[static_cast<Eigen::Index>(k)];
     }
     const double margin = box_margin * (1 + centre.cast<double>().norm());
     nodes_[node].half_height[child] = static_cast<float>(height + margin);
     nodes_[node].radius[child] = static_cast<float>(std::sqrt(radius2) + margin);
-    nodes_[node].normal_deviation[child] = static_cast<float>(std::sqrt(deviation2) + box_margin);
+    nodes_[node].normal_deviation[child] = static_cast<float>(normal_deviation(part, normal) + box_margin);
   }
 
   std::int32_t add_leaf(Part part) {

@@ -56,6 +56,22 @@ struct TriangleBVH::Layout {
   std::vector<TriangleBvhLeaf> leaves;
 };
 
+/// Ball and cone of a search, in single precision.
+struct BallAndCone {
+  Eigen::Vector3f centre;
+  float radius;
+  Eigen::Vector3f apex;
+  Eigen::Vector3f axis;
+  float squared_cosine;
+  float sine;
+  float min_normal_cosine;
+};
+
+/// Computes the squared distances from the apex to the boxes of the children that may intersect ball and cone and face
+/// the axis; infinity for others. Rounds in the same way on every processor.
+void distances_in_reach(const TriangleBvhNode& node, const BallAndCone& query,
+                        std::array<float, children_per_node>& squared_distances);
+
 /// Builds nodes and leaves top down by the binned surface area heuristic.
 void build_triangle_bvh(std::vector<TriangleBvhNode>& nodes, std::vector<TriangleBvhLeaf>& leaves,
                         const std::vector<Triangle>& triangles);

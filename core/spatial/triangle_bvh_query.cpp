@@ -173,6 +173,44 @@ std::int32_t closest(const std::vector<TriangleBvhNode>& nodes, const std::vecto
   return best;
 }
 
+/// The loops over the children are vectorised by the compiler.
+void in_reach(const TriangleBvhNode& node, const BallAndCone& query,
+              std::array<float, children_per_node>& squared_distances) {
+  using Lanes = std::array<float, children_per_node>;
+  alignas(64) Lanes to_ball2{};
+  alignas(64) Lanes to_apex2{};
+  alignas(64) Lanes height{};  // of the disk above the ball's centre
+  alignas(64) Lanes along{};   // the axis, from the apex to the middle of the disk
+  alignas(64) Lanes from_apex2{};
+  alignas(64) Lanes normal_cosine{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float centre = query.centre[static_cast<Eigen::Index>(k)];
+    const float apex = query.apex[static_cast<Eigen::Index>(k)];
+    const float axis = query.axis[static_cast<Eigen::Index>(k)];
+    for (std::size_t i = 0; i < children_per_node; ++i) {
+      const float beside_ball = std::max(std::max(node.low[k][i] - centre, centre - node.high[k][i]), 0.0F);
+      const float beside_apex = std::max(std::max(node.low[k][i] - apex, apex - node.high[k][i]), 0.0F);
+      const float from_apex = node.centre[k][i] - apex;
+      to_ball2[i] += beside_ball * beside_ball;
+      to_apex2[i] += beside_apex * beside_apex;
+      height[i] += (node.centre[k][i] - centre) * node.normal[k][i];
+      along[i] += from_apex * axis;
+      normal_cosine[i] += node.normal[k][i] * axis;
+      from_apex2[i] += from_apex * from_apex;
+    }
+  }
+  constexpr float rounding = 1e-6F;
+  for (std::size_t i = 0; i < children_per_node; ++i) {
+    const float reach = along[i] * query.sine + node.half_height[i] + node.radius[i] + rounding;
+    const float off_axis2 = from_apex2[i] - along[i] * along[i];
+    const bool in_cone = (reach >= 0) & (off_axis2 * query.squared_cosine <= reach * reach);
+    const bool in_ball =
+        (std::abs(height[i]) - node.half_height[i] <= query.radius) & (to_ball2[i] <= query.radius * query.radius);
+    const bool faces_axis = std::abs(normal_cosine[i]) + node.normal_deviation[i] >= query.min_normal_cosine;
+    squared_distances[i] = in_cone & in_ball & faces_axis ? to_apex2[i] : std::numeric_limits<float>::infinity();
+  }
+}
+
 std::uint32_t in_ball(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& centre, float squared_radius) {
   alignas(64) LeafLane distances;
   if (!(squared_distances(leaf, centre, distances) <= squared_radius)) return 0;
@@ -192,10 +230,16 @@ namespace shapegauge {
 
 HWY_EXPORT(closest);
 HWY_EXPORT(in_ball);
+HWY_EXPORT(in_reach);
 
 std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
   return HWY_DYNAMIC_DISPATCH(closest)(nodes, leaves, x, squared_limit, otherwise);
+}
+
+void distances_in_reach(const TriangleBvhNode& node, const BallAndCone& query,
+                        std::array<float, children_per_node>& squared_distances) {
+  HWY_DYNAMIC_DISPATCH(in_reach)(node, query, squared_distances);
 }
 
 std::uint32_t triangles_in_ball(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& centre, float squared_radius) {

@@ -2,10 +2,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
 #include <optional>
 #include <rapidcheck/gtest.h>
+#include <span>
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
@@ -76,6 +78,36 @@ RC_GTEST_PROP(TriangleBVH, KeepsTheTrianglesAndTheirNumbers, ()) {
     RC_ASSERT(kept.a == given.a);
     RC_ASSERT(kept.b == given.b);
     RC_ASSERT(kept.c == given.c);
+  }
+}
+
+/// Whether a point is in a ball and a cone.
+bool is_within(const Ball& ball, const Cone& cone, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d from_apex = point - cone.apex;
+  return (point - ball.centre).norm() <= ball.radius && from_apex.dot(cone.axis) >= cone.cosine * from_apex.norm();
+}
+
+RC_GTEST_PROP(TriangleBVH, SearchesAllTrianglesInBallAndConeThatFaceTheAxis, ()) {
+  const auto fraction = [] { return *rc::gen::inRange(0, 100) / 100.0; };
+  const Shape shape = any_soup(300);
+  const TriangleBVH tree(shape);
+  const Cone cone{.apex = any_query(shape),
+                  .axis = (random_point() + Eigen::Vector3d(0, 0, 2)).normalized(),
+                  .cosine = fraction(),
+                  .min_normal_cosine = fraction()};
+  const Ball whole{.centre = any_query(shape), .radius = 2 * fraction()};
+  std::vector<bool> found(static_cast<std::size_t>(shape.triangles.rows()));
+  Ball ball = whole;
+  tree.search(cone, ball, [&](std::span<const std::int32_t> triangles, const Ball&) {
+    for (const std::int32_t f : triangles) found[static_cast<std::size_t>(f)] = true;
+  });
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const auto [a, b, c] = triangle_of(shape, f);
+    const double cosine = std::abs((b - a).cross(c - a).stableNormalized().dot(cone.axis));
+    if (cosine < cone.min_normal_cosine) continue;
+    for (const Eigen::Vector3d& point : {a, b, c, Eigen::Vector3d((a + b + c) / 3)}) {
+      RC_ASSERT(found[static_cast<std::size_t>(f)] || !is_within(whole, cone, point));
+    }
   }
 }
 
