@@ -306,11 +306,7 @@ Configuration configuration_from_json(const Json& given, const std::string& sour
   read_dataset_files(document, source, folder, retrieval_paths().datasets);
   expand_short_forms(document);
   check_against_schema(document, "retrieval_experiment", source);
-  try {
-    return checked_configuration(document, folder);
-  } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
-  }
+  return with_source(source, [&] { return checked_configuration(document, folder); });
 }
 
 namespace {

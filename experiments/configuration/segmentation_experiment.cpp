@@ -147,11 +147,7 @@ Json to_json(const SegmentationExperiment& experiment) {
 
 SegmentationExperiment segmentation_from_json(const Json& document, const std::string& source, const fs::path& folder) {
   check_against_schema(document, "segmentation_experiment", source);
-  try {
-    return checked_experiment(document, folder);
-  } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
-  }
+  return with_source(source, [&] { return checked_experiment(document, folder); });
 }
 
 }  // namespace shapegauge

@@ -125,11 +125,7 @@ ShapeComparison comparison_from_json(const Json& given, const std::string& sourc
   Json document = given;
   expand_short_forms(document);
   check_against_schema(document, "comparison_experiment", source);
-  try {
-    return checked_comparison(document, folder);
-  } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
-  }
+  return with_source(source, [&] { return checked_comparison(document, folder); });
 }
 
 }  // namespace shapegauge
