@@ -81,11 +81,7 @@ DescriptorChoice choice_of(const DescribeArguments& arguments) {
   Json settings{{"type", arguments.descriptor}};
   for (const std::string& assignment : arguments.settings) apply_override(settings, assignment);
   check_against_schema(settings, "descriptor", "--set");
-  try {
-    return make_descriptor(settings);
-  } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("--set {}", error.what()));
-  }
+  return with_source("--set", [&] { return make_descriptor(settings); });
 }
 
 /// Computes the fields of a shape and, unless the descriptor learns first, its features.

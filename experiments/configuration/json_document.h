@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -15,10 +16,15 @@ namespace shapegauge {
 class ConfigurationError : public InputError {
  public:
   ConfigurationError(std::string_view at, std::string_view fault)
-      : InputError(std::string(at).append(": ").append(fault)), path(at), message(fault) {}
+      : InputError(std::string(at).append(": ").append(printable(fault, max_length))),
+        path(at),
+        message(printable(fault, max_length)) {}
 
   std::string path;
   std::string message;
+
+ private:
+  static constexpr std::size_t max_length = 500;
 };
 
 /// Runs a step on the part of the document at a key (or index, or dotted path), and prefixes the key to the path of its

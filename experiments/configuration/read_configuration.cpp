@@ -29,18 +29,12 @@ namespace fs = std::filesystem;
 bool has_field(const SignatureConfiguration& signature) { return pictured_field(signature) != nullptr; }
 
 std::size_t signature_named(const std::string& name, const std::vector<SignatureConfiguration>& signatures) {
-  const auto found = std::ranges::find(signatures, name, &SignatureConfiguration::name);
-  if (found == signatures.end()) {
-    std::vector<std::string> names;
-    for (const SignatureConfiguration& signature : signatures) names.push_back(signature.name);
-    throw ConfigurationError{"pictures.of",
-                             fmt::format("there is no signature \"{}\"{}", name, suggestion(name, names))};
-  }
-  if (!has_field(*found)) {
-    throw ConfigurationError{"pictures.of",
-                             fmt::format("the signature \"{}\" has no field of its own; choose one that has", name)};
-  }
-  return static_cast<std::size_t>(found - signatures.begin());
+  std::vector<std::string> names;
+  for (const SignatureConfiguration& signature : signatures) names.push_back(signature.name);
+  const std::size_t found = index_of_name(name, names, "signature", "pictures.of");
+  if (has_field(signatures[found])) return found;
+  throw ConfigurationError{"pictures.of",
+                           fmt::format("the signature \"{}\" has no field of its own; choose one that has", name)};
 }
 
 /// Reads a list of two numbers. `path` is its position in messages.
@@ -88,21 +82,6 @@ HistogramConfiguration histogram_of(const Json& settings) {
   return histogram;
 }
 
-std::vector<std::string> unique_names(const Json& signatures) {
-  std::vector<std::string> names;
-  for (const Json& signature : signatures) {
-    const std::string name = signature.at("name");
-    const auto earlier = std::ranges::find(names, name);
-    if (earlier != names.end()) {
-      throw ConfigurationError{
-          fmt::format("{}.name", names.size()),
-          fmt::format("the name \"{}\" is already that of signatures.{}", name, earlier - names.begin())};
-    }
-    names.push_back(name);
-  }
-  return names;
-}
-
 /// Returns the path of an indexed name within the setting of that key.
 std::string place_of_name(const std::string& key, std::size_t index) {
   if (key == "rerank") return "rerank.of";
@@ -114,12 +93,7 @@ std::vector<std::size_t> parts_of(const std::string& key, const std::vector<std:
                                   const std::vector<std::string>& names) {
   std::vector<std::size_t> parts;
   for (const std::string& name : listed) {
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end()) {
-      throw ConfigurationError{place_of_name(key, parts.size()),
-                               fmt::format("there is no signature \"{}\"{}", name, suggestion(name, names))};
-    }
-    parts.push_back(static_cast<std::size_t>(found - names.begin()));
+    parts.push_back(index_of_name(name, names, "signature", place_of_name(key, parts.size())));
   }
   return parts;
 }
@@ -245,8 +219,30 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
 
 }  // namespace
 
+std::vector<std::string> unique_names(const Json& entries, std::string_view list) {
+  std::vector<std::string> names;
+  for (const Json& entry : entries) {
+    const std::string name = entry.at("name");
+    const auto earlier = std::ranges::find(names, name);
+    if (earlier != names.end()) {
+      throw ConfigurationError{
+          fmt::format("{}.name", names.size()),
+          fmt::format("the name \"{}\" is already that of {}.{}", name, list, earlier - names.begin())};
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::size_t index_of_name(const std::string& name, const std::vector<std::string>& names, std::string_view noun,
+                          const std::string& path) {
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  throw ConfigurationError{path, fmt::format("there is no {} \"{}\"{}", noun, name, suggestion(name, names))};
+}
+
 std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
-  const std::vector<std::string> names = unique_names(settings);
+  const std::vector<std::string> names = unique_names(settings, "signatures");
   std::vector<SignatureConfiguration> signatures;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     signatures.push_back(at_key(std::to_string(i), [&] { return signature_of(settings[i], names); }));
@@ -306,11 +302,7 @@ Configuration configuration_from_json(const Json& given, const std::string& sour
   read_dataset_files(document, source, folder, retrieval_paths().datasets);
   expand_short_forms(document);
   check_against_schema(document, "retrieval_experiment", source);
-  try {
-    return checked_configuration(document, folder);
-  } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
-  }
+  return with_source(source, [&] { return checked_configuration(document, folder); });
 }
 
 namespace {

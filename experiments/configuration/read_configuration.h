@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/experiments/configuration/configuration.h"
@@ -41,6 +43,13 @@ Configuration configuration_from_json(const nlohmann::json& document, const std:
 
 /// Sections shared by retrieval experiments and comparisons, after validation by the schema.
 /// @{
+
+/// Returns the names of the entries of a list with that key. Throws ConfigurationError for a repeated one.
+std::vector<std::string> unique_names(const nlohmann::json& entries, std::string_view list);
+
+/// Returns the index of a name. If there is none, throws ConfigurationError at the path, with the nearest name.
+std::size_t index_of_name(const std::string& name, const std::vector<std::string>& names, std::string_view noun,
+                          const std::string& path);
 
 /// Reads a configuration's "signatures". Throws ConfigurationError for a repeated name, unknown or cyclic parts of
 /// `concatenate`, and settings that contradict each other.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -26,16 +25,10 @@ bool applies(std::string_view parameter, const SegmentationOptions& options) {
 }
 
 std::vector<SegmentationMethod> methods_of(const Json& settings) {
+  unique_names(settings, "segmentation");
   std::vector<SegmentationMethod> methods;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    SegmentationMethod method = at_key(std::to_string(i), [&] { return segmentation_method(settings[i]); });
-    const auto earlier = std::ranges::find(methods, method.name, &SegmentationMethod::name);
-    if (earlier != methods.end()) {
-      throw ConfigurationError{
-          fmt::format("{}.name", i),
-          fmt::format("the name \"{}\" is already that of segmentation.{}", method.name, earlier - methods.begin())};
-    }
-    methods.push_back(std::move(method));
+    methods.push_back(at_key(std::to_string(i), [&] { return segmentation_method(settings[i]); }));
   }
   return methods;
 }
@@ -147,11 +140,7 @@ Json to_json(const SegmentationExperiment& experiment) {
 
 SegmentationExperiment segmentation_from_json(const Json& document, const std::string& source, const fs::path& folder) {
   check_against_schema(document, "segmentation_experiment", source);
-  try {
-    return checked_experiment(document, folder);
-  } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
-  }
+  return with_source(source, [&] { return checked_experiment(document, folder); });
 }
 
 }  // namespace shapegauge

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/experiments/configuration/shape_comparison.h"
 
-#include <algorithm>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
@@ -55,35 +52,20 @@ ComparedShape shape_of(const Json& settings, const fs::path& folder) {
 std::vector<ComparedShape> shapes_of(const Json& settings, const fs::path& folder) {
   std::vector<ComparedShape> shapes;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    ComparedShape shape = at_key(std::to_string(i), [&] { return shape_of(settings[i], folder); });
-    const auto earlier = std::ranges::find(shapes, shape.name, &ComparedShape::name);
-    if (earlier != shapes.end()) {
-      throw ConfigurationError{fmt::format("{}.name", i), fmt::format("the name \"{}\" is already that of shapes.{}",
-                                                                      shape.name, earlier - shapes.begin())};
-    }
-    shapes.push_back(std::move(shape));
+    shapes.push_back(at_key(std::to_string(i), [&] { return shape_of(settings[i], folder); }));
   }
   return shapes;
-}
-
-std::size_t reference_of(const std::string& name, const std::vector<ComparedShape>& shapes) {
-  std::vector<std::string> names;
-  names.reserve(shapes.size());
-  for (const ComparedShape& shape : shapes) names.push_back(shape.name);
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) {
-    throw ConfigurationError{"reference", fmt::format("there is no shape \"{}\"{}", name, suggestion(name, names))};
-  }
-  return static_cast<std::size_t>(found - names.begin());
 }
 
 ShapeComparison checked_comparison(const Json& document, const fs::path& folder) {
   ShapeComparison comparison;
   comparison.name = document.at("name");
   comparison.description = document.value("description", "");
-  comparison.shapes = at_key("shapes", [&] { return shapes_of(document.at("shapes"), folder); });
+  const Json& shapes = document.at("shapes");
+  const std::vector<std::string> names = at_key("shapes", [&] { return unique_names(shapes, "shapes"); });
+  comparison.shapes = at_key("shapes", [&] { return shapes_of(shapes, folder); });
   if (document.contains("reference")) {
-    comparison.reference = reference_of(document.at("reference"), comparison.shapes);
+    comparison.reference = index_of_name(document.at("reference"), names, "shape", "reference");
   } else if (document.contains("registered")) {
     throw ConfigurationError{"registered", "needs a \"reference\" that the shapes are compared with"};
   }
@@ -125,11 +107,7 @@ ShapeComparison comparison_from_json(const Json& given, const std::string& sourc
   Json document = given;
   expand_short_forms(document);
   check_against_schema(document, "comparison_experiment", source);
-  try {
-    return checked_comparison(document, folder);
-  } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
-  }
+  return with_source(source, [&] { return checked_comparison(document, folder); });
 }
 
 }  // namespace shapegauge

@@ -15,6 +15,7 @@
 #include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/configuration/dataset_files.h"
 #include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/engine/result_folder.h"
@@ -57,17 +58,6 @@ Json document_of(Json common, Json dataset, const std::string& name) {
   return common;
 }
 
-std::vector<std::string> names_of_datasets(const Json& datasets, const std::string& source) {
-  std::vector<std::string> names;
-  for (const Json& dataset : datasets) {
-    names.push_back(dataset.at("name"));
-    if (std::ranges::count(names, names.back()) > 1) {
-      throw InputError(fmt::format("{}: datasets: two data sets have the name {}", source, names.back()));
-    }
-  }
-  return names;
-}
-
 // Returns the names of the data sets' folders. Throws InputError for the name of a result file.
 std::vector<std::string> folders_of_datasets(const std::vector<std::string>& names, const std::string& source) {
   std::vector<std::string> folders = file_safe_names(names);
@@ -89,7 +79,8 @@ std::vector<std::string> folders_of_datasets(const std::vector<std::string>& nam
 MultiDatasetExperiment read_parts(const Json& document, const std::string& source, const fs::path& folder) {
   MultiDatasetExperiment experiment{.name = document.at("name"), .description = {}, .parts = {}};
   if (document.contains("description")) experiment.description = document.at("description");
-  const std::vector<std::string> names = names_of_datasets(document.at("datasets"), source);
+  const std::vector<std::string> names = with_source(
+      source, [&] { return at_key("datasets", [&] { return unique_names(document.at("datasets"), "datasets"); }); });
   const std::vector<std::string> folders = folders_of_datasets(names, source);
   for (std::size_t i = 0; i < names.size(); ++i) {
     DatasetPart part{.name = names[i], .folder = folders[i], .dataset = document.at("datasets")[i]};

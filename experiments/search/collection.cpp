@@ -115,11 +115,9 @@ DatasetLocation location_in(const fs::path& configuration) {
     throw InputError(fmt::format("{}: a collection needs a configuration with a \"dataset\" of files on disk", source));
   }
   check_by_schema(document, {{"properties", {{"dataset", {{"$ref", "#/definitions/dataset"}}}}}}, source);
-  try {
+  return with_source(source, [&] {
     return at_key("dataset", [&] { return read_location(document["dataset"], configuration.parent_path()); });
-  } catch (const ConfigurationError& error) {
-    throw InputError(fmt::format("{}: {}", source, error.what()));
-  }
+  });
 }
 
 Collection files_named_by(const fs::path& path) {

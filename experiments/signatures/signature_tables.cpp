@@ -38,8 +38,8 @@ Signatures features_of(const std::vector<const ModelDescription*>& models, std::
   for (std::size_t i = 0; i < models.size(); ++i) {
     const Eigen::VectorXf& features = models[i]->features[signature].features;
     if (features.size() != length) {
-      throw ArgumentError(fmt::format("a descriptor returned {} features for one model and {} for another", length,
-                                      features.size()));
+      throw ArgumentError(
+          fmt::format("a descriptor returned {} features for one model and {} for another", length, features.size()));
     }
     table.row(static_cast<Eigen::Index>(i)) = features.transpose();
   }

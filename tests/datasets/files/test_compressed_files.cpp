@@ -62,29 +62,28 @@ std::string npy_of(const DistanceMatrix& matrix) {
   return test::bytes_of(folder.path() / "m.npy");
 }
 
-TEST(CompressedFiles, AreReadLikeTheirContents) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(read_plain_bytes(folder.file("a.txt.gz", gzipped("some text"))), "some text");
-  EXPECT_EQ(read_plain_bytes(folder.file("a.txt", "some text")), "some text");
+using CompressedFiles = test::FolderTest;
+
+TEST_F(CompressedFiles, AreReadLikeTheirContents) {
+  EXPECT_EQ(read_plain_bytes(folder_.file("a.txt.gz", gzipped("some text"))), "some text");
+  EXPECT_EQ(read_plain_bytes(folder_.file("a.txt", "some text")), "some text");
   EXPECT_EQ(format_extension("a.CSV.gz"), ".csv");
   EXPECT_EQ(format_extension("a.Npy"), ".npy");
   EXPECT_EQ(format_extension("a.gz"), "");
 }
 
-TEST(CompressedFiles, DamagedOnesAreErrors) {
-  const TemporaryFolder folder;
+TEST_F(CompressedFiles, DamagedOnesAreErrors) {
   const std::string whole = gzipped(std::string(5000, 'x') + "end");
   const auto error = [&](const std::string& bytes) {
-    return test::input_error_of([&] { read_plain_bytes(folder.file("a.csv.gz", bytes)); });
+    return test::input_error_of([&] { read_plain_bytes(folder_.file("a.csv.gz", bytes)); });
   };
   EXPECT_THAT(error("no gzip at all"), AllOf(HasSubstr("a.csv.gz"), HasSubstr("not a gzip file")));
   EXPECT_THAT(error(whole.substr(0, whole.size() / 2)), HasSubstr("a.csv.gz"));
 }
 
-TEST(CompressedFiles, AreCheckedByChecksumAndSize) {
-  const TemporaryFolder folder;
+TEST_F(CompressedFiles, AreCheckedByChecksumAndSize) {
   const auto error = [&](const std::string& bytes) {
-    return test::input_error_of([&] { read_plain_bytes(folder.file("a.txt.gz", bytes)); });
+    return test::input_error_of([&] { read_plain_bytes(folder_.file("a.txt.gz", bytes)); });
   };
   const auto flipped = [](std::string bytes, std::size_t from_end) {
     bytes[bytes.size() - from_end] ^= 1;
@@ -101,23 +100,22 @@ TEST(CompressedFiles, AreCheckedByChecksumAndSize) {
                                      std::string(1, '\0'), std::string("\x1f\n")}) {
     EXPECT_THAT(error(whole + garbage), HasSubstr("other bytes follow its end"));
   }
-  EXPECT_EQ(read_plain_bytes(folder.file("a.txt.gz", whole + gzipped(" and more"))), "some text and more");
+  EXPECT_EQ(read_plain_bytes(folder_.file("a.txt.gz", whole + gzipped(" and more"))), "some text and more");
 }
 
-TEST(CompressedFiles, UnpackUpToALimitThatGrowsWithTheirSize) {
+TEST_F(CompressedFiles, UnpackUpToALimitThatGrowsWithTheirSize) {
   constexpr std::size_t mebibyte = std::size_t{1} << 20;
   EXPECT_EQ(max_unpacked_bytes(1), 256 * mebibyte);
   EXPECT_EQ(max_unpacked_bytes(100 * mebibyte), 5000 * mebibyte);
   EXPECT_EQ(max_unpacked_bytes(mebibyte * mebibyte), 16384 * mebibyte);
 }
 
-TEST(CompressedFiles, OfExcessiveUnpackedSizeAreErrors) {
-  const TemporaryFolder folder;
+TEST_F(CompressedFiles, OfExcessiveUnpackedSizeAreErrors) {
   const std::string zeros(std::size_t{4} << 20, '\0');
   std::string bomb;  // a gzip file may consist of several members
   for (const std::string member = gzipped(zeros); bomb.size() < 65 * member.size();) bomb += member;
   for (const char* const name : {"a.npy.gz", "a.csv.gz", "a.matrix.gz"}) {
-    EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.file(name, bomb), TableShape::any); }),
+    EXPECT_THAT(test::input_error_of([&] { read_matrix(folder_.file(name, bomb), TableShape::any); }),
                 AllOf(HasSubstr(name), HasSubstr("256 MiB")));
   }
   std::string content = npy_of(small_matrix());
@@ -128,17 +126,16 @@ TEST(CompressedFiles, OfExcessiveUnpackedSizeAreErrors) {
               AllOf(HasSubstr("a.npz"), HasSubstr("256 MiB")));
 }
 
-TEST(CompressedFiles, ContainMatricesAndRuns) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(read_matrix(folder.file("m.txt.gz", gzipped("0 1.5\n2.5 0\n")), TableShape::square).numbers,
+TEST_F(CompressedFiles, ContainMatricesAndRuns) {
+  EXPECT_EQ(read_matrix(folder_.file("m.txt.gz", gzipped("0 1.5\n2.5 0\n")), TableShape::square).numbers,
             small_matrix());
-  EXPECT_EQ(read_matrix(folder.file("m.npy.gz", gzipped(npy_of(small_matrix()))), TableShape::square).numbers,
+  EXPECT_EQ(read_matrix(folder_.file("m.npy.gz", gzipped(npy_of(small_matrix()))), TableShape::square).numbers,
             small_matrix());
   const LabelledTable table =
-      read_matrix(folder.file("m.csv.gz", gzipped("id,a,b\na,0,1.5\nb,2.5,0\n")), TableShape::square);
+      read_matrix(folder_.file("m.csv.gz", gzipped("id,a,b\na,0,1.5\nb,2.5,0\n")), TableShape::square);
   EXPECT_EQ(table.numbers, small_matrix());
   EXPECT_THAT(table.row_ids, ElementsAre("a", "b"));
-  const auto run = folder.file("r.txt.gz", gzipped("q Q0 a 1 2 mine\n"));
+  const auto run = folder_.file("r.txt.gz", gzipped("q Q0 a 1 2 mine\n"));
   EXPECT_TRUE(is_ranked_answers_file(run));
   EXPECT_EQ(read_ranked_answers(run).name, "mine");
 }

@@ -96,38 +96,37 @@ RC_GTEST_PROP(PsbMatrix, ReadsBackWhatIsWritten, ()) {
   RC_ASSERT(read_matrix(folder.path() / "m.matrix", TableShape::square).numbers == matrix);
 }
 
-TEST(ReadDistanceMatrix, SelectsTheFormatByExtension) {
-  const TemporaryFolder folder;
-  write_npy(folder.path() / "m.npy", example());
-  write_psb_matrix(folder.path() / "m.MATRIX", example());
-  write_csv_matrix(folder.path() / "m.Csv", example(), {"a", "b"});
+using ReadDistanceMatrix = test::FolderTest;
+
+TEST_F(ReadDistanceMatrix, SelectsTheFormatByExtension) {
+  write_npy(at("m.npy"), example());
+  write_psb_matrix(at("m.MATRIX"), example());
+  write_csv_matrix(at("m.Csv"), example(), {"a", "b"});
   const std::string text = "0 1.5\n-2.25 inf\n";
-  for (const auto& path :
-       {folder.path() / "m.npy", folder.path() / "m.MATRIX", folder.file("m.txt", text), folder.file("m.dat", text)}) {
+  for (const auto& path : {at("m.npy"), at("m.MATRIX"), folder_.file("m.txt", text), folder_.file("m.dat", text)}) {
     const LabelledTable result = read_matrix(path, TableShape::square);
     EXPECT_EQ(result.numbers, example()) << path;
     EXPECT_THAT(result.row_ids, IsEmpty()) << path;
   }
-  EXPECT_EQ(read_matrix(folder.path() / "m.Csv", TableShape::square).numbers, example());
-  EXPECT_THAT(read_matrix(folder.path() / "m.Csv", TableShape::square).row_ids, ElementsAre("a", "b"));
+  EXPECT_EQ(read_matrix(at("m.Csv"), TableShape::square).numbers, example());
+  EXPECT_THAT(read_matrix(at("m.Csv"), TableShape::square).row_ids, ElementsAre("a", "b"));
 }
 
-TEST(ReadDistanceMatrix, UnknownExtensionsListTheKnownOnes) {
+TEST_F(ReadDistanceMatrix, UnknownExtensionsListTheKnownOnes) {
   for (const char* const name : {"m.xyz", "m", "npy"}) {
     EXPECT_THAT(test::input_error_of([&] { read_matrix(name, TableShape::square); }),
                 AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .npz, .mat, .csv, .tsv, .txt, .dat")));
   }
 }
 
-TEST(ReadDistanceMatrix, NanIsAnErrorInEveryFormat) {
-  const TemporaryFolder folder;
+TEST_F(ReadDistanceMatrix, NanIsAnErrorInEveryFormat) {
   DistanceMatrix matrix = DistanceMatrix::Zero(3, 3);
   matrix(2, 1) = std::numeric_limits<double>::quiet_NaN();
-  write_npy(folder.path() / "m.npy", matrix);
-  write_psb_matrix(folder.path() / "m.matrix", matrix);
-  write_csv_matrix(folder.path() / "m.csv", matrix);
-  for (const auto& path : {folder.path() / "m.npy", folder.path() / "m.matrix", folder.path() / "m.csv",
-                           folder.file("m.txt", "0 0 0\n0 0 0\n0 NaN 0\n")}) {
+  write_npy(at("m.npy"), matrix);
+  write_psb_matrix(at("m.matrix"), matrix);
+  write_csv_matrix(at("m.csv"), matrix);
+  for (const auto& path :
+       {at("m.npy"), at("m.matrix"), at("m.csv"), folder_.file("m.txt", "0 0 0\n0 0 0\n0 NaN 0\n")}) {
     EXPECT_THAT(test::input_error_of([&] { read_matrix(path, TableShape::square); }),
                 AllOf(HasSubstr(path.string()), HasSubstr("row 2, column 1")));
   }
@@ -140,46 +139,42 @@ std::string utf16(std::string_view ascii, bool big_endian) {
   return text;
 }
 
-TEST(ReadDistanceMatrix, TextMayBeUtf16) {
-  const TemporaryFolder folder;
+TEST_F(ReadDistanceMatrix, TextMayBeUtf16) {
   for (const bool big_endian : {false, true}) {
     EXPECT_EQ(
-        read_matrix(folder.file("m.csv", utf16("0,1.5\r\n-2.25,inf\r\n", big_endian)), TableShape::square).numbers,
+        read_matrix(folder_.file("m.csv", utf16("0,1.5\r\n-2.25,inf\r\n", big_endian)), TableShape::square).numbers,
         example());
-    EXPECT_EQ(read_matrix(folder.file("m.txt", utf16("0\t1.5\n-2.25\tinf\n", big_endian)), TableShape::square).numbers,
+    EXPECT_EQ(read_matrix(folder_.file("m.txt", utf16("0\t1.5\n-2.25\tinf\n", big_endian)), TableShape::square).numbers,
               example());
   }
 }
 
-TEST(ReadDistanceMatrix, NanOnTheDiagonalIsMissing) {
-  const TemporaryFolder folder;
+TEST_F(ReadDistanceMatrix, NanOnTheDiagonalIsMissing) {
   DistanceMatrix matrix{{1, 2.5}, {3, 4}};
   matrix.diagonal().setConstant(std::numeric_limits<double>::quiet_NaN());
-  write_npy(folder.path() / "m.npy", matrix);
+  write_npy(at("m.npy"), matrix);
   const DistanceMatrix expected{{0, 2.5}, {3, 0}};
-  for (const auto& path : {folder.path() / "m.npy", folder.file("m.txt", "nan 2.5\n3 NA\n"),
-                           folder.file("m.csv", "NA,2.5\n3,\n"), folder.file("n.csv", "id,a,b\na,,2.5\nb,3,nan\n")}) {
+  for (const auto& path : {at("m.npy"), folder_.file("m.txt", "nan 2.5\n3 NA\n"), folder_.file("m.csv", "NA,2.5\n3,\n"),
+                           folder_.file("n.csv", "id,a,b\na,,2.5\nb,3,nan\n")}) {
     EXPECT_EQ(read_matrix(path, TableShape::square).numbers, expected) << path;
   }
 }
 
-TEST(ReadDistanceMatrix, CondensedDistancesAreTheUpperTriangle) {
-  const TemporaryFolder folder;
+TEST_F(ReadDistanceMatrix, CondensedDistancesAreTheUpperTriangle) {
   const DistanceMatrix expected{{0, 1, 2, 3}, {1, 0, 4, 5}, {2, 4, 0, 6}, {3, 5, 6, 0}};
   const Eigen::VectorXd condensed = Eigen::VectorXd::LinSpaced(6, 1, 6);
-  write_npy_vector(folder.path() / "m.npy", condensed);
-  write_npy(folder.path() / "row.npy", DistanceMatrix(condensed.transpose()));
-  for (const auto& path : {folder.path() / "m.npy", folder.path() / "row.npy", folder.file("row.txt", "1 2 3 4 5 6\n"),
-                           folder.file("column.txt", "# pdist\n1\n2\n3\n4\n5\n6\n")}) {
+  write_npy_vector(at("m.npy"), condensed);
+  write_npy(at("row.npy"), DistanceMatrix(condensed.transpose()));
+  for (const auto& path : {at("m.npy"), at("row.npy"), folder_.file("row.txt", "1 2 3 4 5 6\n"),
+                           folder_.file("column.txt", "# pdist\n1\n2\n3\n4\n5\n6\n")}) {
     EXPECT_EQ(read_matrix(path, TableShape::square).numbers, expected) << path;
     EXPECT_EQ(read_matrix(path, TableShape::any).numbers.size(), 6) << path;
   }
-  write_npy_vector(folder.path() / "five.npy", condensed.head(5));
-  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "five.npy", TableShape::square); }),
-              HasSubstr("square"));
+  write_npy_vector(at("five.npy"), condensed.head(5));
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(at("five.npy"), TableShape::square); }), HasSubstr("square"));
 }
 
-TEST(ReadDistanceMatrix, CondensedShapesAreVectorsOfTriangularLength) {
+TEST_F(ReadDistanceMatrix, CondensedShapesAreVectorsOfTriangularLength) {
   const auto is_condensed = [](const std::vector<std::uint64_t>& shape) { return is_condensed_shape(shape); };
   for (const std::vector<std::uint64_t>& shape : {std::vector<std::uint64_t>{1}, {6}, {1, 6}, {6, 1}, {4'498'500}}) {
     EXPECT_TRUE(is_condensed(shape)) << testing::PrintToString(shape);
@@ -196,29 +191,24 @@ TEST(ReadDistanceMatrix, CondensedShapesAreVectorsOfTriangularLength) {
   }
 }
 
-TEST(ReadDistanceMatrix, IntegersThatWouldBeRoundedAreAnError) {
-  const TemporaryFolder folder;
+TEST_F(ReadDistanceMatrix, IntegersThatWouldBeRoundedAreAnError) {
   for (const char* text : {"0 9007199254740993\n1 0\n", "0 -123456789012345678901\n1 0\n"}) {
-    EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.file("m.txt", text), TableShape::square); }),
+    EXPECT_THAT(test::input_error_of([&] { read_matrix(folder_.file("m.txt", text), TableShape::square); }),
                 AllOf(HasSubstr("m.txt:1"), HasSubstr("2^53")));
   }
-  EXPECT_EQ(read_matrix(folder.file("m.txt", "0 9007199254740992\n1e300 0\n"), TableShape::square).numbers(0, 1),
+  EXPECT_EQ(read_matrix(folder_.file("m.txt", "0 9007199254740992\n1e300 0\n"), TableShape::square).numbers(0, 1),
             9007199254740992.0);
 }
 
-TEST(ReadDistanceMatrix, VariablesAreForArchivesOnly) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.file("m.txt", "0 1\n1 0\n"), TableShape::square, "D"); }),
+TEST_F(ReadDistanceMatrix, VariablesAreForArchivesOnly) {
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder_.file("m.txt", "0 1\n1 0\n"), TableShape::square, "D"); }),
               HasSubstr("`variable`"));
 }
 
-TEST(ReadDistanceMatrix, AMissingFileOrAFolderIsAnInputError) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "none.npy", TableShape::square); }),
-              HasSubstr("none.npy"));
-  std::filesystem::create_directory(folder.path() / "folder.npy");
-  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "folder.npy", TableShape::square); }),
-              HasSubstr("folder"));
+TEST_F(ReadDistanceMatrix, AMissingFileOrAFolderIsAnInputError) {
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(at("none.npy"), TableShape::square); }), HasSubstr("none.npy"));
+  std::filesystem::create_directory(at("folder.npy"));
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(at("folder.npy"), TableShape::square); }), HasSubstr("folder"));
 }
 
 }  // namespace

@@ -150,9 +150,10 @@ std::map<std::string, std::string> generated(const GeneratorOptions& options, st
   return contents(folder.path());
 }
 
-TEST(GenerateDataset, WritesModelsLabelsPartsAndClassification) {
-  const TemporaryFolder folder;
-  const std::filesystem::path set = folder.path() / "new" / "set";
+using GenerateDataset = test::FolderTest;
+
+TEST_F(GenerateDataset, WritesModelsLabelsPartsAndClassification) {
+  const std::filesystem::path set = folder_.path() / "new" / "set";
   std::vector<int> progress;
   generate_dataset(set, small_options(), [&](int done, int total) {
     progress.push_back(done);
@@ -187,13 +188,13 @@ TEST(GenerateDataset, WritesModelsLabelsPartsAndClassification) {
   EXPECT_FALSE(std::is_sorted(numbers.begin(), numbers.end()));  // the order of files does not reveal classes
 }
 
-TEST(GenerateDataset, SameSeedSameBytesWithAnyNumberOfThreads) {
+TEST_F(GenerateDataset, SameSeedSameBytesWithAnyNumberOfThreads) {
   const auto one = generated(small_options(), 1);
   EXPECT_EQ(one, generated(small_options(), 2));
   EXPECT_EQ(one, generated(small_options(), 2));
 }
 
-TEST(GenerateDataset, AnotherSeedGivesOtherModels) {
+TEST_F(GenerateDataset, AnotherSeedGivesOtherModels) {
   GeneratorOptions options = small_options();
   options.classes = 1;
   const auto first = generated(options, 2);
@@ -204,18 +205,17 @@ TEST(GenerateDataset, AnotherSeedGivesOtherModels) {
   }
 }
 
-TEST(GenerateDataset, HasAtLeastTwelveUniqueNames) {
+TEST_F(GenerateDataset, HasAtLeastTwelveUniqueNames) {
   const std::span<const std::string_view> names = generated_model_parameters().front().choices;
   EXPECT_GE(names.size(), 12U);
   EXPECT_EQ(std::set<std::string_view>(names.begin(), names.end()).size(), names.size());
 }
 
-TEST(GenerateDataset, RefusesOptionsOutOfRange) {
-  const TemporaryFolder folder;
+TEST_F(GenerateDataset, RefusesOptionsOutOfRange) {
   const auto error_with = [&](auto change) {
     GeneratorOptions options = small_options();
     change(options);
-    return test::input_error_of([&] { generate_dataset(folder.path(), options); });
+    return test::input_error_of([&] { generate_dataset(folder_.path(), options); });
   };
   EXPECT_THAT(error_with([](auto& o) { o.classes = 0; }),
               HasSubstr("classes is 0; it must be a whole number from 1 to"));
@@ -223,7 +223,7 @@ TEST(GenerateDataset, RefusesOptionsOutOfRange) {
   EXPECT_THAT(error_with([](auto& o) { o.models_per_class = 0; }), HasSubstr("models_per_class is 0"));
   EXPECT_THAT(error_with([](auto& o) { o.faces = 999; }),
               HasSubstr("faces is 999; it must be a whole number from 1000"));
-  EXPECT_EQ(folder.size(), 0U);
+  EXPECT_EQ(folder_.size(), 0U);
 }
 
 // A failure means that generated models have changed: increase the version, so that cached comparisons of them are not
@@ -247,9 +247,8 @@ TEST(GenerateModel, AnUnknownClassIsAnErrorThatSuggestsOne) {
               HasSubstr("there is no generated class \"octopuss\"; did you mean \"octopus\"?"));
 }
 
-TEST(GenerateDataset, RefusesAFolderThatCannotBeMade) {
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder.file("file", "text");
+TEST_F(GenerateDataset, RefusesAFolderThatCannotBeMade) {
+  const std::filesystem::path file = folder_.file("file", "text");
   for (const auto& path : {file, file / "set"}) {
     EXPECT_THAT(test::input_error_of([&] { generate_dataset(path, small_options()); }),
                 HasSubstr("cannot write a data set to " + path.string()));
@@ -257,22 +256,21 @@ TEST(GenerateDataset, RefusesAFolderThatCannotBeMade) {
   EXPECT_EQ(bytes_of(file), "text");
 }
 
-TEST(GenerateDataset, ReplacesAnotherDataSetOnlyWhenForcedAndLeavesOtherFiles) {
-  const TemporaryFolder folder;
-  static_cast<void>(folder.file("T77.off", "old"));
-  static_cast<void>(folder.file("notes.txt", "mine"));
-  static_cast<void>(folder.file("T5.off.bak", "mine"));
+TEST_F(GenerateDataset, ReplacesAnotherDataSetOnlyWhenForcedAndLeavesOtherFiles) {
+  static_cast<void>(folder_.file("T77.off", "old"));
+  static_cast<void>(folder_.file("notes.txt", "mine"));
+  static_cast<void>(folder_.file("T5.off.bak", "mine"));
   GeneratorOptions options = small_options();
   options.classes = 1;
   options.models_per_class = 1;
-  EXPECT_THAT(test::input_error_of([&] { generate_dataset(folder.path(), options); }), HasSubstr("T77.off"));
-  EXPECT_EQ(bytes_of(folder.path() / "T77.off"), "old");
+  EXPECT_THAT(test::input_error_of([&] { generate_dataset(folder_.path(), options); }), HasSubstr("T77.off"));
+  EXPECT_EQ(bytes_of(at("T77.off")), "old");
   options.replace = true;
-  generate_dataset(folder.path(), options);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "T77.off"));
-  EXPECT_EQ(bytes_of(folder.path() / "notes.txt"), "mine");
-  EXPECT_EQ(bytes_of(folder.path() / "T5.off.bak"), "mine");
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "T0.off"));
+  generate_dataset(folder_.path(), options);
+  EXPECT_FALSE(std::filesystem::exists(at("T77.off")));
+  EXPECT_EQ(bytes_of(at("notes.txt")), "mine");
+  EXPECT_EQ(bytes_of(at("T5.off.bak")), "mine");
+  EXPECT_TRUE(std::filesystem::exists(at("T0.off")));
 }
 
 }  // namespace

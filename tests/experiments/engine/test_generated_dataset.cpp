@@ -30,31 +30,30 @@ int models_made(std::uint64_t seed, const fs::path& folder) {
   return made;
 }
 
-TEST(PrepareGenerated, GeneratesADataSetOnce) {
-  const test::TemporaryFolder folder;
-  EXPECT_EQ(models_made(1, folder.path() / "new"), 2);
-  const std::string first = text_of(folder.path() / "new/T0.off");
-  EXPECT_EQ(models_made(1, folder.path() / "new"), 0);
-  EXPECT_EQ(models_made(2, folder.path() / "new"), 2);
-  EXPECT_NE(text_of(folder.path() / "new/T0.off"), first);
+using PrepareGenerated = test::FolderTest;
+
+TEST_F(PrepareGenerated, GeneratesADataSetOnce) {
+  EXPECT_EQ(models_made(1, at("new")), 2);
+  const std::string first = text_of(at("new/T0.off"));
+  EXPECT_EQ(models_made(1, at("new")), 0);
+  EXPECT_EQ(models_made(2, at("new")), 2);
+  EXPECT_NE(text_of(at("new/T0.off")), first);
 }
 
-TEST(PrepareGenerated, RegeneratesAnIncompleteDataSet) {
-  const test::TemporaryFolder folder;
+TEST_F(PrepareGenerated, RegeneratesAnIncompleteDataSet) {
   RunControl control;
   control.interrupted = [] { return true; };
-  EXPECT_THROW(prepare_generated(folder.path() / "new", two_generated(1), control), Interrupted);
-  EXPECT_EQ(models_made(1, folder.path() / "new"), 2);
+  EXPECT_THROW(prepare_generated(at("new"), two_generated(1), control), Interrupted);
+  EXPECT_EQ(models_made(1, at("new")), 2);
 }
 
-TEST(PrepareGenerated, DoesNotReplaceAnotherDataSet) {
-  const test::TemporaryFolder folder;
-  test::write_text(folder.path() / "T0.off", "mine");
-  EXPECT_THROW(prepare_generated(folder.path(), two_generated(1), {}), InputError);
-  EXPECT_EQ(text_of(folder.path() / "T0.off"), "mine");
+TEST_F(PrepareGenerated, DoesNotReplaceAnotherDataSet) {
+  test::write_text(at("T0.off"), "mine");
+  EXPECT_THROW(prepare_generated(folder_.path(), two_generated(1), {}), InputError);
+  EXPECT_EQ(text_of(at("T0.off")), "mine");
 }
 
-TEST(PrepareGenerated, KeepsAFileThatIsNotARecord) {
+TEST_F(PrepareGenerated, KeepsAFileThatIsNotARecord) {
   for (const char* const text : {R"({"generate": {"classes": 1}})", "[]", "mine"}) {
     const test::TemporaryFolder folder;
     test::write_text(folder.path() / "generated.json", text);

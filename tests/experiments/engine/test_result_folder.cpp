@@ -73,41 +73,38 @@ std::string error_for(const fs::path& folder, bool replace = false) {
   return test::input_error_of([&] { prepare_result_folder(folder, mine, replace); });
 }
 
-TEST(ResultFolder, IsCreatedWithItsParents) {
-  const test::TemporaryFolder folder;
-  EXPECT_EQ(error_for(folder.path() / "a/b"), "no error");
-  EXPECT_TRUE(fs::is_empty(folder.path() / "a/b"));
+using ResultFolder = test::FolderTest;
+
+TEST_F(ResultFolder, IsCreatedWithItsParents) {
+  EXPECT_EQ(error_for(at("a/b")), "no error");
+  EXPECT_TRUE(fs::is_empty(at("a/b")));
 }
 
-TEST(ResultFolder, IgnoresOtherFiles) {
-  const test::TemporaryFolder folder;
-  write_text(folder.path() / "notes.txt", "x");
-  EXPECT_EQ(error_for(folder.path()), "no error");
+TEST_F(ResultFolder, IgnoresOtherFiles) {
+  write_text(at("notes.txt"), "x");
+  EXPECT_EQ(error_for(folder_.path()), "no error");
 }
 
-TEST(ResultFolder, TheSameConfigurationMayRunAgain) {
-  const test::TemporaryFolder folder;
-  write_text(folder.path() / "manifest.json", R"({"configuration": {"name": "mine"}})");
-  EXPECT_EQ(error_for(folder.path()), "no error");
+TEST_F(ResultFolder, TheSameConfigurationMayRunAgain) {
+  write_text(at("manifest.json"), R"({"configuration": {"name": "mine"}})");
+  EXPECT_EQ(error_for(folder_.path()), "no error");
 }
 
-TEST(ResultFolder, KeepsResultsOfAnotherConfigurationUnlessForced) {
+TEST_F(ResultFolder, KeepsResultsOfAnotherConfigurationUnlessForced) {
   for (const std::string manifest : {R"({"configuration": {"name": "other"}})", "[]", "{"}) {
     const test::TemporaryFolder folder;
-    write_text(folder.path() / "manifest.json", manifest);
-    EXPECT_THAT(error_for(folder.path()), HasSubstr("results of another configuration")) << manifest;
-    EXPECT_EQ(error_for(folder.path(), true), "no error");
+    write_text(at("manifest.json"), manifest);
+    EXPECT_THAT(error_for(folder_.path()), HasSubstr("results of another configuration")) << manifest;
+    EXPECT_EQ(error_for(folder_.path(), true), "no error");
   }
-  const test::TemporaryFolder folder;
-  write_text(folder.path() / "summary.csv", "method\n");
-  EXPECT_THAT(error_for(folder.path()), HasSubstr("`replace=true`"));
+  write_text(at("summary.csv"), "method\n");
+  EXPECT_THAT(error_for(folder_.path()), HasSubstr("`replace=true`"));
 }
 
-TEST(ResultFolder, RejectsUnwritableFolders) {
-  const test::TemporaryFolder folder;
-  write_text(folder.path() / "x", "a file");
-  EXPECT_THAT(error_for(folder.path() / "x"), HasSubstr("cannot create the "));
-  EXPECT_THAT(error_for(folder.path() / "x/y"), HasSubstr("cannot create the "));
+TEST_F(ResultFolder, RejectsUnwritableFolders) {
+  write_text(at("x"), "a file");
+  EXPECT_THAT(error_for(at("x")), HasSubstr("cannot create the "));
+  EXPECT_THAT(error_for(at("x/y")), HasSubstr("cannot create the "));
   EXPECT_THAT(error_for("/proc/results"), HasSubstr("cannot"));
 }
 

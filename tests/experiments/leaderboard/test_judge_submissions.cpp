@@ -30,7 +30,9 @@ std::string refusal_of(const SmallBoard& small) {
   return board.refused.size() == 1 ? board.refused[0].reason : "not one refusal";
 }
 
-TEST(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
+using JudgeSubmissions = test::FolderTest;
+
+TEST_F(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
   const SmallBoard small;
   const Leaderboard board = small.judged();
   EXPECT_THAT(names_of(board), ElementsAre("good", "poor"));
@@ -45,7 +47,7 @@ TEST(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
   EXPECT_TRUE(board.refused.empty());
 }
 
-TEST(JudgeSubmissions, ReadsSimilaritiesAsDescribed) {
+TEST_F(JudgeSubmissions, ReadsSimilaritiesAsDescribed) {
   const SmallBoard small;
   small.add("alike.csv", small_matrix(0, -1));
   small.add("alike.json", R"({"name": "Alike", "similarity": true})");
@@ -55,7 +57,7 @@ TEST(JudgeSubmissions, ReadsSimilaritiesAsDescribed) {
   EXPECT_DOUBLE_EQ(board.micro[0][0].average, 1);
 }
 
-TEST(JudgeSubmissions, RejectsApparentSimilaritiesUnlessDescribed) {
+TEST_F(JudgeSubmissions, RejectsApparentSimilaritiesUnlessDescribed) {
   const SmallBoard small;
   small.add("alike.csv", small_matrix(0, -1));
   EXPECT_THAT(refusal_of(small), HasSubstr("similarities given as distances"));
@@ -65,7 +67,7 @@ TEST(JudgeSubmissions, RejectsApparentSimilaritiesUnlessDescribed) {
   EXPECT_THAT(board.submissions[2].warnings, testing::Not(testing::IsEmpty()));
 }
 
-TEST(JudgeSubmissions, RejectsUnusableFilesAndEvaluatesTheOthers) {
+TEST_F(JudgeSubmissions, RejectsUnusableFilesAndEvaluatesTheOthers) {
   std::string with_nan = small_matrix(0);
   with_nan.replace(with_nan.find(",2,"), 3, ",nan,");
   for (const auto& [name, text, word] : {std::tuple("nan.csv", with_nan, "row 0"),
@@ -78,7 +80,7 @@ TEST(JudgeSubmissions, RejectsUnusableFilesAndEvaluatesTheOthers) {
   }
 }
 
-TEST(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
+TEST_F(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
   const SmallBoard small;
   std::string lists;  // three queries, each with the three others of its class
   for (const int query : {0, 1, 2}) {
@@ -96,7 +98,7 @@ TEST(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
   EXPECT_THAT(board.submissions[few].warnings, testing::Contains(HasSubstr("3 of 12 models")));
 }
 
-TEST(JudgeSubmissions, MatchesModelsByIds) {
+TEST_F(JudgeSubmissions, MatchesModelsByIds) {
   const SmallBoard small;
   std::string matrix = "id";  // models in reverse order
   for (int i = 11; i >= 0; --i) matrix += fmt::format(",m{}", i);
@@ -113,7 +115,7 @@ TEST(JudgeSubmissions, MatchesModelsByIds) {
   EXPECT_DOUBLE_EQ(board.micro[0][0].average, 1);
 }
 
-TEST(JudgeSubmissions, GivesSubmissionsUniqueNames) {
+TEST_F(JudgeSubmissions, GivesSubmissionsUniqueNames) {
   const SmallBoard small;
   small.add("again.csv", small_matrix(0));
   small.add("again.json", R"({"name": "good"})");
@@ -123,7 +125,7 @@ TEST(JudgeSubmissions, GivesSubmissionsUniqueNames) {
   EXPECT_THAT(board.submissions[1].warnings, testing::Contains(HasSubstr("same bytes")));
 }
 
-TEST(JudgeSubmissions, RanksOneSubmissionAlone) {
+TEST_F(JudgeSubmissions, RanksOneSubmissionAlone) {
   const SmallBoard small;
   std::filesystem::remove(small.submissions() / "poor.csv");
   const Leaderboard board = small.judged();
@@ -132,7 +134,7 @@ TEST(JudgeSubmissions, RanksOneSubmissionAlone) {
   EXPECT_TRUE(board.micro[0][0].interval);
 }
 
-TEST(JudgeSubmissions, RejectsEmptySetsWithTheReason) {
+TEST_F(JudgeSubmissions, RejectsEmptySetsWithTheReason) {
   const SmallBoard small;
   small.add("good.csv", "0,1\n1,0\n");
   small.add("poor.csv", "0,1\n1,0\n");
@@ -140,7 +142,7 @@ TEST(JudgeSubmissions, RejectsEmptySetsWithTheReason) {
               testing::AllOf(HasSubstr("good.csv"), HasSubstr("poor.csv"), HasSubstr("12")));
 }
 
-TEST(JudgeSubmissions, RejectsUnknownRankingMeasuresFirst) {
+TEST_F(JudgeSubmissions, RejectsUnknownRankingMeasuresFirst) {
   const SmallBoard small;
   JudgingOptions options = small.options();
   options.rank_by = "P@10";
@@ -151,11 +153,10 @@ TEST(JudgeSubmissions, RejectsUnknownRankingMeasuresFirst) {
   EXPECT_EQ(judge_submissions(small.found(), options, none).rank_by, 1U);
 }
 
-TEST(JudgeSubmissions, ReevaluatesOnlyChangedSubmissions) {
+TEST_F(JudgeSubmissions, ReevaluatesOnlyChangedSubmissions) {
   const SmallBoard small;
-  const test::TemporaryFolder folder;
   const auto used = [&](const JudgingOptions& options) {
-    Cache cache(folder.path() / "cache");
+    Cache cache(at("cache"));
     const Leaderboard board = judge_submissions(small.found(), options, cache);
     const CacheUse use = cache.report().uses[static_cast<std::size_t>(EntryKind::evaluation)];
     return std::pair(use.hits, use.computed);
@@ -184,17 +185,16 @@ std::string labels_with(const std::string& header, const std::string& of_m1, con
   return text;
 }
 
-TEST(JudgeSubmissions, CacheKeyContainsEveryInput) {
+TEST_F(JudgeSubmissions, CacheKeyContainsEveryInput) {
   const SmallBoard small;
-  const test::TemporaryFolder folder;
   const auto computed = [&](const JudgingOptions& options) {
-    Cache cache(folder.path() / "cache");
+    Cache cache(at("cache"));
     judge_submissions(small.found(), options, cache);
     const CacheUse use = cache.report().uses[static_cast<std::size_t>(EntryKind::evaluation)];
     EXPECT_EQ(use.hits + use.computed, 2U);
     return use.computed;
   };
-  const auto labels = [&](const std::string& name, const std::string& text) { return folder.file(name, text); };
+  const auto labels = [&](const std::string& name, const std::string& text) { return folder_.file(name, text); };
   std::string other_order = test_board::small_labels();
   other_order.replace(other_order.find("m1,b\nm2,c\n"), 10, "m2,c\nm1,b\n");
   std::string ids;
@@ -269,26 +269,24 @@ TEST(JudgeSubmissions, CacheKeyContainsEveryInput) {
   EXPECT_EQ(computed(small.options()), 0U);
 }
 
-TEST(JudgeSubmissions, CacheKeyContainsTheDistanceOfFeatures) {
+TEST_F(JudgeSubmissions, CacheKeyContainsTheDistanceOfFeatures) {
   const SmallBoard small;
   std::filesystem::remove(small.submissions() / "good.csv");  // a matrix of distances
-  const test::TemporaryFolder folder;
   for (const char* distance : {"l1", "l2"}) {
     JudgingOptions options = small.options();
     options.files.distance = distance;
-    Cache cache(folder.path() / "cache");
+    Cache cache(at("cache"));
     judge_submissions(small.found(), options, cache);
     EXPECT_EQ(cache.report().uses[static_cast<std::size_t>(EntryKind::evaluation)].computed, 1U) << distance;
   }
 }
 
 // Seven of eighteen queries are found by both, each other ones: equal scores, whatever the rounding of their sums.
-TEST(JudgeSubmissions, EqualScoresHaveOneRank) {
-  const test::TemporaryFolder folder;
+TEST_F(JudgeSubmissions, EqualScoresHaveOneRank) {
   std::string labels = "id,class\n";
   for (int i = 0; i < 18; ++i) labels += fmt::format("{},{}\n", i, i / 6);
   JudgingOptions options;
-  options.files.labels = folder.file("labels.csv", labels);
+  options.files.labels = folder_.file("labels.csv", labels);
   options.evaluation.measures = {measure_of("NN")};
   options.standings.resampling.resamples = 10;
   FoundSubmissions found;
@@ -302,7 +300,7 @@ TEST(JudgeSubmissions, EqualScoresHaveOneRank) {
       }
       matrix += "\n";
     }
-    found.submissions.push_back({.file = folder.file(fmt::format("{}.txt", shift), matrix)});
+    found.submissions.push_back({.file = folder_.file(fmt::format("{}.txt", shift), matrix)});
   }
   Cache none;
   const Leaderboard board = judge_submissions(found, options, none);
@@ -313,11 +311,10 @@ TEST(JudgeSubmissions, EqualScoresHaveOneRank) {
   }
 }
 
-TEST(JudgeSubmissions, ResultsDoNotDependOnTheCache) {
+TEST_F(JudgeSubmissions, ResultsDoNotDependOnTheCache) {
   const SmallBoard small;
-  const test::TemporaryFolder folder;
-  Cache first(folder.path() / "cache");
-  Cache second(folder.path() / "cache");
+  Cache first(at("cache"));
+  Cache second(at("cache"));
   const Leaderboard computed = small.judged(first);
   const Leaderboard found = small.judged(second);
   for (std::size_t i = 0; i < 2; ++i) {
