@@ -233,9 +233,18 @@ void check_is_text(const fs::path& path, std::string_view text) {
                                is_other ? fmt::format("{} files have no labels", extension) : "not text in UTF-8"));
 }
 
+/// Empties the lines at the beginning that are comments.
+std::string without_comments(std::string text) {
+  for (std::size_t begin = 0; text.compare(begin, 2, "# ") == 0;) {
+    text.erase(begin, std::min(text.find_first_of("\r\n", begin), text.size()) - begin);
+    begin = std::min(text.find_first_not_of("\r\n", begin), text.size());
+  }
+  return text;
+}
+
 ModelLabels read_list(const fs::path& path) {
   if (format_extension(path) == ".npy") return read_label_array(path);
-  const std::string text = read_plain_text(path);
+  const std::string text = without_comments(read_plain_text(path));
   check_is_text(path, text);
   if (first_separator(text)) return parse_label_table(parse_word_table(text, path.string()), path.string());
   if (const std::vector<CsvRow> rows = rows_of_words(text); !rows.empty())
@@ -302,6 +311,12 @@ void add_subclasses(const ModelLabels& from, ModelLabels& labels) {
   }
 }
 
+/// Returns true for the names that NumPy, pandas, R and spreadsheets write for missing values.
+bool may_mean_missing(std::string_view name) {
+  static constexpr std::array<std::string_view, 3> others{"NA", "N/A", "#N/A"};
+  return std::ranges::count(missing_value_words, name) + std::ranges::count(others, name) > 0;
+}
+
 /// Returns the class of that name, adding it if missing.
 ModelClass& class_named(const std::string& name, std::vector<ModelClass>& classes) {
   const auto same = std::ranges::find(classes, name, &ModelClass::name);
@@ -314,8 +329,7 @@ ModelClass& class_named(const std::string& name, std::vector<ModelClass>& classe
 std::vector<std::string> missing_class_warnings(const ModelLabels& labels) {
   std::vector<std::string> warnings;
   for (const ModelClass& known : labels.classification.classes) {
-    if (known.models.empty() || std::ranges::find(missing_value_words, known.name) == missing_value_words.end())
-      continue;
+    if (known.models.empty() || !may_mean_missing(known.name)) continue;
     warnings.push_back(fmt::format(
         "{}: {} the class {}, which many programs write for missing values; if these models are unlabelled, remove "
         "them, "

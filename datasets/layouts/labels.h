@@ -33,7 +33,7 @@ struct ModelLabels {
 /// Words that programs write for missing values. A class of such a name usually consists of models without a class.
 inline constexpr std::array<std::string_view, 6> missing_value_words{"nan", "NaN", "None", "<NA>", "NaT", "NULL"};
 
-/// Returns a warning for each class named in missing_value_words.
+/// Returns a warning for each class named in missing_value_words, or as R and spreadsheets name missing values.
 std::vector<std::string> missing_class_warnings(const ModelLabels& labels);
 
 /// Reads labels from one of these:
@@ -41,7 +41,8 @@ std::vector<std::string> missing_class_warnings(const ModelLabels& labels);
 /// - a folder with one folder of models per class; ids are paths below it without extensions;
 /// - a table (any other file) separated by commas, semicolons or tabs, whose first row names the columns, ignoring
 ///   case: id (name, model, file), class (label, category) and optionally subclass (subcategory) and split: query
-///   (test, probe), target (train, gallery), both, or empty. Without such a row the two columns are id and class;
+///   (test, probe), target (train, gallery), both, or empty. Without such a row the two columns are id and class. Lines
+///   before it that begin with "# " are comments;
 /// - lines of an id and a class separated by blanks, if every id has a digit, ids are unique and classes repeat;
 /// - a list: one class per line, or a `.npy` array of integers or strings, none of them in missing_value_words. Models
 ///   then have no ids.

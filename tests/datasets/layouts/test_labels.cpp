@@ -115,8 +115,9 @@ TEST_F(ModelLabelsTest, ErrorsNameTheLine) {
 }
 
 TEST_F(ModelLabelsTest, ColumnsMayHaveOtherNamesAndSeparators) {
-  for (const char* text : {"name,label\nb,bee\na,ant\n", "Label;File\nbee;b\nant;a\n", "b\tbee\na\tant\n",
-                           "b,bee\r\na,ant\r\n", "x,id,Category\n1,b,bee\n2,a,ant\n"}) {
+  for (const char* text :
+       {"name,label\nb,bee\na,ant\n", "Label;File\nbee;b\nant;a\n", "b\tbee\na\tant\n", "b,bee\r\na,ant\r\n",
+        "x,id,Category\n1,b,bee\n2,a,ant\n", "# by hand\r\n# twice\r\nid,class\r\nb,bee\r\na,ant\r\n,\r\n"}) {
     const ModelLabels labels = read_labels(file("labels.tsv", text));
     EXPECT_THAT(labels.models, ElementsAre("b", "a")) << text;
     EXPECT_THAT(classes_of(labels), ElementsAre("bee", "ant")) << text;
@@ -186,7 +187,8 @@ TEST_F(ModelLabelsTest, WarnOfNamesOfMissingValues) {
   EXPECT_THAT(missing_class_warnings(read_labels(file("labels.csv", "id,class\n1,nan\n2,<NA>\n3,nan\n4,Nan\n"))),
               ElementsAre(HasSubstr("labels.csv: 2 models have the class \"nan\""),
                           HasSubstr("1 model has the class \"<NA>\"")));
-  EXPECT_THAT(missing_class_warnings(read_labels(file("list.txt", "None\nNaT\nNULL\nNaN\n"))), testing::SizeIs(4));
+  EXPECT_THAT(missing_class_warnings(read_labels(file("list.txt", "None\nNaT\nNULL\nNaN\nNA\n#N/A\n"))),
+              testing::SizeIs(6));
   EXPECT_THAT(missing_class_warnings(read_labels(file("list.txt", "nano\nnone\n"))), testing::IsEmpty());
 }
 

@@ -26,6 +26,7 @@ TEST(SearchMethodOf, TheRecommendedConfigurationsAreTheirSums) {
     EXPECT_EQ(method.sum.options.scale, DistanceScale::ranks);
     EXPECT_EQ(method.sum.options.weights, SumWeights::agreement);
     EXPECT_TRUE(method.diffusion.keep_nearest);
+    EXPECT_TRUE(method.configuration.preparation.remove_outliers);
     EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing unneeded
   }
 }
