@@ -14,11 +14,11 @@ fail() {
 # install_build_packages: installs the packages needed to build shapegauge and its tests.
 install_build_packages() { install_listed_packages scripts/packages.txt; }
 
-# install_listed_packages FILE: installs the packages that a file lists, one a line.
+# install_listed_packages FILE PACKAGE...: installs the packages that a file lists, one per line, and those named.
 install_listed_packages() {
   local packages
   mapfile -t packages < <(grep -Ev '^(#|$)' "$1")
-  install_packages "${packages[@]}"
+  install_packages "${packages[@]}" "${@:2}"
 }
 
 # missing_packages PACKAGE...: prints the Debian packages that are not installed, one a line.

@@ -193,8 +193,8 @@ TEST_F(RunParts, ValidateTheirModels) {
   EXPECT_EQ(second.output, "4 of 4 models can be used\n");
 }
 
-/// Streamed distances need more models than a matrix in memory has. Nothing waits for models that fail: one has no area,
-/// the file of another is missing.
+/// Streamed distances need more models than a matrix in memory has. Nothing waits for models that fail: one has no
+/// area, the file of another is missing.
 TEST_F(RunParts, EvaluateRowsOfManyModels) {
   std::string classification = "PSB 1\n2 2950\n";
   for (int i = 0; i < 2950; ++i) {

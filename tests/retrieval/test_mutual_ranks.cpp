@@ -32,7 +32,8 @@ DistanceMatrix log_ranks(const DistanceMatrix& matrix) {
   return found;
 }
 
-/// Number of models at a positive distance of at most matrix(i, j). A plain loop: it runs millions of times unoptimised.
+/// Number of models at a positive distance of at most matrix(i, j). A plain loop: it runs millions of times
+/// unoptimised.
 double literal_rank(const DistanceMatrix& matrix, Eigen::Index i, Eigen::Index j) {
   const double* const row = matrix.row(i).data();
   const double limit = row[j];
