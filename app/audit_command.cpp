@@ -47,9 +47,8 @@ int run_audit(const AuditArguments& arguments) {
   ProtocolAudit audit;
   {
     ProgressLine line;
-    audit = audit_protocols(
-        arguments.matrices, files_as_given(arguments.evaluation), standing_options(arguments.resampling),
-        [&](const std::string& name, std::size_t done, std::size_t all) { line.show(name, done, all); });
+    audit = audit_protocols(arguments.matrices, files_as_given(arguments.evaluation),
+                            standing_options(arguments.resampling), line.receiver());
   }
   print_output("{}", formatted_audit(audit, arguments.printed));
   print_warnings(audit.warnings);

@@ -115,11 +115,7 @@ int validate(const LookArguments& arguments) {
   const Dataset dataset = find_dataset(location_of(arguments));
   catch_interruption();
   ProgressLine progress;
-  const RunControl control{.threads = arguments.threads,
-                           .interrupted = interrupted,
-                           .progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
-                             progress.show(stage, done, total);
-                           }};
+  const RunControl control{.threads = arguments.threads, .interrupted = interrupted, .progress = progress.receiver()};
   std::vector<std::size_t> models(dataset.models.size());
   std::iota(models.begin(), models.end(), std::size_t{0});
   if (!arguments.part.empty()) models = parse_part(arguments.part).of(models);

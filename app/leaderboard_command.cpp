@@ -135,9 +135,7 @@ int run_on_one(const LeaderboardArguments& arguments) {
   Leaderboard board;
   {
     ProgressLine line;
-    board = judge_submissions(found, options, cache, [&](const std::string& name, std::size_t done, std::size_t all) {
-      line.show(name, done, all);
-    });
+    board = judge_submissions(found, options, cache, line.receiver());
   }
   write_outputs(board, options, arguments);
   if (const auto few = few_classes_warning(board, options.standings)) warn(*few);
@@ -180,9 +178,7 @@ int run_on_datasets(const LeaderboardArguments& arguments, const std::vector<Sub
   DatasetLeaderboards all;
   {
     ProgressLine line;
-    all = judge_datasets(datasets, options, cache, [&](const std::string& name, std::size_t done, std::size_t count) {
-      line.show(name, done, count);
-    });
+    all = judge_datasets(datasets, options, cache, line.receiver());
   }
   write_outputs_of_datasets(all, options, arguments);
   print_output("{}", formatted_datasets(all, options, arguments));

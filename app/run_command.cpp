@@ -143,8 +143,7 @@ RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
   catch_interruption();
   return {.threads = arguments.threads,
           .interrupted = interrupted,
-          .progress = [&progress](std::string_view stage, std::size_t done,
-                                  std::size_t total) { progress.show(stage, done, total); },
+          .progress = progress.receiver(),
           .bold = output_has_colours()};
 }
 

@@ -88,11 +88,7 @@ class SearchRun {
   [[nodiscard]] SearchOptions options() const { return {.count = arguments_->count, .rerank = arguments_->rerank}; }
 
   RunControl control() {
-    return {.threads = arguments_->threads,
-            .interrupted = interrupted,
-            .progress = [this](std::string_view stage, std::size_t done, std::size_t total) {
-              progress_.show(stage, done, total);
-            }};
+    return {.threads = arguments_->threads, .interrupted = interrupted, .progress = progress_.receiver()};
   }
 
   [[nodiscard]] fs::path index_file() const {

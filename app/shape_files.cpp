@@ -192,11 +192,7 @@ int for_each_shape(const ShapeFiles& files,
   std::iota(all.begin(), all.end(), std::size_t{0});
   catch_interruption();
   ProgressLine progress;
-  const RunControl control{.threads = files.threads,
-                           .interrupted = interrupted,
-                           .progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
-                             progress.show(stage, done, total);
-                           }};
+  const RunControl control{.threads = files.threads, .interrupted = interrupted, .progress = progress.receiver()};
   std::vector<ModelFailure> failures;
   std::atomic<std::size_t> completed = 0;
   try {

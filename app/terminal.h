@@ -76,6 +76,10 @@ class ProgressLine {
   /// Updates the progress of a stage; redraws a few times a second.
   void show(std::string_view stage, std::size_t done, std::size_t total);
 
+  /// Returns a function that calls show() of this line.
+  [[nodiscard]] auto receiver() {
+    return [this](std::string_view stage, std::size_t done, std::size_t total) { show(stage, done, total); };
+  }
   /// Clears the line before a message is printed.
   void clear();
 

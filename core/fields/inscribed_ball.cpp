@@ -3,11 +3,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 

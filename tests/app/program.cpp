@@ -31,6 +31,11 @@ Outcome run_executable(const std::string& arguments) {
           .errors = test::text_of(errors)};
 }
 
+Outcome succeeded(Outcome outcome, const std::source_location& call) {
+  EXPECT_EQ(outcome.status, 0) << call.file_name() << ":" << call.line() << ": " << outcome.errors;
+  return outcome;
+}
+
 void expect_error_line(const Outcome& outcome, const std::string& words) {
   EXPECT_EQ(outcome.status, 2) << words;
   EXPECT_EQ(outcome.output, "") << words;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <gtest/gtest.h>
-#include <map>
+#include <source_location>
 #include <string>
 #include <sys/types.h>
 #include <system_error>
@@ -24,6 +24,9 @@ struct Outcome {
 /// Runs the built executable with the arguments, as parsed by a shell, and waits for it. It has an empty cache of its
 /// own unless the arguments name one.
 Outcome run_executable(const std::string& arguments);
+
+/// Returns the outcome; expects status 0, or else shows the line of the call and standard error.
+Outcome succeeded(Outcome outcome, const std::source_location& call = std::source_location::current());
 
 /// Expects an input error: status 2, one line on standard error that contains the words, and
 /// nothing on standard output.

@@ -15,8 +15,7 @@ using CacheCommand = CommandTest;
 
 TEST_F(CacheCommand, PrintsTheFolderAndContents) {
   Cache(at("cache")).put(EntryKind::field, std::string(64, '1'), std::string(1'500'000, 'x'));
-  const Outcome outcome = run("cache info --cache @cache");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run("cache info --cache @cache"));
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("Cache in " + at("cache").string() + "\n"));
   EXPECT_THAT(outcome.output, ContainsRegex("\nfield +1 +1\\.5 MB\n"));
@@ -27,8 +26,7 @@ TEST_F(CacheCommand, ClearsFullAndEmptyCaches) {
   Cache(at("cache")).put(EntryKind::field, std::string(64, '1'), 1);
   EXPECT_THAT(run("cache clear --cache @cache").output, ContainsRegex("1 entry, [0-9.]+ kB, removed"));
   EXPECT_FALSE(std::filesystem::exists(at("cache")));
-  const Outcome again = run("cache clear --cache @cache");
-  EXPECT_EQ(again.status, 0);
+  const Outcome again = succeeded(run("cache clear --cache @cache"));
   EXPECT_THAT(again.output, HasSubstr("0 entries"));
 }
 

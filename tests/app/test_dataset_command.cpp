@@ -51,8 +51,7 @@ TEST_F(DatasetCommand, InfoCountsSkippedFiles) {
   std::filesystem::create_directories(at("classes/box/old"));
   std::filesystem::copy(at("T1.off"), at("classes/box/T1.off"));
   write_text(at("classes/box/T1.mtl"), "newmtl x");
-  const Outcome outcome = run("dataset info @classes");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run("dataset info @classes"));
   EXPECT_THAT(outcome.output, HasSubstr("\nskipped: 1 file that is not a shape, 1 folder\n"));
 }
 
@@ -60,8 +59,7 @@ TEST_F(DatasetCommand, InfoCountsASplit) {
   for (const char* name : {"bed/train/1.off", "bed/test/2.off", "bed/test/3.off", "sofa/test/4.off"}) {
     write_text(at("parts/" + std::string(name)), test::text_of(at("T0.off")));
   }
-  const Outcome outcome = run("dataset info @parts --split test");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run("dataset info @parts --split test"));
   EXPECT_THAT(outcome.output, HasSubstr("layout folders: 3 models in 2 classes"));
   EXPECT_THAT(outcome.output, HasSubstr("\"split\":\"test\""));
   const Outcome without = run("dataset info @ --split test");
@@ -77,10 +75,9 @@ TEST_F(DatasetCommand, EvaluateReadsItsLabels) {
   ASSERT_EQ(run(command + " -o @labels.csv").status, 0);
   write_text(at("lists/000001"), "000001 0\n000002 0.5\n");
   write_text(at("lists/000002"), "000002 0\n");
-  const Outcome outcome =
+  const Outcome outcome = succeeded(
       run("evaluate @lists --labels @labels.csv --protocol paper --measures P@N,R@N,F1@N,mAP@N,nDCG@N --format csv "
-          "--unit fraction --digits 4");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+          "--unit fraction --digits 4"));
   // Query 1 finds both, with the grades 3 and 1; query 2 finds itself only, not the model of grade 2.
   EXPECT_THAT(outcome.output, HasSubstr("lists,paper,micro,1.0000,0.7500,0.8333,0.7500,0.8000\n"));
   EXPECT_EQ(run(command + " -o @labels.csv").status, 2) << "exists";

@@ -69,8 +69,7 @@ TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {
 
 TEST_F(DescribeCommand, WritesOneRowPerShape) {
   const std::string output = at("x.npy").string();
-  const Outcome outcome = describe(fmt::format("--descriptor d2 --set bins=8 --set points=64 -o '{}'", output));
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  succeeded(describe(fmt::format("--descriptor d2 --set bins=8 --set points=64 -o '{}'", output)));
   const DistanceMatrix rows = read_matrix(output, TableShape::any).numbers;
   ASSERT_EQ(rows.rows(), 3);
   const Shape box = prepare_shape(test::small_shape("box", 0), {}).shape;
@@ -79,9 +78,8 @@ TEST_F(DescribeCommand, WritesOneRowPerShape) {
 
 TEST_F(DescribeCommand, LearnsFromAllShapesAndNamesThemInCsv) {
   const std::string output = at("x.csv").string();
-  const Outcome outcome = describe(fmt::format(
-      "--descriptor bag_of_features --set words=4 --set 'fields=[{{\"type\":\"centricity\"}}]' -o '{}'", output));
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  succeeded(describe(fmt::format(
+      "--descriptor bag_of_features --set words=4 --set 'fields=[{{\"type\":\"centricity\"}}]' -o '{}'", output)));
   const LabelledTable table = read_matrix(output, TableShape::any);
   EXPECT_THAT(table.row_ids, testing::ElementsAre("sphere", "box", "capsule"));
   ASSERT_EQ(table.numbers.cols(), 4);
@@ -94,9 +92,8 @@ TEST_F(DescribeCommand, GivesFilesOfEqualNamesDifferentIds) {
   write_off(at("a/x.off"), test::small_shape("box", 0));
   write_off(at("b/x.off"), test::small_shape("box", 1));
   const auto ids = [&](const std::string& inputs) {
-    const Outcome outcome =
-        run_executable(fmt::format("describe {} --descriptor d2 --replace -o '{}'", inputs, at("x.csv").string()));
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    succeeded(
+        run_executable(fmt::format("describe {} --descriptor d2 --replace -o '{}'", inputs, at("x.csv").string())));
     return read_matrix(at("x.csv"), TableShape::any).row_ids;
   };
   const std::string a = fmt::format("'{}'", at("a/x.off").string());
@@ -178,8 +175,7 @@ TEST_F(RerankCommand, MatchesTheLibrary) {
   write_npy(at("d.npy"), line());
   const auto rerank = [&](const std::string& arguments) {
     const std::string call = fmt::format("rerank @d.npy --replace -o @r.npy {}", arguments);
-    const Outcome outcome = run(call);
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    succeeded(run(call));
     return read_matrix(at("r.npy"), TableShape::square).numbers;
   };
   EXPECT_EQ(rerank("--neighbours 3"), diffused(line(), {.neighbours = 3}));
@@ -227,8 +223,7 @@ TEST_F(RerankCommand, AnInterruptionLeavesNoFile) {
 
 TEST_F(RerankCommand, KeepsTheIdsOfCsvFiles) {
   test::write_text(at("d.csv"), "id,x,y,z\nx,0,1,3\ny,1,0,2\nz,3,2,0\n");
-  const Outcome outcome = run("rerank @d.csv -o @r.csv --method query_expansion --neighbours 1");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  succeeded(run("rerank @d.csv -o @r.csv --method query_expansion --neighbours 1"));
   const LabelledTable found = read_matrix(at("r.csv"), TableShape::square);
   EXPECT_THAT(found.row_ids, testing::ElementsAre("x", "y", "z"));
   EXPECT_EQ(found.numbers, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
@@ -244,8 +239,7 @@ TEST_F(RerankCommand, AcceptsInfiniteDistances) {
   test::write_text(at("classes.txt"), "a\na\na\na\na\nb\nb\nb\nb\nb\n");
   for (const std::string method :
        {"diffusion --neighbours 3", "diffusion --neighbours 3 --sparse", "k_reciprocal", "query_expansion"}) {
-    const Outcome outcome = run(fmt::format("rerank @d.npy --replace -o @r.npy --method {}", method));
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    const Outcome outcome = succeeded(run(fmt::format("rerank @d.npy --replace -o @r.npy --method {}", method)));
     EXPECT_EQ(outcome.errors, "") << method;
     const DistanceMatrix found = read_matrix(at("r.npy"), TableShape::square).numbers;
     EXPECT_EQ(found.array().isInf().count(), 18) << method;
@@ -259,8 +253,7 @@ TEST_F(RerankCommand, WarnsOfAsymmetricMatrices) {
   distances(2, 5) += 0.5;
   distances(7, 1) += 2;
   write_npy(at("d.npy"), distances);
-  const Outcome outcome = run("rerank @d.npy -o @r.npy");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run("rerank @d.npy -o @r.npy"));
   EXPECT_THAT(outcome.errors, testing::MatchesRegex("shapegauge: warning: [^\n]*not symmetric: 2 pairs[^\n]*by up to "
                                                     "2;[^\n]*\n"));
 }

@@ -135,8 +135,7 @@ TEST_F(EvaluateCommand, OrderSelectsNaturalOrFileOrder) {
 }
 
 TEST_F(EvaluateCommand, ReportsExcludedSmallClasses) {
-  const Outcome outcome = evaluate_toy("--format json --min-class-size 4");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(evaluate_toy("--format json --min-class-size 4"));
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["queries"], 4);
   EXPECT_THAT(outcome.errors, HasSubstr("omitted as queries: 3 models"));
 }
@@ -183,8 +182,7 @@ TEST_F(EvaluateCommand, ReportsAndOrdersTies) {
 TEST_F(EvaluateCommand, WarnsOfAnomalies) {
   write_text(at("odd.txt"), "0 1 2\n1 0 -3\n2 4 0\n");
   write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
-  const Outcome outcome = run("evaluate @odd.txt --labels @three.csv");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run("evaluate @odd.txt --labels @three.csv"));
   EXPECT_THAT(outcome.errors,
               testing::AllOf(HasSubstr("warning: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
 }
@@ -198,8 +196,7 @@ TEST_F(EvaluateCommand, DoesNotOverwriteTheListsOfAFolder) {
 
 TEST_F(EvaluateCommand, OneClassScoresFullyWithoutClassIntervals) {
   write_text(at("same.csv"), "id,class\n0,a\n1,a\n2,a\n3,a\n4,a\n5,a\n6,a\n");
-  const Outcome outcome = run("evaluate @toy.npy --labels @same.csv --confidence 0.95 --format json");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run("evaluate @toy.npy --labels @same.csv --confidence 0.95 --format json"));
   EXPECT_THAT(outcome.errors, HasSubstr("fewer than two classes"));
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["micro"]["mAP"], 1);

@@ -36,14 +36,13 @@ class FileMessages : public CommandTest {
 
 TEST_F(FileMessages, PolygonsAreReportedOnce) {
   const Outcome sdf =
-      run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("quads.off"), quoted("q.csv")));
-  EXPECT_EQ(sdf.status, 0) << sdf.errors;
+      succeeded(run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("quads.off"), quoted("q.csv"))));
   EXPECT_THAT(sdf.errors, AllOf(HasSubstr("6 faces"), HasSubstr("12 triangles")));
   EXPECT_THAT(test::text_of(at("q.csv")), StartsWith("index,sdf,weight,polygon\n"));
   EXPECT_THAT(test::text_of(at("q.csv")), HasSubstr("\n11,"));
 
-  const Outcome parts = run_executable(fmt::format("segment {} -o {}", quoted("quads.off"), quoted("q.seg")));
-  EXPECT_EQ(parts.status, 0) << parts.errors;
+  const Outcome parts =
+      succeeded(run_executable(fmt::format("segment {} -o {}", quoted("quads.off"), quoted("q.seg"))));
   EXPECT_THAT(parts.errors, HasSubstr("6 faces"));
   const std::string rows = test::text_of(at("q.seg"));
   EXPECT_EQ(std::ranges::count(rows, '\n'), 6) << "as many as the file has faces";

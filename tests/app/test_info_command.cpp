@@ -18,12 +18,10 @@ TEST_F(InfoCommand, PrintsTextAndJson) {
   Shape box = test::box({1, 1, 1}, 1);
   box.triangles = box.triangles.topRows(11).eval();
   write_off(at("box.off"), box);
-  const Outcome text = run("info @box.off");
-  EXPECT_EQ(text.status, 0) << text.errors;
+  const Outcome text = succeeded(run("info @box.off"));
   EXPECT_THAT(text.output, HasSubstr("closed                  no\n"));
   EXPECT_THAT(text.output, HasSubstr("boundary edges          3\n"));
-  const Outcome json = run("info --format json @box.off");
-  EXPECT_EQ(json.status, 0) << json.errors;
+  const Outcome json = succeeded(run("info --format json @box.off"));
   const auto found = nlohmann::json::parse(json.output);
   EXPECT_EQ(found["triangles"], 11);
   EXPECT_EQ(found["closed"], false);

@@ -22,8 +22,7 @@ std::string leaderboard(const test_board::SmallBoard& small, const std::string& 
 TEST(LeaderboardCommand, PrintsTheTableAndWritesThePage) {
   const test_board::SmallBoard small;
   const auto page = small.folder.path() / "page.html";
-  const Outcome outcome = run_executable(leaderboard(small, "-o " + shell_word(page) + " --title Contest"));
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run_executable(leaderboard(small, "-o " + shell_word(page) + " --title Contest")));
   EXPECT_LT(outcome.output.find("good"), outcome.output.find("poor"));
   EXPECT_THAT(test::text_of(page), HasSubstr("<title>Contest"));
   EXPECT_EQ(run_executable(leaderboard(small, "-o " + shell_word(page))).status, 2) << "the page exists";
@@ -64,8 +63,7 @@ TEST(LeaderboardCommand, UpdatesASite) {
   const std::string arguments = leaderboard(small, "-o " + shell_word(small.folder.path() / "site"));
   EXPECT_EQ(run_executable(arguments).status, 0);
   small.add("third.csv", test_board::small_matrix(1));
-  const Outcome outcome = run_executable(arguments);
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run_executable(arguments));
   EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("1 pages"), HasSubstr("2 unchanged")));
 }
 
@@ -79,8 +77,7 @@ TEST(LeaderboardCommand, ComparesMethodsOverDataSets) {
     }
   }
   const std::string sets = "leaderboard " + shell_word(at("s")) + " " + shell_word(at("t"));
-  const Outcome outcome = run_executable(sets + " -o " + shell_word(at("site")));
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run_executable(sets + " -o " + shell_word(at("site"))));
   EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("mean rank"), HasSubstr("Friedman's test: chi-squared 2.00")));
   EXPECT_TRUE(std::filesystem::exists(at("site/t/index.html")));
   EXPECT_THAT(run_executable(sets + " --format csv --rank-by NN").output, HasSubstr("psb,micro,NN,good,100.0000"));

@@ -35,8 +35,7 @@ class NormalsCommand : public CommandTest {
 };
 
 TEST_F(NormalsCommand, AreOutwardAtFacesInCsv) {
-  const Outcome outcome = normals("mesh.off", "--at faces --offset 0.02", "x.csv");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(normals("mesh.off", "--at faces --offset 0.02", "x.csv"));
   EXPECT_EQ(outcome.output + outcome.errors, "");
   const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
   const Samples samples = sample_shape(mesh, SampleSite::faces);
@@ -52,8 +51,7 @@ TEST_F(NormalsCommand, AreOutwardAtFacesInCsv) {
 }
 
 TEST_F(NormalsCommand, WritesReadableCloudsInEveryFormat) {
-  const Outcome outcome = normals("cloud.off", "--offset auto", "x.ply");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(normals("cloud.off", "--offset auto", "x.ply"));
   EXPECT_THAT(outcome.errors, StartsWith("shapegauge: offset 0.0"));
   EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1);
   const Shape read = read_shape(at("x.ply"));
@@ -76,8 +74,7 @@ TEST_F(NormalsCommand, AreOutwardOnACleanCloudByDefault) {
 }
 
 TEST_F(NormalsCommand, WarnsOfSamplesWithTheOutsideOnBothSides) {
-  const Outcome outcome = normals("cloud.off", "--offset 0.01", "x.ply");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(normals("cloud.off", "--offset 0.01", "x.ply"));
   const Shape read = read_shape(at("x.ply"));
   const auto inward = (read.normals.cwiseProduct(read.vertices).rowwise().sum().array() < 0).count();
   ASSERT_GT(inward, 1000) << "about half of 3000";
@@ -89,8 +86,7 @@ TEST_F(NormalsCommand, WarnsOfSamplesWithTheOutsideOnBothSides) {
 }
 
 TEST_F(NormalsCommand, WarnsOfAnOffsetBelowTheGaps) {
-  const Outcome outcome = normals("cloud.off", "--offset 0.01", "x.csv");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(normals("cloud.off", "--offset 0.01", "x.csv"));
   EXPECT_THAT(outcome.errors, HasSubstr("the offset is smaller than the gaps of the shape (4."));
   EXPECT_THAT(outcome.errors, HasSubstr(" or --offset auto\n"));
   // The recommended offset suffices and is not much wider than the gaps.

@@ -89,8 +89,7 @@ TEST_F(OutputFiles, ExistingFilesNeedReplace) {
     expect_error_line(run(call), "--replace");
     EXPECT_EQ(text_of(at(writer.output)), "mine");
     EXPECT_FALSE(fs::exists(at("y.csv"))) << "done before any work";
-    const Outcome replaced = run(call + " --replace");
-    EXPECT_EQ(replaced.status, 0) << replaced.errors;
+    succeeded(run(call + " --replace"));
     EXPECT_NE(text_of(at(writer.output)), "mine");
   }
 }
@@ -154,8 +153,8 @@ TEST_F(OutputFiles, AStandardStreamIsUsedOnce) {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv --measures NN ";
   expect_error_line(run(evaluate + "--per-query -"), "not standard output");
   expect_error_line(run("evaluate - --labels - < @d.csv"), "once only");
-  const Outcome to_device = run(evaluate + "--per-query /dev/stdout --pr /dev/null --pr-per-class /dev/null");
-  EXPECT_EQ(to_device.status, 0) << to_device.errors;
+  const Outcome to_device =
+      succeeded(run(evaluate + "--per-query /dev/stdout --pr /dev/null --pr-per-class /dev/null"));
   EXPECT_THAT(to_device.output, HasSubstr("d,psb,p,a,100\n"));
 }
 

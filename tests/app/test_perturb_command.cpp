@@ -26,15 +26,14 @@ class PerturbCommand : public CommandTest {
 };
 
 TEST_F(PerturbCommand, AppliesPerturbationsInTheDocumentedOrder) {
-  const Outcome outcome = perturb("x.off", "--remove-faces 0.5 --noise 0.01 --decimate 400 --flip 1 --motion 2");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome =
+      succeeded(perturb("x.off", "--remove-faces 0.5 --noise 0.01 --decimate 400 --flip 1 --motion 2"));
   EXPECT_EQ(outcome.output + outcome.errors, "");
   EXPECT_NEAR(static_cast<double>(read_shape(at("x.off")).triangles.rows()), 200, 1);
 }
 
 TEST_F(PerturbCommand, WarnsIfDecimationKeepsMoreFaces) {
-  const Outcome outcome = perturb("x.off", "--decimate 1");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(perturb("x.off", "--decimate 1"));
   const auto left = read_shape(at("x.off")).triangles.rows();
   EXPECT_GT(left, 1);
   EXPECT_THAT(outcome.errors, testing::HasSubstr("decimated to " + std::to_string(left) + " faces instead of 1"));
@@ -53,8 +52,7 @@ TEST_F(PerturbCommand, WarnsOfCoordinatesTooLargeForStl) {
   Shape far = shape;
   far.vertices.rowwise() += Eigen::RowVector3d(5e5, 4.5e6, 100);
   write_off(at("far.off"), far);
-  const Outcome converted = run("convert @far.off -o @far.stl");
-  EXPECT_EQ(converted.status, 0);
+  const Outcome converted = succeeded(run("convert @far.off -o @far.stl"));
   EXPECT_THAT(converted.errors, HasSubstr("single precision of STL"));
   EXPECT_EQ(run("convert @far.off -o @far.ply").errors, "");
   EXPECT_EQ(perturb("near.stl", "--flip 1").errors, "");

@@ -33,8 +33,7 @@ class ReplayReport : public SmallRun {
 };
 
 TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
-  const Outcome outcome = replay("--threads 3");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(replay("--threads 3"));
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("same          summary.csv\n"));
   EXPECT_THAT(outcome.output, HasSubstr("same          distances/fixed.npy\n"));
@@ -59,11 +58,9 @@ TEST_F(SmallRun, RunAndComparePlotTheCurves) {
 
 TEST_F(SmallRun, DryRunChecksInputsAndPrintsTheConfiguration) {
   const std::string run = "run " + quoted("small.json") + " --output " + quoted("out");
-  const Outcome dry = run_executable(run + " --dry-run");
-  EXPECT_EQ(dry.status, 0) << dry.errors;
+  const Outcome dry = succeeded(run_executable(run + " --dry-run"));
   EXPECT_THAT(dry.output, HasSubstr("Inputs: 9 files\nResults: " + at("out").string() + "\n"));
-  const Outcome printed = run_executable(run + " --print-config --set signatures.0.histogram.bins=7");
-  EXPECT_EQ(printed.status, 0) << printed.errors;
+  const Outcome printed = succeeded(run_executable(run + " --print-config --set signatures.0.histogram.bins=7"));
   const auto configuration = nlohmann::json::parse(printed.output);
   EXPECT_EQ(configuration["signatures"][0]["histogram"]["bins"], 7);
   EXPECT_EQ(configuration["signatures"][0]["field"]["rays"], 25) << "a default";
@@ -98,8 +95,7 @@ TEST_F(SmallRun, IdsNextToAMatrixDetermineItsOrder) {
 TEST_F(ReplayReport, AcceptsAnotherFolderOfTheDataSet) {
   fs::rename(at("data"), at("moved"));
   EXPECT_EQ(replay().status, 2);
-  const Outcome outcome = replay("--dataset-root " + quoted("moved"));
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(replay("--dataset-root " + quoted("moved")));
   EXPECT_THAT(outcome.output, HasSubstr("All 15 outputs are identical"));
 }
 
@@ -135,8 +131,7 @@ TEST_F(ReplayReport, RepeatsComparisons) {
   fs::rename(at("data"), at("moved"));
   const std::string replay =
       "run --replay " + quoted("two/manifest.json") + " --output " + quoted("again") + " --dataset-root ";
-  const Outcome outcome = run_executable(replay + quoted("moved"));
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run_executable(replay + quoted("moved")));
   EXPECT_THAT(outcome.output, HasSubstr("same          distances.csv\n"));
   EXPECT_THAT(outcome.output, HasSubstr("not compared  timings.csv\n"));
   fs::copy_file(at("moved/T2.off"), at("moved/T1.off"), fs::copy_options::overwrite_existing);
@@ -189,8 +184,7 @@ class RunCommand : public SmallRun {
 };
 
 TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
-  const Outcome outcome = run();
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run());
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("fixed      psb       both     100.00"));
   EXPECT_THAT(outcome.output, HasSubstr("Results in " + at("out").string()));
@@ -206,8 +200,7 @@ TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
 TEST_F(RunCommand, OmitsTheReportOnRequest) {
   ASSERT_EQ(run().status, 0);
   EXPECT_TRUE(fs::exists(at("out") / "report.html"));
-  const Outcome outcome = run("--force --set report=false");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run("--force --set report=false"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("report.html")));
   EXPECT_FALSE(fs::exists(at("out") / "report.html")) << "that of the earlier run";
 }
@@ -283,8 +276,7 @@ TEST_F(RunCommand, CountsOffsetsBelowTheGapsInAllOutputs) {
   open_box.triangles = open_box.triangles.bottomRows(open_box.triangles.rows() - 8).eval();
   write_off(at("data/T1.off"), open_box);
   const std::string field = R"(--set 'signatures.0.field={"type":"offset_sdf","offset":0.005}')";
-  const Outcome outcome = run(field);
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run(field));
   EXPECT_THAT(outcome.errors, HasSubstr("warning: 1 of 9 shapes have gaps wider than the offset of the field "));
   EXPECT_THAT(text_of(at("out/report.html")), HasSubstr("1 of 9 shapes have gaps wider than the offset"));
   const auto fields = nlohmann::json::parse(text_of(at("out/manifest.json")))["fields"];
@@ -302,8 +294,7 @@ TEST_F(RunCommand, ComparisonsWarnOfOffsetsBelowTheGaps) {
     {"name": "b", "file": "data/T0.off", "perturbations": [{"type": "remove_faces", "fraction": 0.3}]}],
     "signatures": [
     {"name": "offset", "field": {"type": "offset_sdf", "offset": 0.005}, "histogram": {"range": "per-shape"}}]})");
-  const Outcome outcome = run_executable("run " + quoted("comparison.json") + " --output " + quoted("two"));
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run_executable("run " + quoted("comparison.json") + " --output " + quoted("two")));
   EXPECT_THAT(outcome.errors, HasSubstr("warning: 1 of 2 shapes have gaps wider than the offset of the field "));
   EXPECT_THAT(text_of(at("two/summary.md")), HasSubstr("1 of 2 shapes have gaps wider than the offset"));
   EXPECT_EQ(nlohmann::json::parse(text_of(at("two/manifest.json")))["fields"][0]["shapes_with_gaps_wider_than_offset"],

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -54,9 +55,8 @@ class RunParts : public SmallRun {
   }
   /// Runs the rest and returns the results.
   [[nodiscard]] std::map<std::string, std::string> combined() const {
-    const Outcome outcome = run_executable(
-        fmt::format("run {} --output {} --cache {}", quoted("small.json"), quoted("out"), quoted("cache")));
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    succeeded(run_executable(
+        fmt::format("run {} --output {} --cache {}", quoted("small.json"), quoted("out"), quoted("cache"))));
     return results_in(at("out"));
   }
   [[nodiscard]] json cache_use() const {
@@ -73,8 +73,7 @@ class RunParts : public SmallRun {
 
 TEST_F(RunParts, TheRunComputesMissingParts) {
   for (const char* part : {"1/2", "3/3"}) {
-    const Outcome outcome = run_part(part);
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    const Outcome outcome = succeeded(run_part(part));
     EXPECT_EQ(outcome.errors, "");
   }
   const auto results = combined();
@@ -103,8 +102,7 @@ TEST_F(RunParts, AKilledPartContinues) {
   EXPECT_EQ(part.wait(), -SIGKILL);
   const std::size_t kept = fields_kept();
   EXPECT_LT(kept, 5U);
-  const Outcome again = run_part("1/2");
-  EXPECT_EQ(again.status, 0);
+  const Outcome again = succeeded(run_part("1/2"));
   EXPECT_EQ(again.errors, "") << "nothing is damaged";
   EXPECT_GE(fields_kept(), 5U);
   EXPECT_EQ(combined(), results_of_one());
@@ -128,8 +126,7 @@ TEST_F(RunParts, EntriesOfAnotherVersionAreIgnored) {
     bytes.replace(0, bytes.find('\n'), "shapegauge cache entry 99");
     write_text(entry.path(), bytes);
   }
-  const Outcome outcome = run_part("2/2");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run_part("2/2"));
   EXPECT_EQ(outcome.errors, "") << "shapes of another part";
   EXPECT_THAT(run_part("1/2").errors, HasSubstr("damaged cache entry, recomputed"));
   EXPECT_EQ(combined(), results_of_one());
@@ -188,8 +185,7 @@ TEST_F(RunParts, ValidateTheirModels) {
   const Outcome first = run_executable(validate + "1/2");
   EXPECT_EQ(first.status, 1);
   EXPECT_THAT(first.output, HasSubstr("4 of 5 models can be used"));
-  const Outcome second = run_executable(validate + "2/2");
-  EXPECT_EQ(second.status, 0);
+  const Outcome second = succeeded(run_executable(validate + "2/2"));
   EXPECT_EQ(second.output, "4 of 4 models can be used\n");
 }
 

@@ -149,8 +149,7 @@ TEST_F(RunWithCache, ADamagedEntryIsOneWarning) {
   for (const CacheFile& file : cache_files(at("cache"))) {
     if (file.kind == EntryKind::field) write_text(file.path, text_of(file.path).substr(0, 100));
   }
-  const Outcome outcome = run_with_cache("out");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run_with_cache("out"));
   EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: damaged cache entry, recomputed: [^\n]* and 8 "
                                            "others\n"));
   EXPECT_EQ(results_in(at("out")), fresh);
@@ -180,8 +179,7 @@ class SmallDisk {
 TEST_F(RunWithCache, ContinuesWithAWarningIfTheCacheDiskIsFull) {
   const SmallDisk disk(at("cache"), "64k");
   if (!disk.mounted()) GTEST_SKIP() << "only root may mount a small disk";
-  const Outcome outcome = run_with_cache("out");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run_with_cache("out"));
   EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: cache disabled for writing: [^\n]*No space "
                                            "left on device[^\n]*\n"));
   ASSERT_EQ(run("fresh", "--no-cache").status, 0);

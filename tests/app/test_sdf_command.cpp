@@ -29,8 +29,7 @@ class SdfCommand : public CommandTest {
 };
 
 TEST_F(SdfCommand, WritesValuesInTheUnitsAndOrderOfTheFile) {
-  const Outcome outcome = sdf("--method cone_sdf --at vertices -o @x.csv");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(sdf("--method cone_sdf --at vertices -o @x.csv"));
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(outcome.errors, "");
   const Samples samples = sample_shape(shape, SampleSite::vertices);
@@ -47,8 +46,7 @@ TEST_F(SdfCommand, WritesValuesInTheUnitsAndOrderOfTheFile) {
 }
 
 TEST_F(SdfCommand, WithoutOptionsTheOffsetSdfIsSummarised) {
-  const Outcome outcome = sdf("");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(sdf(""));
   EXPECT_THAT(outcome.output, StartsWith("shape "));
   EXPECT_EQ(outcome.output, sdf("--method offset_sdf --offset 5% --summary").output);
   EXPECT_EQ(sdf("--method cone_sdf").output, sdf("--method cone_sdf --summary").output);
@@ -90,8 +88,7 @@ TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
   write_text(at("cloud.pts"), lines);
   const std::string command = "sdf @cloud.pts --method offset_sdf --offset 0.2 -o @";
   for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
-    const Outcome outcome = run(command + file);
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    const Outcome outcome = succeeded(run(command + file));
     EXPECT_EQ(outcome.errors, "");
   }
   const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
@@ -208,8 +205,7 @@ TEST_F(SdfCommand, ReportsHollowBodies) {
 
 TEST_F(SdfCommand, WarnsOfMissingValues) {
   write_text(at("sphere.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  const Outcome outcome = sdf("--method cone_sdf -o @x.csv");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(sdf("--method cone_sdf -o @x.csv"));
   EXPECT_EQ(
       outcome.errors,
       "shapegauge: warning: 1 of 1 samples missing: parts that are open or inside out (offset_sdf measures these), "

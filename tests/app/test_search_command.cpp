@@ -36,8 +36,7 @@ class SearchCommand : public CommandTest {
 };
 
 TEST_F(SearchCommand, NamesTheNearestShapes) {
-  const Outcome outcome = search("query.off", "-k 3");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(search("query.off", "-k 3"));
   EXPECT_THAT(outcome.output, HasSubstr("rank"));
   for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
   EXPECT_THAT(outcome.errors, HasSubstr("9 of 9 shapes indexed"));
@@ -94,20 +93,17 @@ TEST_F(SearchCommand, NamesUnusableFilesAndAnswersOtherQueries) {
   EXPECT_THAT(outcome.errors, HasSubstr("broken.off"));
   EXPECT_THAT(outcome.output, HasSubstr("query.off"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("T7.off")));
-  const Outcome later = search("query.off", "");
-  EXPECT_EQ(later.status, 0);
+  const Outcome later = succeeded(search("query.off", ""));
   EXPECT_THAT(later.errors, HasSubstr("1 of 9 shapes"));
   EXPECT_EQ(search("broken.off", "").status, 2);
 }
 
 TEST_F(SearchCommand, OnlyIndexesWithoutQueriesAndOnlySearchesWithNoUpdate) {
-  const Outcome described = search(quoted("models") + " --index " + quoted("own.index"));
-  EXPECT_EQ(described.status, 0);
+  const Outcome described = succeeded(search(quoted("models") + " --index " + quoted("own.index")));
   EXPECT_EQ(described.output, "");
   ASSERT_TRUE(std::filesystem::exists(at("own.index")));
   std::filesystem::remove(at("models/T0.off"));
-  const Outcome stale = search("query.off", "--no-update --index " + quoted("own.index"));
-  EXPECT_EQ(stale.status, 0);
+  const Outcome stale = succeeded(search("query.off", "--no-update --index " + quoted("own.index")));
   EXPECT_THAT(stale.output, HasSubstr("T0.off"));
   EXPECT_THAT(search("query.off", "--index " + quoted("own.index")).output, Not(HasSubstr("T0.off")));
   expect_error_line(search("query.off", "--no-update --index " + quoted("absent.index")), "absent.index");
@@ -141,17 +137,15 @@ TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
 }
 
 TEST_F(SearchCommand, ArticulatedSelectsAnotherMethodAndIndex) {
-  const Outcome outcome = run_executable("search " + quoted("query.off") + " " + quoted("models") +
-                                         " -k 3 --articulated --cache " + quoted("cache"));
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run_executable("search " + quoted("query.off") + " " + quoted("models") +
+                                                   " -k 3 --articulated --cache " + quoted("cache")));
   for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
   EXPECT_TRUE(std::filesystem::exists(at("models.recommended_articulated.search-index")));
 }
 
 TEST_F(SearchCommand, ReRanksAndUsesTheRecommendedMethodByDefault) {
-  const Outcome outcome = run_executable("search " + quoted("query.off") + " " + quoted("models") +
-                                         " -k 3 --rerank --format json --cache " + quoted("cache"));
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run_executable("search " + quoted("query.off") + " " + quoted("models") +
+                                                   " -k 3 --rerank --format json --cache " + quoted("cache")));
   const nlohmann::json json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["reranked"], true);
   EXPECT_EQ(json["queries"][0]["results"].size(), 3U);

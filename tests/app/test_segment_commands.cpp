@@ -50,8 +50,8 @@ class SegmentCommands : public CommandTest {
 
 TEST_F(SegmentCommands, SegmentWritesALineAFace) {
   for (const char* method : {"best", "paper"}) {
-    const Outcome outcome = run(fmt::format("segment @psb/off/1.off --method {} --replace -o @x.seg", method));
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    const Outcome outcome =
+        succeeded(run(fmt::format("segment @psb/off/1.off --method {} --replace -o @x.seg", method)));
     EXPECT_EQ(outcome.output, "");
     EXPECT_THAT(outcome.errors, HasSubstr("2 parts"));
     EXPECT_EQ(text_of(at("x.seg")), segments(0, 1));
@@ -61,8 +61,7 @@ TEST_F(SegmentCommands, SegmentWritesALineAFace) {
 TEST_F(SegmentCommands, SegmentNeedsNoOptionsAndTakesFolders) {
   write_off(at("balls.off"), two_balls());
   const WorkingFolder here(folder_.path());
-  const Outcome one = run("segment balls.off");
-  EXPECT_EQ(one.status, 0) << one.errors;
+  const Outcome one = succeeded(run("segment balls.off"));
   EXPECT_THAT(one.errors, HasSubstr("2 parts in balls.seg\n"));
   EXPECT_EQ(text_of(at("balls.seg")), segments(0, 1));
   EXPECT_THAT(run("segment balls.off").errors, HasSubstr("--replace"));
@@ -105,9 +104,7 @@ TEST_F(SegmentCommands, WarnsOfAnOpenCloud) {
 }
 
 TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
-  const Outcome outcome =
-      run("segment @psb/off/1.off --patches 40 --least-probability 0.99 --border-width 0 -o @x.seg");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  succeeded(run("segment @psb/off/1.off --patches 40 --least-probability 0.99 --border-width 0 -o @x.seg"));
   PartSegmentationOptions options{.patches = 40, .min_probability = 0.99};
   options.smoothing.width = 0;
   const Shape shape = read_shape(at("psb/off/1.off"));
@@ -167,15 +164,13 @@ TEST_F(SegmentCommands, EvaluateSegmentationTellsMethodsFromPeople) {
 TEST_F(SegmentCommands, EvaluateSegmentationWritesEachMesh) {
   write_text(at("good/1.seg"), segments(7, 8));
   write_text(at("good/21.seg"), segments(5, 5));
-  const Outcome outcome = run("evaluate-segmentation @good --benchmark @psb --per-mesh @x.csv");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  succeeded(run("evaluate-segmentation @good --benchmark @psb --per-mesh @x.csv"));
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("good,21,cup,0,0,0,0,0,0,0\n"));
 }
 
 TEST_F(SegmentCommands, MeshesWithoutPeopleAreLeftOutWithAWarning) {
   write_off(at("psb/off/2.off"), two_balls());
-  const Outcome outcome = run("evaluate-segmentation --benchmark @psb");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run("evaluate-segmentation --benchmark @psb"));
   EXPECT_THAT(outcome.errors, HasSubstr("1 meshes without human segmentations (2"));
 }
 

@@ -60,8 +60,7 @@ TEST_F(ShapeFiles, ContinuesAfterAFailedFile) {
 
 TEST_F(ShapeFiles, RemarksNameTheShape) {
   write_text(at("sheet.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  const Outcome outcome = run("sdf @sphere.off @sheet.off --method cone_sdf -o @out/");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome outcome = succeeded(run("sdf @sphere.off @sheet.off --method cone_sdf -o @out/"));
   EXPECT_EQ(outcome.errors, fmt::format("shapegauge: warning: {}: 1 of 1 samples missing: parts that are open or "
                                         "inside out (offset_sdf measures these), "
                                         "vertices without triangles, or points without normals\n",
@@ -148,8 +147,7 @@ TEST_F(ShapeFiles, InfoListsSeveralShapesInOrder) {
 
 TEST_F(ShapeFiles, PicturesHaveTheRequestedSizeAndView) {
   const auto picture = [&](const std::string& more) {
-    const Outcome outcome = run("sdf @box.off --method cone_sdf --replace -o @x.png " + more);
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    succeeded(run("sdf @box.off --method cone_sdf --replace -o @x.png " + more));
     return text_of(at("x.png"));
   };
   const std::string usual = picture("");

@@ -41,9 +41,7 @@ class ViewCommand : public CommandTest {
 };
 
 TEST_F(ViewCommand, ColoursHaveARangeAThresholdAndAUnit) {
-  const Outcome outcome =
-      view("@capsule.off --field cone_sdf --no-parts --unit cm --range 0.5,3 --scale log --below 15mm");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  succeeded(view("@capsule.off --field cone_sdf --no-parts --unit cm --range 0.5,3 --scale log --below 15mm"));
   const ordered_json shown = page();
   EXPECT_EQ(shown["unit"], "cm");
   const ordered_json& field = shown["shapes"][0]["fields"][0];
@@ -73,15 +71,13 @@ TEST_F(ViewCommand, InitialViewIsUpright) {
 
 TEST_F(ViewCommand, ThePageHasTheWarnings) {
   write_off(at("hollow.off"), test::joined({test::sphere(2, 2), test::flipped(test::sphere(1, 2))}));
-  const Outcome outcome = view("@hollow.off --field offset_sdf --no-parts");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  succeeded(view("@hollow.off --field offset_sdf --no-parts"));
   ASSERT_EQ(page()["warnings"].size(), 1U);
   EXPECT_THAT(page()["warnings"][0].get<std::string>(), testing::AllOf(HasSubstr("hollow.off"), HasSubstr("hull")));
 }
 
 TEST_F(ViewCommand, ShowsBothSdfsPartsAndNormals) {
-  const Outcome outcome = view("@capsule.off --offset 0.02");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(view("@capsule.off --offset 0.02"));
   EXPECT_EQ(outcome.output, "");
   EXPECT_THAT(field_names(), ElementsAre("SDF of the offset surface", "Conventional SDF"));
   const ordered_json shape = page()["shapes"][0];
@@ -141,8 +137,7 @@ TEST_F(ViewCommand, WritesTheSamePageToStandardOutput) {
 TEST_F(ViewCommand, NamesThePageOfASingleShapeAfterIt) {
   const WorkingFolder here(at(""));
   ASSERT_EQ(view("capsule.off").status, 0);
-  const Outcome outcome = run("view capsule.off");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run("view capsule.off"));
   EXPECT_THAT(outcome.errors, HasSubstr("page: capsule.html\n"));
   EXPECT_EQ(text_of(at("capsule.html")), text_of(at("page.html")));
 }

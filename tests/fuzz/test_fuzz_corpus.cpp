@@ -52,7 +52,7 @@ constexpr std::array targets = {Target{"read_off", read_off},
 class FuzzCorpus : public ::testing::TestWithParam<Target> {
  protected:
   static std::vector<fs::path> files(const char* kind) {
-    return files_in(fs::path(SHAPEGAUGE_FUZZ_FOLDER) / kind / GetParam().name);
+    return files_in(fs::path(SHAPEGAUGE_SOURCE_FOLDER "/tests/fuzz") / kind / GetParam().name);
   }
 
   /// Whether the target accepts the file. Memory is bounded here, time by CTest.

@@ -255,7 +255,7 @@ TEST_F(CacheTest, SeveralRunsShareAFolder) {
 }
 
 TEST(EntryKinds, AreAllInTheManual) {
-  const std::string manual = read_file_bytes(SHAPEGAUGE_CACHE_GUIDE);
+  const std::string manual = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/docs/manual/cache.md");
   for (const std::string_view kind : entry_kind_names) {
     EXPECT_THAT(manual, testing::HasSubstr(fmt::format("\n| `{}` | ", kind)));
   }

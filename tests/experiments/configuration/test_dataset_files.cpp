@@ -118,7 +118,7 @@ std::vector<PublishedDataset> published_datasets() {
 
 TEST(PublishedDatasets, AreDetectedInTheirFolders) {
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER "/datasets")) {
+  for (const auto& entry : std::filesystem::directory_iterator(SHAPEGAUGE_SOURCE_FOLDER "/configs/datasets")) {
     files += entry.path().extension() == ".json" ? 1 : 0;
   }
   EXPECT_EQ(published_datasets().size(), files) << "each file has a case here";
@@ -131,7 +131,8 @@ TEST(PublishedDatasets, AreDetectedInTheirFolders) {
     const Json document{{"name", "x"},
                         {"dataset", "datasets/" + published.file + ".json"},
                         {"signatures", {{{"name", "d2"}, {"descriptor", {{"type", "d2"}}}}}}};
-    const Configuration configuration = configuration_from_json(document, "x.json", SHAPEGAUGE_CONFIGS_FOLDER);
+    const Configuration configuration =
+        configuration_from_json(document, "x.json", SHAPEGAUGE_SOURCE_FOLDER "/configs");
     unsetenv(published.variable.c_str());
     const Dataset dataset = find_dataset(configuration.location.value());
     EXPECT_EQ(dataset.models.size(), 2U);

@@ -51,7 +51,7 @@ TEST(ExperimentSchema, HasTheParametersOfEachType) {
 }
 
 TEST(ConfigurationReference, ShowsAValidConfiguration) {
-  const std::string page = read_file_bytes(SHAPEGAUGE_CONFIGURATION_GUIDE);
+  const std::string page = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/docs/reference/configuration.md");
   const std::string_view fence = "```json\n";
   const std::size_t begin = page.find(fence) + fence.size();
   const Json document = Json::parse(page.substr(begin, page.find("```", begin) - begin));
@@ -60,8 +60,8 @@ TEST(ConfigurationReference, ShowsAValidConfiguration) {
 }
 
 TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {
-  const std::string program = read_file_bytes(SHAPEGAUGE_EXTENDING_EXAMPLE);
-  const std::string page = read_file_bytes(SHAPEGAUGE_EXTENDING_GUIDE);
+  const std::string program = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/tests/package/consumer/extend.cpp");
+  const std::string page = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/docs/developer/extending.md");
   const std::string_view fence = "```cpp\n";
   int shown = 0;
   for (auto begin = page.find(fence); begin != std::string::npos; begin = page.find(fence, begin + 1)) {
@@ -101,10 +101,11 @@ std::vector<std::string> code_words(const std::string& text) {
 }
 
 TEST(ExtendingGuide, NamesThePlacesOfEachKind) {
-  const std::string program = read_file_bytes(SHAPEGAUGE_EXTENDING_EXAMPLE);
-  const std::filesystem::path repository = std::filesystem::path(SHAPEGAUGE_EXTENDING_GUIDE).parent_path() / "../..";
+  const std::string program = read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/tests/package/consumer/extend.cpp");
+  const std::filesystem::path repository = SHAPEGAUGE_SOURCE_FOLDER;
   int from_outside = 0;
-  for (const std::vector<std::string>& row : first_table(read_file_bytes(SHAPEGAUGE_EXTENDING_GUIDE))) {
+  for (const std::vector<std::string>& row :
+       first_table(read_file_bytes(SHAPEGAUGE_SOURCE_FOLDER "/docs/developer/extending.md"))) {
     ASSERT_EQ(row.size(), 6U);
     for (const std::string& place : code_words(row[3] + row[4])) {
       EXPECT_TRUE(std::filesystem::exists(repository / place)) << place;

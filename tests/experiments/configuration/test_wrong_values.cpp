@@ -29,7 +29,7 @@ using Json = nlohmann::json;
 std::vector<Json> all_experiments() {
   std::set<fs::path> files;
   for (const char* folder : {"", "/paper", "/studies"}) {
-    for (const auto& entry : fs::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER + std::string(folder))) {
+    for (const auto& entry : fs::directory_iterator(SHAPEGAUGE_SOURCE_FOLDER "/configs" + std::string(folder))) {
       if (entry.is_regular_file()) files.insert(entry.path());
     }
   }

@@ -15,7 +15,7 @@ namespace {
 using test::text_of;
 
 const std::string& guide() {
-  static const std::string text = text_of(SHAPEGAUGE_DEFINITIONS);
+  static const std::string text = text_of(SHAPEGAUGE_SOURCE_FOLDER "/docs/reference/definitions.md");
   return text;
 }
 

@@ -73,12 +73,6 @@ class ExperimentKinds : public test::FolderTest {
     return run_into_folder(read_experiment(document, "test.json", folder_.path()), at(output), false, control, cache);
   }
 };
-for (const std::string name : manifest.at("files")) {
-  if (!holds_timings(name)) files[name] = test::text_of(at(output) / name);
-}
-return files;
-}
-};
 
 TEST_F(ExperimentKinds, AreRecognisedByTheirKeys) {
   EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation", "multi_dataset"));

@@ -20,7 +20,7 @@ TEST(SearchMethodOf, TheRecommendedConfigurationsAreTheirSums) {
        {std::pair(RecommendedMethod::any, 5U), std::pair(RecommendedMethod::articulated, 3U)}) {
     const std::string file = recommended_file(recommended);
     const SearchMethod method = recommended_search_method(recommended);
-    const SearchMethod of_file = search_method(read_json(SHAPEGAUGE_CONFIGS_FOLDER "/" + file), file);
+    const SearchMethod of_file = search_method(read_json(SHAPEGAUGE_SOURCE_FOLDER "/configs/" + file), file);
     EXPECT_EQ(method.key(), of_file.key());
     EXPECT_EQ(method.terms.size(), terms);
     EXPECT_EQ(method.sum.options.scale, DistanceScale::ranks);

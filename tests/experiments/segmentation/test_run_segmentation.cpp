@@ -335,7 +335,7 @@ TEST_F(SegmentationRun, RecordsTheFileOfClasses) {
 
 TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
   const TemporaryFolder folder;
-  nlohmann::json document = read_json(SHAPEGAUGE_CONFIGS_FOLDER "/studies/generated_segmentation.json");
+  nlohmann::json document = read_json(SHAPEGAUGE_SOURCE_FOLDER "/configs/studies/generated_segmentation.json");
   document["dataset"]["generate"] = {{"classes", 2}, {"models_per_class", 1}, {"faces", 1000}};
   const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder.path());
   Cache cache;
@@ -349,7 +349,7 @@ TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
 TEST(SegmentationConfiguration, FillsInDefaultsThatReadBackTheSame) {
   for (const char* name : {"paper/psb_segmentation", "paper/table3_segmentation", "studies/generated_segmentation"}) {
     const nlohmann::json document =
-        read_json(std::filesystem::path(SHAPEGAUGE_CONFIGS_FOLDER) / (std::string(name) + ".json"));
+        read_json(std::filesystem::path(SHAPEGAUGE_SOURCE_FOLDER "/configs") / (std::string(name) + ".json"));
     nlohmann::json here = document;
     if (here["dataset"].contains("root")) here["dataset"]["root"] = "/data";
     const nlohmann::json filled = to_json(segmentation_from_json(here, name, "/"));

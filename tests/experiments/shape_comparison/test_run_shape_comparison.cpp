@@ -221,7 +221,7 @@ TEST_F(RunComparison, TheSidesOfACloudsOwnNormalsCountWhereTheFileHasThem) {
 }
 
 TEST(GeneratedComparison, RunsWithoutData) {
-  const fs::path file = fs::path(SHAPEGAUGE_CONFIGS_FOLDER) / "studies/generated_comparison.json";
+  const fs::path file = SHAPEGAUGE_SOURCE_FOLDER "/configs/studies/generated_comparison.json";
   Json document = read_json(file);
   document["shapes"].erase(document["shapes"].begin() + 2, document["shapes"].end());
   for (Json& shape : document["shapes"]) shape["generate"] = {{"class", "snake"}, {"faces", 1000}};
