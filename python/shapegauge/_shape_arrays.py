@@ -123,7 +123,16 @@ def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
         raise InputError("normals are for point clouds; a mesh has its own: leave normals out")
     if len(normals) > 0 and len(normals) != len(vertices):
         raise InputError(f"there are {len(normals)} normals for {len(vertices)} points")
-    return vertices, faces, normals
+    return vertices, faces, _unit_vectors(normals)
+
+
+def _unit_vectors(normals: _numpy.ndarray) -> _numpy.ndarray:
+    """Returns the vectors with length 1, as readers of files do; zeros stay zero."""
+    if not _numpy.isfinite(normals).all():
+        raise InputError("normals have a component that is not a finite number")
+    lengths = _numpy.linalg.norm(normals, axis=1, keepdims=True)
+    lengths[(lengths == 0) | (abs(lengths - 1) < 1e-12)] = 1
+    return normals / lengths
 
 
 def _split_quads(vertices: _numpy.ndarray, faces: Any) -> Any:

@@ -116,6 +116,7 @@ CALLS = [
     (lambda: sg.sdf(MESH, offset=float("nan")), "offset is nan"),
     (lambda: sg.sdf(MESH, offset=-1), "offset"),
     (lambda: sg.sdf(MESH, "x"), "cone"),
+    (lambda: sg.sdf(np.eye(3), normals=np.full((3, 3), np.nan)), "normals"),
     (lambda: sg.sdf(MESH, "cone_sdf", opening_angle_degrees=500), "opening_angle_degrees: "),
     (lambda: sg.sdf(MESH, "cone_sdf", rays={1}), "rays"),
     (lambda: sg.sdf(MESH, "cone_sdf", separation_angle_degrees=5), 'separation_angle_degrees requires method="inscribed_ball"'),
