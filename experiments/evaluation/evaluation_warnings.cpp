@@ -38,6 +38,9 @@ std::string reversed_text(const MatrixFindings& found, Eigen::Index rows) {
 // Describes how many pairs of entries of an asymmetric matrix differ, and by how much.
 std::string asymmetry_text(const MatrixFindings& found) {
   const std::string pairs = count_text(found.asymmetric_pairs, "pair", "pairs");
+  if (found.triangular) {
+    return fmt::format("the matrix is triangular: in {} of entries (i, j) and (j, i) one is 0; complete it", pairs);
+  }
   const std::string amount = found.largest_asymmetry > 0 ? fmt::format("by up to {:.6g}", found.largest_asymmetry)
                                                          : "as one is infinite and the other is not";
   return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);

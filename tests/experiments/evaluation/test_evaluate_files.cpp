@@ -202,6 +202,8 @@ TEST_F(MatrixWarnings, SayWhatWasFoundAndWhatItDoes) {
               ElementsAre(HasSubstr("not symmetric: 2 pairs"), HasSubstr("1 entry is not 0"),
                           HasSubstr("1 row repeats an earlier one (first: d repeats a)"),
                           HasSubstr("1 row has all distances equal (first: b)")));
+  EXPECT_THAT(warnings_of("0 1 2 3\n0 0 4 5\n0 0 0 6\n0 0 0 0\n"),
+              Contains(HasSubstr("triangular: in 6 pairs of entries (i, j) and (j, i) one is 0")));
   EXPECT_THAT(warnings_of("9 3 2 1\n3 9 2 1\n2 2 9 4\n1 1 4 9\n"),
               Contains(HasSubstr("in 4 of 4 rows the query is the farthest")));
 }
