@@ -139,6 +139,7 @@ void MatrixChecks::add_equal_rows(MatrixFindings& findings) const {
 
 MatrixFindings MatrixChecks::findings() const {
   MatrixFindings findings;
+  findings.square = square_;
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     if (!rows_[row].unreachable) findings.infinite += rows_[row].infinite;
     findings.negative += rows_[row].negative;

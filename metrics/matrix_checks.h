@@ -13,6 +13,7 @@ namespace shapegauge {
 /// Anomalies of a distance matrix. None prevents scores from being computed; each may indicate that the matrix is not
 /// what it is assumed to be.
 struct MatrixFindings {
+  bool square = false;        ///< row i and column i are the same model
   Eigen::Index infinite = 0;  ///< entries off the diagonal, without those of infinite_rows
   Eigen::Index negative = 0;  ///< entries off the diagonal
   /// Pairs i < j with different entries (i, j) and (j, i); 0 if all of them differ by rounding only, that is, by at

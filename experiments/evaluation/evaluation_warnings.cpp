@@ -64,8 +64,9 @@ void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated
 void warn_of_zeros(const MatrixFindings& found, Eigen::Index rows, bool negated, std::vector<std::string>& warnings) {
   if (negated || rows < 2 || found.rows_at_zero < rows) return;
   warnings.emplace_back(
-      "each query has a model at distance 0; if queries are among the targets, they find themselves: evaluate the "
-      "matrix of all models, or one with ids");
+      found.square ? "each query has another model at distance 0: duplicates in the data set, or rounded distances"
+                   : "each query has a model at distance 0; if queries are among the targets, they find themselves: "
+                     "evaluate the matrix of all models, or one with ids");
 }
 
 void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids, std::vector<std::string>& warnings) {
