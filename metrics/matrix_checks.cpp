@@ -27,11 +27,13 @@ void mix(std::pair<std::uint64_t, std::uint64_t>& hash, double number) {
 struct Asymmetry {
   Eigen::Index pairs = 0;
   Eigen::Index infinite = 0;
+  Eigen::Index one_sided = 0;
   double largest = 0;
 
   Asymmetry operator+(const Asymmetry& other) const {
     return {.pairs = pairs + other.pairs,
             .infinite = infinite + other.infinite,
+            .one_sided = one_sided + other.one_sided,
             .largest = std::max(largest, other.largest)};
   }
 };
@@ -49,6 +51,7 @@ Asymmetry asymmetry_of_columns(const DistanceTable& rows, Eigen::Index first, co
       const double mirror = mirrored(column, row);
       if (entry == mirror) continue;
       ++found.pairs;
+      if (entry == 0 || mirror == 0) ++found.one_sided;
       const double difference = std::abs(entry - mirror);
       if (std::isfinite(difference)) {
         found.largest = std::max(found.largest, difference);
@@ -109,6 +112,7 @@ void MatrixChecks::compare(const DistanceTable& rows, Eigen::Index first, const 
       std::plus<>());
   asymmetric_pairs_ += found.pairs;
   infinite_asymmetries_ += found.infinite;
+  one_sided_pairs_ += found.one_sided;
   largest_asymmetry_ = std::max(largest_asymmetry_, found.largest);
 }
 
@@ -119,6 +123,8 @@ void MatrixChecks::add_asymmetry(MatrixFindings& findings) const {
   if (infinite_asymmetries_ == 0 && largest_asymmetry_ <= rounding * largest) return;
   findings.asymmetric_pairs = asymmetric_pairs_;
   findings.largest_asymmetry = largest_asymmetry_;
+  const auto size = static_cast<Eigen::Index>(rows_.size());
+  findings.triangular = one_sided_pairs_ == asymmetric_pairs_ && 4 * asymmetric_pairs_ > size * (size - 1);
 }
 
 void MatrixChecks::add_equal_rows(MatrixFindings& findings) const {
@@ -132,6 +138,7 @@ void MatrixChecks::add_equal_rows(MatrixFindings& findings) const {
 
 MatrixFindings MatrixChecks::findings() const {
   MatrixFindings findings;
+  findings.square = square_;
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     if (!rows_[row].unreachable) findings.infinite += rows_[row].infinite;
     findings.negative += rows_[row].negative;

@@ -13,12 +13,14 @@ namespace shapegauge {
 /// Anomalies of a distance matrix. None prevents scores from being computed; each may indicate that the matrix is not
 /// what it is assumed to be.
 struct MatrixFindings {
+  bool square = false;        ///< row i and column i are the same model
   Eigen::Index infinite = 0;  ///< entries off the diagonal, without those of infinite_rows
   Eigen::Index negative = 0;  ///< entries off the diagonal
   /// Pairs i < j with different entries (i, j) and (j, i); 0 if all of them differ by rounding only, that is, by at
   /// most 1e-12 of the largest finite |distance| off the diagonal.
   Eigen::Index asymmetric_pairs = 0;
-  double largest_asymmetry = 0;       ///< maximum finite |(i, j) - (j, i)|; 0 if asymmetric_pairs is
+  double largest_asymmetry = 0;  ///< maximum finite |(i, j) - (j, i)|; 0 if asymmetric_pairs is
+  bool triangular = false;       ///< of every asymmetric pair one entry is 0, and these are more than half of all pairs
   Eigen::Index nonzero_diagonal = 0;  ///< finite entries
   /// Rows whose finite diagonal entry is the largest and not also the smallest; none in a matrix of distances.
   Eigen::Index rows_nearest_to_others = 0;
@@ -66,6 +68,7 @@ class MatrixChecks {
   bool square_;
   Eigen::Index asymmetric_pairs_ = 0;
   Eigen::Index infinite_asymmetries_ = 0;  // pairs whose difference is infinite
+  Eigen::Index one_sided_pairs_ = 0;       // asymmetric pairs, one of which is 0
   double largest_asymmetry_ = 0;
   std::vector<RowFindings> rows_;
 };

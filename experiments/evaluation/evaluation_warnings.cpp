@@ -38,6 +38,9 @@ std::string reversed_text(const MatrixFindings& found, Eigen::Index rows) {
 // Describes how many pairs of entries of an asymmetric matrix differ, and by how much.
 std::string asymmetry_text(const MatrixFindings& found) {
   const std::string pairs = count_text(found.asymmetric_pairs, "pair", "pairs");
+  if (found.triangular) {
+    return fmt::format("the matrix is triangular: in {} of entries (i, j) and (j, i) one is 0; complete it", pairs);
+  }
   const std::string amount = found.largest_asymmetry > 0 ? fmt::format("by up to {:.6g}", found.largest_asymmetry)
                                                          : "as one is infinite and the other is not";
   return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);
@@ -61,8 +64,9 @@ void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated
 void warn_of_zeros(const MatrixFindings& found, Eigen::Index rows, bool negated, std::vector<std::string>& warnings) {
   if (negated || rows < 2 || found.rows_at_zero < rows) return;
   warnings.emplace_back(
-      "each query has a model at distance 0; if queries are among the targets, they find themselves: evaluate the "
-      "matrix of all models, or one with ids");
+      found.square ? "each query has another model at distance 0: duplicates in the data set, or rounded distances"
+                   : "each query has a model at distance 0; if queries are among the targets, they find themselves: "
+                     "evaluate the matrix of all models, or one with ids");
 }
 
 void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids, std::vector<std::string>& warnings) {

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import numbers as _numbers
+import os as _os
 from typing import Any, Tuple
 
 import numpy as _numpy
@@ -116,6 +117,10 @@ def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
         vertices, faces, own_normals = _arrays_of_object(vertices)
         is_cloud = faces is None or len(faces) == 0
         normals = own_normals if normals is None and is_cloud else normals
+    if isinstance(vertices, (str, bytes, _os.PathLike)):
+        raise InputError("vertices must be n x 3, not the path of a file: read it with read()")
+    if isinstance(vertices, (tuple, list)) and len(vertices) == 2 and getattr(vertices[0], "ndim", 0) == 2:
+        raise InputError("vertices must be n x 3, not a pair of arrays: give vertices and faces as two arguments")
     vertices = _rows(vertices, "vertices", _numpy.float64)
     faces = _rows(_split_quads(vertices, [] if faces is None else faces), "faces", _numpy.int32)
     normals = _rows([] if normals is None else normals, "normals", _numpy.float64)
@@ -123,7 +128,16 @@ def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
         raise InputError("normals are for point clouds; a mesh has its own: leave normals out")
     if len(normals) > 0 and len(normals) != len(vertices):
         raise InputError(f"there are {len(normals)} normals for {len(vertices)} points")
-    return vertices, faces, normals
+    return vertices, faces, _unit_vectors(normals)
+
+
+def _unit_vectors(normals: _numpy.ndarray) -> _numpy.ndarray:
+    """Returns the vectors with length 1, as readers of files do; zeros stay zero."""
+    if not _numpy.isfinite(normals).all():
+        raise InputError("normals have a component that is not a finite number")
+    lengths = _numpy.linalg.norm(normals, axis=1, keepdims=True)
+    lengths[(lengths == 0) | (abs(lengths - 1) < 1e-12)] = 1
+    return normals / lengths
 
 
 def _split_quads(vertices: _numpy.ndarray, faces: Any) -> Any:

@@ -101,6 +101,16 @@ TEST(MatrixChecks, IgnoreAsymmetryByRounding) {
   EXPECT_EQ(check_matrix(distances, true).asymmetric_pairs, 1);
 }
 
+TEST(MatrixChecks, FindATriangularMatrix) {
+  EXPECT_TRUE(check_matrix(sound(50).triangularView<Eigen::Lower>(), true).triangular);
+  EXPECT_TRUE(check_matrix(sound(50).triangularView<Eigen::Upper>(), true, 7).triangular);
+  EXPECT_FALSE(check_matrix(sound(50), true).triangular);
+  Matrix distances = sound(50);
+  distances(8, 30) = 0;
+  EXPECT_FALSE(check_matrix(distances, true).triangular);
+  EXPECT_FALSE(check_matrix(Matrix(sound(50) + Matrix(sound(50).triangularView<Eigen::Lower>())), true).triangular);
+}
+
 TEST(MatrixChecks, FindSimilarities) {
   const Matrix similarities = 10000.0 - sound(50).array();
   EXPECT_EQ(check_matrix(similarities, true).rows_nearest_to_others, 50);

@@ -45,6 +45,14 @@ def test_distances_may_be_condensed_or_without_a_diagonal():
         same_scores(sg.evaluate(matrix, labels), scores)
 
 
+def test_normals_may_have_any_length():
+    vertices, faces = bumpy_torus()
+    centres = vertices[faces].mean(axis=1)
+    normals = sg.normals(vertices, faces, at="faces")
+    expected = sg.sdf(centres, "inscribed_ball", normals=normals).values
+    np.testing.assert_allclose(sg.sdf(centres, "inscribed_ball", normals=0.01 * normals).values, expected, rtol=1e-9)
+
+
 def test_fields_pickle_and_say_where_their_samples_are():
     vertices, faces = bumpy_torus()
     field = sg.sdf(vertices, faces)

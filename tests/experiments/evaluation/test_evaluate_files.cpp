@@ -191,6 +191,8 @@ TEST_F(MatrixWarnings, StateTheAnomalyAndItsEffect) {
               ElementsAre(HasSubstr("not symmetric: 2 pairs"), HasSubstr("1 entry is not 0"),
                           HasSubstr("1 row repeats an earlier one (first: d repeats a)"),
                           HasSubstr("1 row has all distances equal (first: b)")));
+  EXPECT_THAT(warnings_of("0 1 2 3\n0 0 4 5\n0 0 0 6\n0 0 0 0\n"),
+              Contains(HasSubstr("triangular: in 6 pairs of entries (i, j) and (j, i) one is 0")));
   EXPECT_THAT(warnings_of("9 3 2 1\n3 9 2 1\n2 2 9 4\n1 1 4 9\n"),
               Contains(HasSubstr("in 4 of 4 rows the query is the farthest")));
 }
@@ -201,8 +203,9 @@ TEST_F(MatrixWarnings, OmitSignsAndDiagonalOfSimilarities) {
               Contains(HasSubstr("matrix of distances, which take no `similarity=true`")));
 }
 
-TEST_F(MatrixWarnings, ReportQueriesThatFindThemselves) {
-  EXPECT_THAT(warnings_of("0 0 2 3\n0 0 4 5\n2 4 0 0\n3 5 0 0\n"), Contains(HasSubstr("a model at distance 0")));
+TEST_F(MatrixWarnings, ReportNearestModelsAtDistanceZero) {
+  EXPECT_THAT(warnings_of("0 0 2 3\n0 0 4 5\n2 4 0 0\n3 5 0 0\n"),
+              Contains(HasSubstr("each query has another model at distance 0")));
   EXPECT_THAT(warnings_of("0 0 2 3\n0 0 4 5\n2 4 0 6\n3 5 6 0\n"), Not(Contains(HasSubstr("at distance 0"))));
 }
 
@@ -255,7 +258,7 @@ TEST_F(EvaluateFiles, OnlyQueriesThatAreTakenForOtherModelsFindThemselves) {
   for (const bool shared : {false, true}) {
     const EvaluatedFiles evaluated = evaluate_files(
         {.matrix = at("d.txt"), .labels = at("q.csv"), .targets = at("t.csv"), .shared_ids = shared}, {});
-    EXPECT_THAT(evaluated.warnings, Contains(HasSubstr("at distance 0")).Times(shared ? 0 : 1));
+    EXPECT_THAT(evaluated.warnings, Contains(HasSubstr("they find themselves")).Times(shared ? 0 : 1));
   }
 }
 
