@@ -28,7 +28,7 @@ using CheckJson = nlohmann::ordered_json;
 /// Kinds of regions below one of the limits.
 struct RegionWords {
   const char* kind;
-  const char* edge;  ///< of regions with ThinRegion::is_edge()
+  const char* edge;  ///< of regions with ThinRegion::is_edge
   const char* one;   ///< violation
   const char* several;
 };
@@ -36,7 +36,7 @@ constexpr RegionWords wall_words{"wall", "edge", "thin wall", "thin walls"};
 constexpr RegionWords gap_words{"gap", "notch", "narrow gap", "narrow gaps"};
 
 std::string kind_of(const ThinRegion& region, const RegionWords& words) {
-  return region.is_edge() ? words.edge : words.kind;
+  return region.is_edge ? words.edge : words.kind;
 }
 
 std::string short_length(double value) { return fmt::format("{:.4g}", value); }
@@ -108,7 +108,6 @@ CheckJson json_of(const ThinRegions& found, const RegionWords& words) {
                        {"least", region.least},
                        {"median", region.median},
                        {"short_by", found.limit - region.least},
-                       {"edge_share", region.edge_share},
                        {"position", point_json(region.position)},
                        {"opposite", point_json(region.opposite)},
                        {"faces", region.faces}});
@@ -182,16 +181,16 @@ nlohmann::ordered_json check_json(const CheckedPart& part, const std::string& un
 }
 
 TextTable check_table(std::span<const CheckedPart> parts) {
-  TextTable table{.header = {"file", "kind", "region", "area", "least", "median", "short_by", "edge_share", "x", "y",
-                             "z", "opposite_x", "opposite_y", "opposite_z", "faces"},
+  TextTable table{.header = {"file", "kind", "region", "area", "least", "median", "short_by", "x", "y", "z",
+                             "opposite_x", "opposite_y", "opposite_z", "faces"},
                   .rows = {}};
   const auto add = [&](const CheckedPart& part, const ThinRegions& found, const RegionWords& words) {
     for (std::size_t i = 0; i < found.regions.size(); ++i) {
       const ThinRegion& region = found.regions[i];
       std::vector<std::string> row{part.name, kind_of(region, words), std::to_string(i + 1)};
-      for (const double value : {region.area, region.least, region.median, found.limit - region.least,
-                                 region.edge_share, region.position.x(), region.position.y(), region.position.z(),
-                                 region.opposite.x(), region.opposite.y(), region.opposite.z()}) {
+      for (const double value :
+           {region.area, region.least, region.median, found.limit - region.least, region.position.x(),
+            region.position.y(), region.position.z(), region.opposite.x(), region.opposite.y(), region.opposite.z()}) {
         row.push_back(fmt::format("{}", value));
       }
       row.push_back(std::to_string(region.faces.size()));

@@ -16,11 +16,10 @@ py::list regions(const ThinRegions& found, const char* kind, const char* edge) {
   for (const ThinRegion& region : found.regions) {
     using Faces = Eigen::VectorX<std::int32_t>;
     py::dict entry;
-    entry["kind"] = region.is_edge() ? edge : kind;
+    entry["kind"] = region.is_edge ? edge : kind;
     entry["area"] = region.area;
     entry["least"] = region.least;
     entry["median"] = region.median;
-    entry["edge_share"] = region.edge_share;
     entry["position"] = array_of(Eigen::VectorXd(region.position));
     entry["opposite"] = array_of(Eigen::VectorXd(region.opposite));
     entry["faces"] =

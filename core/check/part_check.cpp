@@ -56,10 +56,12 @@ Shape welded(const Shape& mesh) {
   return result;
 }
 
-/// Joins cells at sides that only one cell has: of neighbours of another size, and at T-junctions. A side is joined to
-/// the cells at its middle. Distances are in the unit frame of the part.
-void join_across_sizes(const Shape& cells, const UnitFrame& frame, std::span<const HalfEdge> sides,
-                       DisjointSets& sets) {
+/// Pairs of cells that share a side.
+using Links = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+/// Adds the links at sides that only one cell has: of neighbours of another size, and at T-junctions. A side is linked
+/// to the cells at its middle. Distances are in the unit frame of the part.
+void link_across_sizes(const Shape& cells, const UnitFrame& frame, std::span<const HalfEdge> sides, Links& links) {
   constexpr double touching = 1e-6;
   if (sides.empty()) return;
   Shape scaled = cells;
@@ -69,27 +71,36 @@ void join_across_sizes(const Shape& cells, const UnitFrame& frame, std::span<con
     const Eigen::Vector3d middle = (scaled.vertices.row(side.low) + scaled.vertices.row(side.high)).transpose() / 2;
     const Cone half_space{middle - 2 * touching * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(), 0};
     Ball ball{.centre = middle, .radius = touching};
-    tree.search(half_space, ball, [&](std::span<const std::int32_t> found, const Ball&) {
-      for (const std::int32_t cell : found) {
-        if ((closest_point(tree.triangle(cell), middle) - middle).norm() <= touching) sets.join(side.triangle, cell);
-      }
+    tree.search(half_space, ball, [&](std::int32_t cell, const Ball&) {
+      const bool touches = (closest_point(tree.triangle(cell), middle) - middle).norm() <= touching;
+      if (touches) links.emplace_back(side.triangle, cell);
     });
   }
 }
 
-/// Returns the cells of each connected region.
-std::vector<std::vector<std::int32_t>> connected(const std::vector<ThinCell>& cells, const UnitFrame& frame) {
+Links links_between(const std::vector<ThinCell>& cells, const UnitFrame& frame) {
   const Shape mesh = mesh_of(cells, [](const ThinCell& cell) -> const Cell& { return cell.cell; });
-  const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
-  const std::vector<HalfEdge> sides = half_edges(mesh.triangles, merged);
-  DisjointSets sets;
-  sets.grow_to(cells.size());
+  const std::vector<HalfEdge> sides = half_edges(mesh.triangles, welded_vertices(mesh.vertices));
+  Links links;
   std::vector<HalfEdge> unmatched;
   for_each_edge(std::span(sides), [&](std::span<const HalfEdge> uses) {
     if (uses.size() == 1) unmatched.push_back(uses[0]);
-    for (const HalfEdge& use : uses) sets.join(uses[0].triangle, use.triangle);
+    for (const HalfEdge& use : uses.subspan(1)) links.emplace_back(uses[0].triangle, use.triangle);
   });
-  join_across_sizes(mesh, frame, unmatched, sets);
+  link_across_sizes(mesh, frame, unmatched, links);
+  return links;
+}
+
+ThinCell& at(std::vector<ThinCell>& cells, std::int32_t i) { return cells[static_cast<std::size_t>(i)]; }
+const ThinCell& at(std::span<const ThinCell> cells, std::int32_t i) { return cells[static_cast<std::size_t>(i)]; }
+
+/// Returns the cells of each region: connected, and either edges or walls.
+std::vector<std::vector<std::int32_t>> connected(std::span<const ThinCell> cells, const Links& links) {
+  DisjointSets sets;
+  sets.grow_to(cells.size());
+  for (const auto& [i, j] : links) {
+    if (at(cells, i).is_edge == at(cells, j).is_edge) sets.join(i, j);
+  }
   std::vector<std::vector<std::int32_t>> members(cells.size());
   for (std::int32_t i = 0; i < std::ssize(cells); ++i) members[static_cast<std::size_t>(sets.find(i))].push_back(i);
   std::erase_if(members, [](const auto& some) { return some.empty(); });
@@ -100,6 +111,29 @@ double min_of(const ThinCell& cell) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::optional<double>& diameter : cell.diameters) least = std::min(least, diameter.value_or(least));
   return least;
+}
+
+/// Turns edges whose diameter does not fall to 0 into walls, and walls beside edges into edges if their area is smaller
+/// than the square of the limit.
+void settle_edges(std::vector<ThinCell>& cells, const Links& links, double limit) {
+  if (std::ranges::none_of(cells, &ThinCell::is_edge)) return;
+  for (const std::vector<std::int32_t>& members : connected(cells, links)) {
+    const auto is_sharp = [&](std::int32_t i) { return min_of(at(cells, i)) <= CellSampler::border_size * limit; };
+    if (!at(cells, members[0]).is_edge || std::ranges::any_of(members, is_sharp)) continue;
+    for (const std::int32_t i : members) at(cells, i).is_edge = false;
+  }
+  std::vector<bool> at_border(cells.size());
+  for (const auto& [i, j] : links) {
+    if (at(cells, i).is_edge == at(cells, j).is_edge) continue;
+    for (const std::int32_t cell : {i, j}) at_border[static_cast<std::size_t>(cell)] = true;
+  }
+  for (const std::vector<std::int32_t>& members : connected(cells, links)) {
+    double area = 0;
+    for (const std::int32_t i : members) area += at(cells, i).area;
+    const auto is_at_border = [&](std::int32_t i) -> bool { return at_border[static_cast<std::size_t>(i)]; };
+    if (area >= limit * limit || std::ranges::none_of(members, is_at_border)) continue;
+    for (const std::int32_t i : members) at(cells, i).is_edge = true;
+  }
 }
 
 /// Diameters with the areas that they represent.
@@ -126,7 +160,7 @@ double median_of(std::span<const ThinCell> cells, std::span<const std::int32_t> 
   WeightedDiameters diameters;
   double total = 0;
   for (const std::int32_t i : members) {
-    const ThinCell& cell = cells[static_cast<std::size_t>(i)];
+    const ThinCell& cell = at(cells, i);
     const double least = min_of(cell);
     const auto& [a, b, c] = cell.diameters;
     add_diameters({a.value_or(least), b.value_or(least), c.value_or(least)}, cell.area, 3, diameters);
@@ -144,14 +178,12 @@ double median_of(std::span<const ThinCell> cells, std::span<const std::int32_t> 
 }
 
 ThinRegion region_of(std::span<const ThinCell> cells, const std::vector<std::int32_t>& members) {
-  ThinRegion region;
+  ThinRegion region{.is_edge = at(cells, members[0]).is_edge, .faces = {}};
   for (const std::int32_t i : members) {
-    const ThinCell& cell = cells[static_cast<std::size_t>(i)];
+    const ThinCell& cell = at(cells, i);
     region.area += cell.area;
-    region.edge_share += cell.area * cell.edge_share;
     region.faces.push_back(cell.cell.face);
   }
-  region.edge_share = region.area > 0 ? region.edge_share / region.area : 0;
   std::ranges::sort(region.faces);
   const auto repeated = std::ranges::unique(region.faces);
   region.faces.erase(repeated.begin(), repeated.end());
@@ -162,19 +194,20 @@ ThinRegion region_of(std::span<const ThinCell> cells, const std::vector<std::int
 /// Adds the smallest ball of a region.
 void measure_least(const CellSampler& sampler, std::span<const ThinCell> cells,
                    const std::vector<std::int32_t>& members, ThinRegion& region) {
-  const auto value = [&](std::int32_t i) { return min_of(cells[static_cast<std::size_t>(i)]); };
-  const MeasuredPoint least =
-      sampler.min_near(cells[static_cast<std::size_t>(*std::ranges::min_element(members, {}, value))]);
+  const auto value = [&](std::int32_t i) { return min_of(at(cells, i)); };
+  const MeasuredPoint least = sampler.min_near(at(cells, *std::ranges::min_element(members, {}, value)));
   region.least = least.ball.diameter;
   region.position = least.position;
   region.opposite = least.ball.contact;
 }
 
-ThinRegions regions_of(const CellSampler& sampler, const std::vector<ThinCell>& cells, const UnitFrame& frame,
+ThinRegions regions_of(const CellSampler& sampler, std::vector<ThinCell>& cells, const UnitFrame& frame,
                        double min_area) {
   ThinRegions result{.limit = sampler.limit(), .regions = {}, .spacing = sampler.spacing()};
   const double resolution = sampler.limit() * CellSampler::border_size;
-  for (const std::vector<std::int32_t>& members : connected(cells, frame)) {
+  const Links links = links_between(cells, frame);
+  settle_edges(cells, links, sampler.limit());
+  for (const std::vector<std::int32_t>& members : connected(cells, links)) {
     ThinRegion region = region_of(cells, members);
     if (region.area < std::max(min_area, resolution * resolution)) {
       ++result.small_regions;
@@ -182,8 +215,6 @@ ThinRegions regions_of(const CellSampler& sampler, const std::vector<ThinCell>& 
       continue;
     }
     measure_least(sampler, cells, members, region);
-    // At an edge the diameter falls to 0; the ball of a thin rod also touches it at less than 180 degrees.
-    if (region.least > resolution) region.edge_share = 0;
     result.regions.push_back(std::move(region));
   }
   std::ranges::stable_sort(result.regions, std::greater{}, &ThinRegion::area);

@@ -27,13 +27,10 @@ struct ThinRegion {
   double median = 0;                                   ///< of the diameters, by area
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the smallest ball: where it touches the region
   Eigen::Vector3d opposite = Eigen::Vector3d::Zero();  ///< and the opposite surface
-  /// Fraction of the area whose opposite surface is inclined by more than 30 degrees.
-  double edge_share = 0;
+  /// The sides of a sharp edge, or of a notch, which are listed, but no violation: they open by more than 30 degrees up
+  /// to the limit. A thin place that never reaches the limit is a wall, whatever its section.
+  bool is_edge = false;
   std::vector<std::int32_t> faces;  ///< faces that the region covers at least partly, ascending
-
-  /// Returns true for the sides of a sharp edge, or of a notch, whose thickness falls to 0 by its angle. They are
-  /// listed, but no violation.
-  [[nodiscard]] bool is_edge() const { return edge_share > 0.5; }
 };
 
 /// Regions below one limit.

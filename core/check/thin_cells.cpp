@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/connectivity.h"
@@ -13,6 +14,9 @@
 namespace shapegauge {
 
 namespace {
+
+/// Least angle between walls, as normals that point away from each other, in degrees.
+constexpr double wall_angle = 150;
 
 /// Number of cells of the largest size on the whole surface, beyond which spacing() is larger than the limit.
 constexpr double max_cells = 250'000;
@@ -100,6 +104,7 @@ DividedCells CellSampler::divide(std::vector<Cell> pending) const {
       }
     }
   }
+  mark_edges(cells.thin);
   return cells;
 }
 
@@ -121,8 +126,46 @@ CellSampler::Finding CellSampler::examine(const Cell& cell) const {
   if (below == 0) return {};
   if (below < 3 && size > border_size * limit_) return {.split = true};
   thin.area = area_of(cell) * share_below(thin);
-  thin.edge_share = static_cast<double>(edges) / below;
+  thin.is_edge = 2 * edges > below;
   return {.thin = thin};
+}
+
+/// Keeps those cells at edges near which the diameter reaches the limit.
+void CellSampler::mark_edges(std::vector<ThinCell>& cells) const {
+  std::vector<Eigen::Vector3d> centres;  // of balls of the limit's diameter along the borders of regions
+  for (const ThinCell& thin : cells) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!thin.diameters[k]) centres.push_back(ball_centre(thin.cell, k, limit_));
+    }
+  }
+  Shape cloud{.vertices = Points(std::ssize(centres), 3), .triangles = {}};
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    cloud.vertices.row(static_cast<Eigen::Index>(i)) = centres[i].transpose();
+  }
+  const UnitFrame frame = unit_frame(mesh_);
+  const TriangleBVH openings(in_unit_frame(cloud, frame));
+  for_each_index(parallel_, std::size_t{0}, cells.size(), [&](std::size_t i) {
+    cells[i].is_edge = cells[i].is_edge && opens_to_limit(cells[i], openings, frame);
+  });
+}
+
+/// Returns true if balls of the limit's diameter are so near as between walls that open by 180 degrees less
+/// `wall_angle`, or nearer.
+bool CellSampler::opens_to_limit(const ThinCell& thin, const TriangleBVH& openings, const UnitFrame& frame) const {
+  const double half_opening = (180 - wall_angle) / 360 * std::numbers::pi;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!thin.diameters[k]) continue;
+    const double growth = (limit_ - *thin.diameters[k]) / 2;
+    const double reach = growth / std::sin(half_opening) + 2 * border_size * limit_;
+    const Eigen::Vector3d centre = ball_centre(thin.cell, k, *thin.diameters[k]);
+    if (!openings.closest(frame.to_unit(centre), reach / frame.diagonal)) return false;
+  }
+  return true;
+}
+
+Eigen::Vector3d CellSampler::ball_centre(const Cell& cell, std::size_t corner, double diameter) const {
+  const double sign = side_ == BallSide::inside ? -1 : 1;
+  return sample_near(cell, corner) + sign * diameter / 2 * triangle_normal(mesh_, cell.face).transpose();
 }
 
 std::optional<TouchingBall> CellSampler::ball_at(const Cell& cell, const Eigen::Vector3d& point) const {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "shapegauge/core/fields/inscribed_ball.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/core/spatial/triangle_bvh.h"
 
 /// Parts of faces that are below a limit of thickness; not part of the public interface.
 namespace shapegauge {
@@ -29,11 +31,8 @@ struct ThinCell {
   Cell cell;
   double area = 0;                                 ///< of the part below the limit
   std::array<std::optional<double>, 3> diameters;  ///< near the corners; nothing if not below the limit
-  double edge_share = 0;                           ///< fraction of these whose angle is below `wall_angle`
+  bool is_edge = false;                            ///< at a sharp edge (ThinRegion::is_edge)
 };
-
-/// Least contact angle of walls; below are edges (ThinRegion::is_edge()), in degrees.
-inline constexpr double wall_angle = 150;
 
 /// Division of cells into those below a limit, at least in part, and others.
 struct DividedCells {
@@ -78,6 +77,9 @@ class CellSampler {
   };
 
   [[nodiscard]] Finding examine(const Cell& cell) const;
+  void mark_edges(std::vector<ThinCell>& cells) const;
+  [[nodiscard]] bool opens_to_limit(const ThinCell& thin, const TriangleBVH& openings, const UnitFrame& frame) const;
+  [[nodiscard]] Eigen::Vector3d ball_centre(const Cell& cell, std::size_t corner, double diameter) const;
   [[nodiscard]] std::optional<TouchingBall> ball_at(const Cell& cell, const Eigen::Vector3d& point) const;
   [[nodiscard]] double crossing(const Cell& cell, const Eigen::Vector3d& below, const Eigen::Vector3d& above) const;
   [[nodiscard]] double share_below(const ThinCell& thin) const;

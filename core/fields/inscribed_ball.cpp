@@ -10,7 +10,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -26,11 +25,10 @@ namespace {
 /// Upper bound of the radius of a ball inside a closed shape of diagonal 1.
 constexpr double largest_radius = 0.5;
 
-/// Number of leaves of the tree that are searched exactly after the first stop. Beyond it, triangles that would shrink
-/// the ball by less than `skipped_difference` are skipped: around a sphere or a cylinder nearly all are equally near to
-/// the centre.
-constexpr int exact_leaves = 128;
-constexpr int few_exact_leaves = 4;  ///< of TouchingBalls::ball_at()
+/// Number of triangles in the ball that are tried exactly. Beyond it, triangles that would shrink the ball by less than
+/// `skipped_difference` are skipped: around a sphere or a cylinder nearly all are equally near to the centre.
+constexpr int exact_trials = 64;
+constexpr int few_exact_trials = 4;  ///< of TouchingBalls::ball_at()
 constexpr double skipped_difference = 1e-3;
 
 /// Returns the distance in a shape's unit frame below which its points coincide: its coordinates, and those of samples
@@ -74,7 +72,7 @@ class TouchingBalls::Search {
   [[nodiscard]] double diameter_at(const Eigen::Vector3d& sample, const Eigen::Vector3d& normal, BallSide side) const {
     constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     if (normal.isZero(0)) return missing;
-    const double radius = stop_at(frame_.to_unit(sample), normal, side, largest_radius, exact_leaves).radius;
+    const double radius = stop_at(frame_.to_unit(sample), normal, side, largest_radius, exact_trials).radius;
     return radius < largest_radius ? 2 * radius * frame_.diagonal : missing;
   }
 
@@ -84,14 +82,15 @@ class TouchingBalls::Search {
     if (normal.isZero(0)) return std::nullopt;
     const Eigen::Vector3d point = frame_.to_unit(sample);
     const double start = std::min(largest_radius, limit / (2 * frame_.diagonal));
-    const Stop stop = stop_at(point, normal, side, start, few_exact_leaves);
+    const Stop stop = stop_at(point, normal, side, start, few_exact_trials);
     if (!(stop.radius < start)) return std::nullopt;
     const Eigen::Vector3d centre = point + stop.radius * direction_of(normal, side);
     const Eigen::Vector3d contact = closest_point(tree_.triangle(stop.triangle), centre);
     const double half_sine = std::min(1.0, (contact - point).norm() / (2 * stop.radius));
+    const double angle = std::max(2 * std::asin(half_sine), opposite_angle(stop.triangle, normal));
     return TouchingBall{.diameter = 2 * stop.radius * frame_.diagonal,
                         .contact = frame_.centre + frame_.diagonal * contact,
-                        .angle_degrees = 2 * std::asin(half_sine) / std::numbers::pi * 180};
+                        .angle_degrees = angle / std::numbers::pi * 180};
   }
 
   /// See TouchingBalls::may_touch().
@@ -106,11 +105,9 @@ class TouchingBalls::Search {
     const double back = extent * cone_cosine_ / std::sqrt(1 - cone_cosine_ * cone_cosine_);
     Ball ball{.centre = middle, .radius = extent + limit / frame_.diagonal};
     bool found = false;
-    tree_.search({middle - back * direction, direction, cone_cosine_, normal_limit()}, ball,
-                 [&](std::span<const std::int32_t> triangles, Ball& searched) {
-                   found = found || std::ranges::any_of(triangles, [&](std::int32_t index) {
-                             return is_opposite(index, part, middle, direction, ball.radius);
-                           });
+    tree_.search({middle - back * direction, direction, cone_cosine_, min_normal_cosine()}, ball,
+                 [&](std::int32_t triangle, Ball& searched) {
+                   found = found || is_opposite(triangle, part, middle, direction, searched.radius);
                    if (found) searched.radius = 0;
                  });
     return found;
@@ -128,33 +125,39 @@ class TouchingBalls::Search {
   };
 
   /// Returns Cone::min_normal_cosine; points of a cloud have normals of their own.
-  [[nodiscard]] double normal_limit() const { return is_cloud(shape_) ? 0 : std::max(0.0, min_cosine_ - rounding_); }
+  [[nodiscard]] double min_normal_cosine() const { return is_cloud(shape_) ? -1 : min_cosine_ - rounding_; }
+
+  /// Returns the angle between a unit normal and that of a triangle, or point, at least 90 degrees.
+  [[nodiscard]] double opposite_angle(std::int32_t triangle, const Eigen::Vector3d& normal) const {
+    const Eigen::Vector3d other = is_cloud(shape_) ? Eigen::Vector3d(shape_.normals.row(triangle).transpose())
+                                                   : normals_[static_cast<std::size_t>(triangle)];
+    return std::numbers::pi - std::acos(std::min(1.0, std::abs(other.dot(normal))));
+  }
 
   static Eigen::Vector3d direction_of(const Eigen::Vector3d& normal, BallSide side) {
     return side == BallSide::inside ? Eigen::Vector3d(-normal) : normal;
   }
 
-  /// Shrinks a ball from the radius `start`, which is the result if nothing stops the ball before. `exact` leaves are
-  /// searched exactly.
+  /// Shrinks a ball from the radius `start`, which is the result if nothing stops the ball before: first to what lies
+  /// straight ahead, which is near to the result where walls are parallel. `exact` triangles are tried exactly.
   [[nodiscard]] Stop stop_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, BallSide side, double start,
                              int exact) const {
     const Eigen::Vector3d direction = direction_of(normal, side);
     const auto ball_of = [&](double radius) { return Ball{.centre = point + radius * direction, .radius = radius}; };
     const OppositePoints opposite{direction, cone_cosine_, min_cosine_, rounding_};
     Stop stop{.radius = start, .triangle = -1};
-    double limit = start;
-    int leaves = 0;
-    Ball ball = ball_of(limit);
-    tree_.search({point, direction, cone_cosine_, normal_limit()}, ball,
-                 [&](std::span<const std::int32_t> triangles, Ball& searched) {
-                   for (const std::int32_t index : triangles) {
-                     const double found = radius_at(point, normal, opposite, index, limit);
-                     if (found < limit) stop = {.radius = limit = found, .triangle = index};
-                   }
-                   if (stop.radius < start) ++leaves;
-                   limit = leaves > exact ? (1 - skipped_difference) * stop.radius : stop.radius;
-                   searched = ball_of(limit);
-                 });
+    for (const bool ahead : {true, false}) {
+      double limit = stop.radius;
+      int trials = 0;
+      Ball ball = ball_of(limit);
+      const Cone cone{point, direction, ahead ? 1 : cone_cosine_, min_normal_cosine(), true};
+      tree_.search(cone, ball, [&](std::int32_t triangle, Ball& searched) {
+        const double found = radius_at(point, normal, opposite, triangle, limit);
+        if (found < limit) stop = {.radius = found, .triangle = triangle};
+        limit = ++trials > exact ? (1 - skipped_difference) * stop.radius : stop.radius;
+        searched = ball_of(limit);
+      });
+    }
     return stop;
   }
 

@@ -39,8 +39,10 @@ enum class BallSide {
 /// Ball that touches the surface at a sample and at an opposite point, in the shape's units.
 struct TouchingBall {
   double diameter = 0;
-  Eigen::Vector3d contact;   ///< opposite point
-  double angle_degrees = 0;  ///< at the centre between sample and contact: 180 between parallel walls
+  Eigen::Vector3d contact;  ///< opposite point
+  /// Angle at the centre between sample and contact, or between their normals, whichever is larger: 180 between
+  /// parallel walls.
+  double angle_degrees = 0;
 };
 
 /// Balls that touch a shape's surface at samples. Several queries on the same shape share its search tree.

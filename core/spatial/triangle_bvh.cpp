@@ -25,12 +25,13 @@ float widened_square(double distance) {
 /// Visits the leaves in a cone that intersect a ball, while the ball shrinks.
 class ConeSearch {
  public:
-  using Visit = std::function<void(std::span<const std::int32_t>, Ball&)>;
+  using Visit = std::function<void(std::int32_t, Ball&)>;
 
   ConeSearch(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves, const Cone& cone,
              const Visit& visit, Ball& ball)
       : nodes_(nodes),
         leaves_(leaves),
+        cone_(cone),
         query_{.centre = {},
                .radius = 0,
                .apex = cone.apex.cast<float>(),
@@ -70,17 +71,23 @@ class ConeSearch {
     visit_leaf(leaves_[static_cast<std::size_t>(~child)]);
   }
 
+  /// Visits the triangles of a leaf, the nearest to the ball's centre first.
   void visit_leaf(const TriangleBvhLeaf& leaf) {
-    std::array<std::int32_t, triangles_per_leaf> triangles;
-    std::size_t count = 0;
-    const float squared_radius = query_.radius * query_.radius * static_cast<float>(1 + single_precision_margin);
-    for (std::uint32_t lanes = triangles_in_ball(leaf, ball_.centre, squared_radius); lanes != 0; lanes &= lanes - 1) {
-      const std::int32_t triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(lanes))];
-      const bool is_repeated = count > 0 && triangle == triangles[count - 1];
-      if (!is_repeated) triangles[count++] = triangle;
+    alignas(64) LeafLane distances;
+    float radius = std::numeric_limits<float>::infinity();
+    for (std::uint32_t left = triangles_facing(leaf, cone_); left != 0;) {
+      if (query_.radius < radius) squared_distances_to_triangles(leaf, ball_.centre, distances);
+      radius = query_.radius;
+      auto nearest = static_cast<std::size_t>(std::countr_zero(left));
+      for (std::uint32_t others = left & (left - 1); others != 0; others &= others - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(others));
+        if (distances[lane] < distances[nearest]) nearest = lane;
+      }
+      if (!(distances[nearest] <= radius * radius * static_cast<float>(1 + single_precision_margin))) return;
+      left &= ~(1U << nearest);
+      visit_(leaf.triangle[nearest], ball_);
+      set_ball();
     }
-    visit_(std::span(triangles).first(count), ball_);
-    set_ball();
   }
 
   /// Caches the ball, enlarged by the error of single precision for coordinates of the order of 1.
@@ -99,6 +106,7 @@ class ConeSearch {
 
   const std::vector<TriangleBvhNode>& nodes_;
   const std::vector<TriangleBvhLeaf>& leaves_;
+  const Cone& cone_;
   BallAndCone query_;
   const Visit& visit_;
   Ball& ball_;

@@ -7,7 +7,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/closest_point.h"
@@ -32,8 +31,9 @@ struct Cone {
   Eigen::Vector3d apex;
   Eigen::Vector3d axis;
   double cosine;  ///< of the angle, which is at most 90 degrees
-  /// Cosine of the largest angle between the axis and the normals of triangles, on either side; 0: any triangles.
-  double min_normal_cosine = 0;
+  /// Cosine of the largest angle between the axis and the normals of triangles, on either side; -1: any triangles.
+  double min_normal_cosine = -1;
+  bool faces_away = false;  ///< only normals that point away from the apex count
 };
 
 /// Bounding volume hierarchy over the triangles of a shape for proximity queries. Nodes have eight children and leaves
@@ -59,11 +59,10 @@ class TriangleBVH {
                                                   double max_distance = std::numeric_limits<double>::infinity(),
                                                   std::int32_t hint = -1) const;
 
-  /// Calls `visit(triangles, ball)` for groups of triangles, which may be empty, roughly in order of their distance
-  /// from the cone's apex: at least for all that intersect both ball and cone. `visit` may replace the ball by a
-  /// smaller one inside it, which prunes the search. Radii must be finite.
-  void search(const Cone& cone, Ball& ball,
-              const std::function<void(std::span<const std::int32_t>, Ball&)>& visit) const;
+  /// Calls `visit(triangle, ball)` at least for all triangles that intersect both ball and cone, roughly in order of
+  /// their distance from the cone's apex. `visit` may replace the ball by a smaller one inside it, which prunes the
+  /// search. Radii must be finite.
+  void search(const Cone& cone, Ball& ball, const std::function<void(std::int32_t, Ball&)>& visit) const;
 
   /// Returns the corners of a triangle, by its index in the shape.
   [[nodiscard]] const Triangle& triangle(std::int32_t index) const;

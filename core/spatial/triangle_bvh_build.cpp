@@ -46,7 +46,10 @@ class Builder {
     }
   }
 
-  void build() { add_node(std::span(order_)); }
+  void build() {
+    leaves_.reserve(2 * order_.size() / triangles_per_leaf + 1);  // most are more than half full
+    add_node(std::span(order_));
+  }
 
  private:
   using Part = std::span<std::int32_t>;
@@ -219,6 +222,7 @@ class Builder {
   std::int32_t add_leaf(Part part) {
     TriangleBvhLeaf leaf{};
     leaf.origin = box_of_part(part).center();
+    leaf.used_slots = static_cast<std::int32_t>(part.size());
     for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
       const std::int32_t index = part[std::min(lane, part.size() - 1)];
       leaf.triangle[lane] = index;

@@ -34,7 +34,7 @@ using LeafLane = std::array<float, triangles_per_leaf>;
 using LeafVector = std::array<LeafLane, 3>;
 
 /// Sixteen triangles relative to a nearby origin, which makes single precision relative to their size and not to the
-/// whole shape. Unused slots repeat a used one.
+/// whole shape. Unused slots repeat the last used one.
 struct alignas(64) TriangleBvhLeaf {
   LeafVector a;   ///< first corner
   LeafVector ab;  ///< edges from the first corner
@@ -47,6 +47,7 @@ struct alignas(64) TriangleBvhLeaf {
   LeafLane inverse_bc;
   std::array<std::int32_t, triangles_per_leaf> triangle;
   Eigen::Vector3d origin;
+  std::int32_t used_slots;
 };
 
 /// Data of the tree. The root is node 0.
@@ -80,7 +81,10 @@ void build_triangle_bvh(std::vector<TriangleBvhNode>& nodes, std::vector<Triangl
 std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise);
 
-/// Returns a bit mask of the leaf's triangles that intersect a ball.
-std::uint32_t triangles_in_ball(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& centre, float squared_radius);
+/// Returns a bit mask of the leaf's triangles whose normals are within the cone's limit.
+std::uint32_t triangles_facing(const TriangleBvhLeaf& leaf, const Cone& cone);
+
+/// Computes the squared distances from x to the leaf's triangles.
+void squared_distances_to_triangles(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result);
 
 }  // namespace shapegauge

@@ -211,14 +211,31 @@ void in_reach(const TriangleBvhNode& node, const BallAndCone& query,
   }
 }
 
-std::uint32_t in_ball(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& centre, float squared_radius) {
-  alignas(64) LeafLane distances;
-  if (!(squared_distances(leaf, centre, distances) <= squared_radius)) return 0;
-  std::uint32_t lanes = 0;
-  for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
-    lanes |= static_cast<std::uint32_t>(distances[lane] <= squared_radius) << lane;
+/// The loops over the triangles are vectorised by the compiler.
+std::uint32_t facing(const TriangleBvhLeaf& leaf, const Cone& cone) {
+  const Eigen::Vector3f apex = (cone.apex - leaf.origin).cast<float>();
+  const Eigen::Vector3f axis = cone.axis.cast<float>();
+  alignas(64) LeafLane height{};  // of the plane above the apex
+  alignas(64) LeafLane cosine{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < triangles_per_leaf; ++i) {
+      height[i] += (leaf.a[k][i] - apex[static_cast<Eigen::Index>(k)]) * leaf.normal[k][i];
+      cosine[i] += axis[static_cast<Eigen::Index>(k)] * leaf.normal[k][i];
+    }
   }
-  return lanes;
+  constexpr float rounding = 1e-6F;
+  const float limit = static_cast<float>(cone.min_normal_cosine) - rounding;
+  std::uint32_t lanes = 0;
+  for (std::size_t i = 0; i < triangles_per_leaf; ++i) {
+    const bool faces_away = !cone.faces_away || std::abs(height[i]) <= rounding || (height[i] > 0) == (cosine[i] > 0);
+    const float size = std::abs(cosine[i]);
+    lanes |= static_cast<std::uint32_t>((faces_away ? size : -size) >= limit) << i;
+  }
+  return lanes & ((1U << static_cast<unsigned>(leaf.used_slots)) - 1);
+}
+
+void distances_to(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result) {
+  squared_distances(leaf, x, result);
 }
 
 }  // namespace
@@ -229,7 +246,8 @@ HWY_AFTER_NAMESPACE();
 namespace shapegauge {
 
 HWY_EXPORT(closest);
-HWY_EXPORT(in_ball);
+HWY_EXPORT(distances_to);
+HWY_EXPORT(facing);
 HWY_EXPORT(in_reach);
 
 std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
@@ -242,8 +260,12 @@ void distances_in_reach(const TriangleBvhNode& node, const BallAndCone& query,
   HWY_DYNAMIC_DISPATCH(in_reach)(node, query, squared_distances);
 }
 
-std::uint32_t triangles_in_ball(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& centre, float squared_radius) {
-  return HWY_DYNAMIC_DISPATCH(in_ball)(leaf, centre, squared_radius);
+std::uint32_t triangles_facing(const TriangleBvhLeaf& leaf, const Cone& cone) {
+  return HWY_DYNAMIC_DISPATCH(facing)(leaf, cone);
+}
+
+void squared_distances_to_triangles(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result) {
+  HWY_DYNAMIC_DISPATCH(distances_to)(leaf, x, result);
 }
 
 }  // namespace shapegauge

@@ -22,15 +22,14 @@ class ThinRegion:
     """Connected region of the surface below a limit (docs/manual/check.md).
 
     kind: "wall" or "gap"; "edge" or "notch" for the sides of a sharp one, which is no violation. least: the smallest
-    thickness or width; it is measured from `position` to `opposite`. edge_share: fraction of the area whose opposite
-    surface is inclined by more than 30 degrees. faces: indices of the faces that the region covers at least partly.
+    thickness or width; it is measured from `position` to `opposite`. faces: indices of the faces that the region covers
+    at least partly.
     """
 
     kind: str
     area: float
     least: float
     median: float
-    edge_share: float
     position: _numpy.ndarray
     opposite: _numpy.ndarray
     faces: _numpy.ndarray

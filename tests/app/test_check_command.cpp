@@ -45,7 +45,7 @@ TEST_F(CheckCommand, JsonAndCsvListTheRegions) {
   EXPECT_EQ(region["faces"].size(), 2);
   const Outcome csv = check("--min-wall 1.2 --format csv");
   EXPECT_EQ(csv.status, 3);
-  EXPECT_THAT(csv.output, testing::StartsWith("file,kind,region,area,least,median,short_by,edge_share,x,y,z,"));
+  EXPECT_THAT(csv.output, testing::StartsWith("file,kind,region,area,least,median,short_by,x,y,z,"));
   EXPECT_EQ(std::ranges::count(csv.output, '\n'), 3);
 }
 

@@ -301,7 +301,7 @@ void expect_regions(const Part& part, const Shape& shape, const Eigen::Matrix3d&
     EXPECT_NEAR((region.position - region.opposite).norm(), region.least, 0.03 * region.least) << i;
     EXPECT_GE(region.median, region.least) << i;
     EXPECT_LT(region.median, found.limit) << i;
-    EXPECT_FALSE(region.is_edge()) << i;
+    EXPECT_FALSE(region.is_edge) << i;
   }
 }
 
@@ -373,23 +373,68 @@ TEST(PartCheck, NoiseMovesTheLeastThicknessByItsAmplitude) {
   }
 }
 
-/// Prism of length 10 over an equilateral triangle of side 6.
-Shape prism() {
+using Polygon = std::vector<Eigen::Vector2d>;
+
+/// Regular polygon about a circle of a diameter.
+Polygon regular(int sides, double diameter) {
+  Polygon polygon;
+  const double radius = diameter / 2 / std::cos(std::numbers::pi / sides);
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * i * std::numbers::pi / sides;
+    polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return polygon;
+}
+
+/// Plate from x = 0 to 20 whose end at x = 0 is ground to a knife's edge of 40 degrees.
+Polygon bevelled(double height) {
+  return {{0, 0}, {20, 0}, {20, height}, {height / std::tan(40 * std::numbers::pi / 180), height}};
+}
+
+/// Cross-section of a solid: its height, and the factor applied to a convex polygon.
+struct Section {
+  double z;
+  double scale;
+};
+
+/// Solid between sections of a convex polygon, upwards.
+Shape solid(const Polygon& polygon, const std::vector<Section>& sections) {
+  const auto sides = static_cast<int>(polygon.size());
+  const auto last = static_cast<int>(sections.size()) - 1;
   Shape shape;
-  shape.vertices.resize(6, 3);
-  shape.vertices << 0, 0, 0, 6, 0, 0, 3, 3 * std::sqrt(3), 0, 0, 0, 10, 6, 0, 10, 3, 3 * std::sqrt(3), 10;
-  shape.triangles.resize(8, 3);
-  shape.triangles << 0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5;
+  shape.vertices.resize(sides * (last + 1), 3);
+  for (int v = 0; v < shape.vertices.rows(); ++v) {
+    const Section& section = sections[static_cast<std::size_t>(v / sides)];
+    const Eigen::Vector2d corner = section.scale * polygon[static_cast<std::size_t>(v % sides)];
+    shape.vertices.row(v) << corner.x(), corner.y(), section.z;
+  }
+  std::vector<Eigen::RowVector3i> triangles;
+  for (int i = 0; i < sides; ++i) {
+    const int next = (i + 1) % sides;
+    for (int k = 0; k < last; ++k) {
+      triangles.emplace_back(k * sides + i, k * sides + next, (k + 1) * sides + next);
+      triangles.emplace_back(k * sides + i, (k + 1) * sides + next, (k + 1) * sides + i);
+    }
+    if (i == 0 || next == 0) continue;
+    triangles.emplace_back(0, next, i);
+    triangles.emplace_back(last * sides, last * sides + i, last * sides + next);
+  }
+  shape.triangles.resize(std::ssize(triangles), 3);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    shape.triangles.row(static_cast<Eigen::Index>(t)) = triangles[t].cast<std::int32_t>();
+  }
   return shape;
 }
 
+Shape solid(const Polygon& polygon, double length) { return solid(polygon, {{0, 1}, {length, 1}}); }
+
 TEST(PartCheck, SharpEdgesAreNoWalls) {
-  const PartReport sharp = check_part(prism(), {.min_wall = wall_limit});
+  const Polygon triangle = regular(3, 2 * std::sqrt(3));  // of side 6
+  const PartReport sharp = check_part(solid(triangle, 10), {.min_wall = wall_limit});
   ASSERT_EQ(sharp.walls.regions.size(), 3);
   EXPECT_TRUE(sharp.passes());
   for (const ThinRegion& region : sharp.walls.regions) {
-    EXPECT_TRUE(region.is_edge());
-    EXPECT_DOUBLE_EQ(region.edge_share, 1);
+    EXPECT_TRUE(region.is_edge);
     EXPECT_LT(region.least, 0.01);
     // Both sides of the edge, up to the limit.
     EXPECT_NEAR(region.area, 2 * 10 * wall_limit / (2 * std::tan(std::numbers::pi / 6)), 0.2);
@@ -398,14 +443,78 @@ TEST(PartCheck, SharpEdgesAreNoWalls) {
   EXPECT_TRUE(right_angled.walls.regions.empty());
 }
 
-TEST(PartCheck, ThinRodsAreWalls) {
-  for (const int around : {8, 12, 32}) {
-    const PartReport report = check_part(test::capsule(wall_limit / 3, 10, around, 6), {.min_wall = wall_limit});
-    ASSERT_EQ(report.walls.regions.size(), 1) << around;
-    EXPECT_FALSE(report.walls.regions[0].is_edge()) << around;
-    EXPECT_FALSE(report.passes());
-    EXPECT_LE(report.walls.regions[0].median, 2 * wall_limit / 3) << "the diameter of the rod";
+TEST(PartCheck, SharpEdgesAndPointsOfThickPartsPass) {
+  const double slope = std::tan(25 * std::numbers::pi / 180);
+  const std::vector<Section> spike{{0, 1}, {3 / slope, 0}};  // of 50 degrees
+  const std::vector<std::pair<std::string, Shape>> shapes{
+      {"spike of 3 sides", solid(regular(3, 6), spike)},
+      {"spike of 4 sides", solid(regular(4, 6), spike)},
+      {"spike of 6 sides", solid(regular(6, 6), spike)},
+      {"spike of 32 sides", solid(regular(32, 6), spike)},
+      {"tetrahedron", solid(regular(3, 6), {{0, 1}, {std::sqrt(72), 0}})},
+      {"knife's edge", solid(bevelled(2), 10)}};
+  for (const auto& [name, shape] : shapes) {
+    SCOPED_TRACE(name);
+    EXPECT_TRUE(check_part(shape, {.min_wall = wall_limit}).passes());
   }
+}
+
+TEST(PartCheck, NoiseMakesNoWallsOfEdges) {
+  const Polygon coarse = regular(3, 2 * std::sqrt(3));
+  Polygon fine;
+  for (std::size_t i = 0; i < 24; ++i) {
+    const double along = static_cast<double>(i % 8) / 8;
+    fine.emplace_back((1 - along) * coarse[i / 8] + along * coarse[(i / 8 + 1) % 3]);
+  }
+  std::vector<Section> sections;
+  for (int k = 0; k <= 20; ++k) sections.push_back({k / 2.0, 1});
+  Shape shape = solid(fine, sections);
+  RandomNumbers random(1);
+  for (double& coordinate : shape.vertices.reshaped()) coordinate += random.uniform(-0.007, 0.007);
+  EXPECT_TRUE(check_part(shape, {.min_wall = wall_limit}).passes());
+}
+
+/// All of them are thin everywhere, whatever their sections, and have sharp edges or points as well.
+TEST(PartCheck, ThinRodsAndLimbsAreWalls) {
+  const double diameter = 2 * wall_limit / 3;
+  const double tip = diameter / 2 / std::tan(25 * std::numbers::pi / 180);
+  for (const int sides : {3, 4, 6, 8, 32}) {
+    SCOPED_TRACE(sides);
+    const Polygon polygon = regular(sides, diameter);
+    for (const std::vector<Section>& sections :
+         {std::vector<Section>{{0, 1}, {10, 1}}, std::vector<Section>{{0, 1}, {10, 1}, {10 + tip, 0}}}) {
+      const Shape shape = solid(polygon, sections);
+      const ThinRegions walls = check_part(shape, {.min_wall = wall_limit}).walls;
+      ASSERT_EQ(walls.regions.size(), 1);
+      EXPECT_FALSE(walls.regions[0].is_edge);
+      EXPECT_LE(walls.regions[0].median, 1.001 * diameter);
+      const double perimeter = 2 * sides * std::tan(std::numbers::pi / sides) * diameter / 2;
+      EXPECT_GE(walls.regions[0].area, 0.99 * 10 * perimeter);
+      EXPECT_LE(walls.regions[0].area, surface_area(shape));
+    }
+  }
+  const ThinRegions capsule = check_part(test::capsule(wall_limit / 3, 10, 12, 6), {.min_wall = wall_limit}).walls;
+  ASSERT_EQ(capsule.regions.size(), 1);
+  EXPECT_FALSE(capsule.regions[0].is_edge);
+}
+
+TEST(PartCheck, SharpRimsOfThinPlatesBelongToTheWall) {
+  const PartReport report = check_part(solid(bevelled(1), 10), {.min_wall = wall_limit});
+  ASSERT_EQ(report.walls.regions.size(), 1);
+  EXPECT_FALSE(report.walls.regions[0].is_edge);
+}
+
+/// A tail of triangular section: its ridges are sharp edges where it is thick, and the thin end is a wall.
+TEST(PartCheck, ThinLimbsAreToldFromTheSharpEdgesThatJoinThem) {
+  const Shape tail = solid(regular(3, 6), {{0, 1}, {20, 0.05}});
+  const PartReport report = check_part(tail, {.min_wall = wall_limit});
+  EXPECT_FALSE(report.passes());
+  const double scale = wall_limit / 6;  // beyond, all of the section is thin
+  const double below = (scale * scale - 0.05 * 0.05) / (1 - 0.05 * 0.05);
+  const double sides = surface_area(tail) - 9 * std::sqrt(3) * 3 * (1 + 0.05 * 0.05);
+  double area = 0;
+  for (const ThinRegion& region : report.walls.regions) area += region.is_edge ? 0 : region.area;
+  EXPECT_NEAR(area, below * sides, 0.2 * below * sides);
 }
 
 TEST(PartCheck, CountsVoids) {

@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <rapidcheck/gtest.h>
-#include <span>
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
@@ -94,19 +93,20 @@ RC_GTEST_PROP(TriangleBVH, SearchesAllTrianglesInBallAndConeThatFaceTheAxis, ())
   const Cone cone{.apex = any_query(shape),
                   .axis = (random_point() + Eigen::Vector3d(0, 0, 2)).normalized(),
                   .cosine = fraction(),
-                  .min_normal_cosine = fraction()};
+                  .min_normal_cosine = 2 * fraction() - 1,
+                  .faces_away = *rc::gen::arbitrary<bool>()};
   const Ball whole{.centre = any_query(shape), .radius = 2 * fraction()};
-  std::vector<bool> found(static_cast<std::size_t>(shape.triangles.rows()));
+  std::vector<int> found(static_cast<std::size_t>(shape.triangles.rows()));
   Ball ball = whole;
-  tree.search(cone, ball, [&](std::span<const std::int32_t> triangles, const Ball&) {
-    for (const std::int32_t f : triangles) found[static_cast<std::size_t>(f)] = true;
-  });
+  tree.search(cone, ball, [&](std::int32_t f, const Ball&) { ++found[static_cast<std::size_t>(f)]; });
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     const auto [a, b, c] = triangle_of(shape, f);
-    const double cosine = std::abs((b - a).cross(c - a).stableNormalized().dot(cone.axis));
-    if (cosine < cone.min_normal_cosine) continue;
+    const Eigen::Vector3d normal = (b - a).cross(c - a).stableNormalized();
+    const double cosine = normal.dot(cone.axis) * (cone.faces_away && normal.dot(a - cone.apex) < 0 ? -1 : 1);
+    RC_ASSERT(found[static_cast<std::size_t>(f)] <= 1);
+    if ((cone.faces_away ? cosine : std::abs(cosine)) < cone.min_normal_cosine) continue;
     for (const Eigen::Vector3d& point : {a, b, c, Eigen::Vector3d((a + b + c) / 3)}) {
-      RC_ASSERT(found[static_cast<std::size_t>(f)] || !is_within(whole, cone, point));
+      RC_ASSERT(found[static_cast<std::size_t>(f)] == 1 || !is_within(whole, cone, point));
     }
   }
 }
