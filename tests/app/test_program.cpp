@@ -17,6 +17,7 @@ namespace shapegauge {
 
 namespace {
 
+using test_command_line::executable_for_shell;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
@@ -29,7 +30,7 @@ class Program : public SmallRun {
   /// Runs the executable with standard output to the file.
   [[nodiscard]] Outcome run_into(const std::string& file, const std::string& arguments) const {
     const std::string command =
-        fmt::format("SHAPEGAUGE_CACHE= {} {} > {} 2> {}", SHAPEGAUGE_EXECUTABLE, arguments, file, quoted("errors"));
+        fmt::format("SHAPEGAUGE_CACHE= {} {} > {} 2> {}", executable_for_shell(), arguments, file, quoted("errors"));
     const int status = std::system(command.c_str());
     return {.status = WEXITSTATUS(status), .output = {}, .errors = test::text_of(at("errors"))};
   }
@@ -138,7 +139,7 @@ TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
     const std::string script = fmt::format(
         "bash -c 'source <({} completion bash); COMP_WORDS=({}); COMP_CWORD={}; _shapegauge; echo ${{COMPREPLY[@]}}' > "
         "{}",
-        SHAPEGAUGE_EXECUTABLE, words, position, quoted("completed"));
+        executable_for_shell(), words, position, quoted("completed"));
     EXPECT_EQ(std::system(script.c_str()), 0);
     return test::text_of(at("completed"));
   };
@@ -155,7 +156,7 @@ TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
   test::write_text(at("d.csv"), "0,1,1\n1,0,1\n1,1,0\n");  // ties cause a warning
   test::write_text(at("l.txt"), "a\na\nb\n");
   const auto status_with = [&](const std::string& arguments, const std::string& streams) {
-    const std::string command = fmt::format("SHAPEGAUGE_CACHE= {} {} {}", SHAPEGAUGE_EXECUTABLE, arguments, streams);
+    const std::string command = fmt::format("SHAPEGAUGE_CACHE= {} {} {}", executable_for_shell(), arguments, streams);
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   };
@@ -190,7 +191,7 @@ TEST_F(Program, AClosedStreamIsNoPlaceForResults) {
   ASSERT_EQ(run_executable(run + quoted("out")).status, 0);
   for (const char* streams : {">&- 2>&-", "<&- >&- 2>&-", "> /dev/full 2>&-"}) {
     const std::string command =
-        fmt::format("SHAPEGAUGE_CACHE= {} {} {} {}", SHAPEGAUGE_EXECUTABLE, run, quoted("again"), streams);
+        fmt::format("SHAPEGAUGE_CACHE= {} {} {} {}", executable_for_shell(), run, quoted("again"), streams);
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << streams;
     EXPECT_EQ(test_command_line::results_in(at("again")), test_command_line::results_in(at("out"))) << streams;
   }
@@ -201,7 +202,7 @@ TEST_F(Program, APipeThatNobodyReadsIsNoReasonToStop) {
   const std::string command = fmt::format(
       "bash -c \"SHAPEGAUGE_CACHE= {} run {} --set signatures.0.histogram.bins=1 --output {} 2>&1 > "
       "/dev/null | true; exit \\${{PIPESTATUS[0]}}\"",
-      SHAPEGAUGE_EXECUTABLE, quoted("small.json"), quoted("out"));
+      executable_for_shell(), quoted("small.json"), quoted("out"));
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_TRUE(std::filesystem::exists(at("out/manifest.json")));
 }
