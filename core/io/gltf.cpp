@@ -43,6 +43,17 @@ bool is_picture(const std::string& file) {
   return std::ranges::count(extensions, extension) > 0;
 }
 
+/// Reports no size: the source limits what it reads. From tinygltf 2.9 on, callbacks without this one are not accepted.
+template <typename Callbacks>
+void set_size_callback(Callbacks& callbacks) {
+  if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
+    callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string&, void*) {
+      *size = 0;
+      return true;
+    };
+  }
+}
+
 /// Returns the library's file callbacks: buffers through the source, which rejects files elsewhere; no images.
 tinygltf::FsCallbacks callbacks_for(GltfFiles& files) {
   tinygltf::FsCallbacks callbacks{};
@@ -63,6 +74,7 @@ tinygltf::FsCallbacks callbacks_for(GltfFiles& files) {
   callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
     return false;
   };
+  set_size_callback(callbacks);
   callbacks.user_data = &files;
   return callbacks;
 }

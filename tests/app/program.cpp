@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <thread>
@@ -18,13 +19,16 @@
 
 namespace shapegauge::test_command_line {
 
+std::string executable_for_shell() {
+  return std::regex_replace(std::string(SHAPEGAUGE_EXECUTABLE), std::regex(" "), "\\ ");
+}
+
 Outcome run_executable(const std::string& arguments) {
   const test::TemporaryFolder folder;
   const std::string output = (folder.path() / "output").string();
   const std::string errors = (folder.path() / "errors").string();
   const std::string command = "SHAPEGAUGE_CACHE='" + (folder.path() / "cache").string() + "' " +
-                              std::string(SHAPEGAUGE_EXECUTABLE) + " </dev/null >'" + output + "' 2>'" + errors + "' " +
-                              arguments;
+                              executable_for_shell() + " </dev/null >'" + output + "' 2>'" + errors + "' " + arguments;
   const int status = std::system(command.c_str());
   return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
           .output = test::text_of(output),

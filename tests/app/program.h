@@ -21,6 +21,9 @@ struct Outcome {
   std::string errors;  ///< standard error
 };
 
+/// Path of the built executable, for a shell, also within quotes of a further shell.
+std::string executable_for_shell();
+
 /// Runs the built executable with the arguments, as parsed by a shell, and waits for it. It has an empty cache of its
 /// own unless the arguments name one.
 Outcome run_executable(const std::string& arguments);

@@ -304,9 +304,8 @@ TEST_F(RunCommand, ComparisonsWarnOfOffsetsBelowTheGaps) {
 TEST_F(RunCommand, AnInterruptionLeavesNoResults) {
   // `timeout` sends the signal while the models are worked on: very many rays from larger spheres take long enough.
   for (const char* model : {"T0.off", "T3.off", "T6.off"}) write_off(at("data") / model, test::sphere(1, 3));
-  const std::string call = "SHAPEGAUGE_CACHE= timeout --signal=INT --preserve-status 2 " +
-                           std::string(SHAPEGAUGE_EXECUTABLE) + " run '" + at("small.json").string() +
-                           "' --threads 1 --output '" + at("out").string() +
+  const std::string call = "SHAPEGAUGE_CACHE= timeout --signal=INT --preserve-status 2 " + executable_for_shell() +
+                           " run '" + at("small.json").string() + "' --threads 1 --output '" + at("out").string() +
                            "' --set signatures.0.field.rays=10000 2>'" + at("errors").string() + "'";
   const int status = std::system(call.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 130);

@@ -201,9 +201,8 @@ TEST_F(RunWithCache, KeepsEarlierResultsAtAFileSizeLimit) {
   ASSERT_EQ(run_with_cache("out").status, 0);
   const auto earlier = results_in(at("out"));
   // The shell's unit is 512 bytes; the manifest has more than four of them.
-  const std::string command = "ulimit -f 4; " + std::string(SHAPEGAUGE_EXECUTABLE) + " run " + quoted("small.json") +
-                              " --output " + quoted("out") + " --cache " + quoted("cache") + " >/dev/null 2>" +
-                              quoted("errors");
+  const std::string command = "ulimit -f 4; " + executable_for_shell() + " run " + quoted("small.json") + " --output " +
+                              quoted("out") + " --cache " + quoted("cache") + " >/dev/null 2>" + quoted("errors");
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 2);
   EXPECT_THAT(text_of(at("errors")), MatchesRegex("shapegauge: error: cannot write [^\n]*File too large\n"));

@@ -23,7 +23,9 @@ struct DistanceCube {
 OffsetSdfReference::OffsetSdfReference(const Shape& shape, double r) : r_(r), spacing_(r / 5) {
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     const auto corner = [&](int k) -> Eigen::Vector3d { return shape.vertices.row(shape.triangles(f, k)); };
-    triangles_.push_back({corner(0), corner(1), corner(2)});
+    const Eigen::Vector3d centre = (corner(0) + corner(1) + corner(2)) / 3;
+    const auto reach = [&](int k) { return (corner(k) - centre).norm(); };
+    triangles_.push_back({{corner(0), corner(1), corner(2)}, centre, std::max({reach(0), reach(1), reach(2)})});
   }
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(r + 3 * spacing_);
   low_ = shape.vertices.colwise().minCoeff().transpose() - margin;
@@ -33,11 +35,12 @@ OffsetSdfReference::OffsetSdfReference(const Shape& shape, double r) : r_(r), sp
 }
 
 double OffsetSdfReference::distance(const Eigen::Vector3d& x) const {
-  double squared = std::numeric_limits<double>::infinity();
-  for (const Triangle& triangle : triangles_) {
-    squared = std::min(squared, (closest_point(triangle, x) - x).squaredNorm());
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [triangle, centre, radius] : triangles_) {
+    if ((centre - x).norm() - radius >= least) continue;
+    least = std::min(least, (closest_point(triangle, x) - x).norm());
   }
-  return std::sqrt(squared);
+  return least;
 }
 
 Eigen::Vector3i OffsetSdfReference::cell_of(const Eigen::Vector3d& x) const {

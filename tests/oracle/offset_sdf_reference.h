@@ -18,7 +18,7 @@ class OffsetSdfReference {
   /// r is a length in the shape's units.
   OffsetSdfReference(const Shape& shape, double r);
 
-  /// d(x).
+  /// d(x). Triangles whose bounding ball is farther than one before are skipped.
   [[nodiscard]] double distance(const Eigen::Vector3d& x) const;
 
   /// Whether x lies in E(r), for a smaller or larger r by the factor; passages that the grid does not resolve are
@@ -39,6 +39,13 @@ class OffsetSdfReference {
   [[nodiscard]] double exit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction, double factor) const;
 
  private:
+  /// A triangle and a ball about it.
+  struct BoundedTriangle {
+    Triangle triangle;
+    Eigen::Vector3d centre;
+    double radius;
+  };
+
   [[nodiscard]] Eigen::Vector3i cell_of(const Eigen::Vector3d& x) const;
   [[nodiscard]] Eigen::Vector3d centre_of(const Eigen::Vector3i& cell) const;
   [[nodiscard]] bool is_in_grid(const Eigen::Vector3i& cell) const;
@@ -46,7 +53,7 @@ class OffsetSdfReference {
   [[nodiscard]] bool grid_is_exterior_within(const Eigen::Vector3d& x, double distance) const;
   void flood();
 
-  std::vector<Triangle> triangles_;
+  std::vector<BoundedTriangle> triangles_;
   double r_;
   double spacing_;
   Eigen::Vector3d low_;
