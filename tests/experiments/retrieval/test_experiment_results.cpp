@@ -34,9 +34,10 @@ TEST(IncompleteMethods, AreNamedWithTheFirstThreeModels) {
                                  {.model = 2, .message = "flat"},
                                  {.model = 3, .message = "open"},
                                  {.model = 4, .message = "huge"}};
-  EXPECT_THAT(incomplete_methods(results),
-              ElementsAre("method \"second\" cannot process 4 of 5 models, which count as not found: a (empty), c (flat), "
-                          "d (open) and 1 more"));
+  EXPECT_THAT(
+      incomplete_methods(results),
+      ElementsAre("method \"second\" cannot process 4 of 5 models, which count as not found: a (empty), c (flat), "
+                  "d (open) and 1 more"));
   results.methods[1].failures.resize(1);
   EXPECT_THAT(incomplete_methods(results),
               ElementsAre("method \"second\" cannot process 1 of 5 models, which count as not found: a (empty)"));
