@@ -41,6 +41,7 @@ shapegauge_require(libnanoflann-dev nanoflann 1.4)
 shapegauge_require_file(libspectra-dev SPECTRA_INCLUDE_DIR find_path Spectra/SymEigsShiftSolver.h)
 shapegauge_require(libopenmesh-dev OpenMesh CONFIG) # not CGAL's FindOpenMesh
 shapegauge_require(nlohmann-json3-dev nlohmann_json 3.11)
+shapegauge_require(libvalijson-dev valijson)
 shapegauge_require(libcli11-dev CLI11 2.1)
 shapegauge_require(libfmt-dev fmt 9)
 shapegauge_require(libarchive-dev LibArchive)

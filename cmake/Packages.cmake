@@ -32,7 +32,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshapegauge-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libtbb-dev (>= 2021)")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
-    "libarchive-dev, libboost-dev, libcairo2-dev, libcgal-dev (>= 5.5), libembree-dev (>= 3), libfmt-dev (>= 9), libhwy-dev, libmatio-dev, libmaxflow-dev, libnanoflann-dev, libopenmesh-dev, libpng-dev, libssl-dev, libtinygltf-dev, nlohmann-json3-dev (>= 3.11), zlib1g-dev")
+    "libarchive-dev, libboost-dev, libcairo2-dev, libcgal-dev (>= 5.5), libembree-dev (>= 3), libfmt-dev (>= 9), libhwy-dev, libmatio-dev, libmaxflow-dev, libnanoflann-dev, libopenmesh-dev, libpng-dev, libssl-dev, libtinygltf-dev, libvalijson-dev, nlohmann-json3-dev (>= 3.11), zlib1g-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
     "${purpose}
 

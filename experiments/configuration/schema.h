@@ -41,8 +41,7 @@ std::string with_reference_tables(std::string_view page);
 
 /// Validates a document against a schema without definitions of its own, which may refer to schema_definitions().
 /// Throws InputError for one fault: an unknown key first, with the nearest known one; otherwise the deepest in the
-/// document. The message has the source, the path in the notation of `--set`, the fault and the valid values. Throws
-/// ArgumentError for a schema with a keyword that the schemas of the library do not use.
+/// document. The message has the source, the path in the notation of `--set`, the fault and the valid values.
 void check_by_schema(const nlohmann::json& document, const nlohmann::ordered_json& schema, const std::string& source);
 
 /// Validates a configuration, or a part of one, against a definition of the schema, such as "descriptor".
