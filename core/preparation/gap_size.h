@@ -28,8 +28,8 @@ struct GapSizes {
 ///
 /// Determined on a grid of about 200,000 distances to the shape, whose cells have at most about 1 % of the diagonal.
 /// Radii are accurate to about half a cell. Of an inner space that is open through gaps below half a cell only, the gap
-/// is half the width of the widest crack of the mesh. Independent of orientation and of the order of vertices and triangles. Throws InputError
-/// for an unusable shape (require_usable()).
+/// is half the width of the widest crack of the mesh. Independent of orientation and of the order of vertices and
+/// triangles. Throws InputError for an unusable shape (require_usable()).
 GapSizes gap_sizes(const Shape& shape);
 
 /// Computes the point spacing of a cloud: the median distance to the sixth neighbour. On a regular surface it is about
