@@ -30,6 +30,18 @@ double rounding_of_differences(const DistanceMatrix& features) {
   return errors > 0 && deviations > 0 ? errors / deviations : 0;
 }
 
+// Returns the column that is 0, 1, 2 ... or 1, 2, 3 ..., as the index of a table, if there is one among several.
+std::optional<Eigen::Index> counting_column(const DistanceMatrix& features) {
+  constexpr Eigen::Index min_rows = 10;
+  if (features.rows() < min_rows || features.cols() < 2) return std::nullopt;
+  const auto count = Eigen::VectorXd::LinSpaced(features.rows(), 0, static_cast<double>(features.rows() - 1)).eval();
+  for (Eigen::Index column = 0; column < features.cols(); ++column) {
+    const double first = features(0, column);
+    if ((first == 0 || first == 1) && (features.col(column).array() - first == count.array()).all()) return column;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> check_features(const DistanceMatrix& features) {
@@ -37,6 +49,10 @@ std::optional<std::string> check_features(const DistanceMatrix& features) {
     throw InputError(
         "the table has distances, not features: it is square and symmetric with a zero diagonal; leave out the "
         "distance of features");
+  }
+  if (const auto column = counting_column(features)) {
+    throw InputError(
+        fmt::format("column {} (counted from 0) counts the rows, which is no feature; remove that column", *column));
   }
   if (features.array().isFinite().all() && !features.cast<float>().array().isFinite().all()) {
     throw InputError("features are compared in single precision, whose largest number is 3.4e38; scale the features");

@@ -55,6 +55,7 @@ class XyzReader {
     while (!scanner_.at_end()) {
       if (!begin_further_scan()) read_line();
     }
+    if (first_column_counts()) scanner_.fail_whole("its first column counts the points; remove that column");
     const std::size_t lines = positions_.size();
     const bool normals_follow = count_ && columns_ == 3 && *count_ > 0 && lines == 2 * *count_;
     if (count_ && lines != *count_ && !normals_follow) fail_count(lines);
@@ -144,6 +145,17 @@ class XyzReader {
     if (has_decimal_commas(original_.substr(begin, end - begin))) {
       scanner_.fail("commas and other separators are mixed; write decimal points, not commas");
     }
+  }
+
+  /// Returns true if the first of more than three columns is 0, 1, 2 ... or 1, 2, 3 ..., as of tables with an index.
+  [[nodiscard]] bool first_column_counts() const {
+    constexpr std::size_t min_points = 10;
+    if (columns_ < 4 || positions_.size() < min_points) return false;
+    const double first = positions_[0][0];
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+      if (positions_[i][0] != first + static_cast<double>(i)) return false;
+    }
+    return first == 0 || first == 1;
   }
 
   void add_columns_4_to_6(const Triple& vector) {

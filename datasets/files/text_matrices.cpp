@@ -192,6 +192,16 @@ bool is_header(const CsvRow& first) {
   return names_ids(cells.front()) || !std::all_of(cells.begin() + 1, cells.end(), is_number);
 }
 
+// Throws InputError if a column of numbers, from `first` on, is named as that of classes.
+void check_no_classes(CsvRow header, std::ptrdiff_t first, const std::string& source) {
+  header.cells.erase(header.cells.begin(), header.cells.begin() + first);
+  const auto column = find_column(header, class_column_names);
+  if (!column) return;
+  throw InputError(fmt::format(
+      "{}:{}: the column {} has classes, which are no features; remove it, and give the classes as `labels`", source,
+      header.line, quoted_word(header.cells[*column])));
+}
+
 // Returns the separator of numbers: a semicolon or comma if the line has one, otherwise a blank.
 char separator_of_line(std::string_view line) {
   for (const char separator : {';', ','}) {
@@ -251,6 +261,7 @@ LabelledTable parse_csv_table(std::string_view text, const std::string& source) 
   if (row || header) check_separator(row ? *row : *header, source);
   const bool row_ids = (header && names_ids(header->cells.front())) || (row && !is_number(row->cells.front()));
   const std::ptrdiff_t first_column = row_ids ? 1 : 0;
+  if (header) check_no_classes(*header, first_column, source);
   LabelledTable result;
   NumberRows rows(source, TableShape::any);
   for (; row; row = reader.next()) {

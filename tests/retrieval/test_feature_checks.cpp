@@ -30,6 +30,20 @@ TEST(CheckFeatures, RefuseNumbersBeyondSinglePrecision) {
   EXPECT_THROW(check_features(features_with_offset(1e39)), InputError);
 }
 
+TEST(CheckFeatures, RefuseAColumnThatCountsTheRows) {
+  DistanceMatrix features = DistanceMatrix::Random(12, 3);
+  EXPECT_FALSE(check_features(features));
+  for (const double first : {0.0, 1.0, 2.0}) {
+    for (Eigen::Index row = 0; row < 12; ++row) features(row, 1) = first + static_cast<double>(row);
+    if (first == 2) {
+      EXPECT_FALSE(check_features(features));
+    } else {
+      EXPECT_THAT([&] { check_features(features); },
+                  testing::ThrowsMessage<InputError>(HasSubstr("column 1 (counted from 0) counts the rows")));
+    }
+  }
+}
+
 TEST(CheckFeatures, RefuseDistances) {
   DistanceMatrix distances{{0, 1, 2}, {1, 0, 3}, {2, 3, 0}};
   EXPECT_THROW(check_features(distances), InputError);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/formats.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -104,6 +107,19 @@ TEST(ReadXyz, RefusesUnusableLines) {
                         {"1.5\n0 0 0\n", "c.xyz:1: expected the number of points"},
                         {"# nothing\n\n", "only white space"}},
                        [](const std::string& text) { read_xyz(text, "c.xyz"); });
+}
+
+TEST(ReadXyz, RefusesAColumnThatCountsThePoints) {
+  for (const int first : {0, 1, 2}) {
+    std::string text;
+    for (int i = 0; i < 12; ++i) text += fmt::format("{} 0.5 {} 1\n", first + i, i % 3);
+    const auto read = [&] { return read_xyz(text, "c.xyz"); };
+    if (first == 2) {
+      EXPECT_EQ(read().vertices.rows(), 12);
+    } else {
+      EXPECT_THAT(test::input_error_of(read), testing::HasSubstr("counts the points"));
+    }
+  }
 }
 
 TEST(ReadXyz, ChecksTheHeaderAlone) {

@@ -224,8 +224,10 @@ TEST(CsvTable, ErrorsNameTheLine) {
                   {"0 1 4\n2 0 6\n", "t.csv:2: \"2 0 6\""},
                   {"0|1|4\n2|0|6\n", "t.csv:2: \"2|0|6\""},
                   {"x\n0 1 4\n", "t.csv:2: \"0 1 4\""},
-                  {"0 | 1 | 4\n", "t.csv:1: "}},
+                  {"0 | 1 | 4\n", "t.csv:1: "},
+                  {"x,y,Label\n0,1,4\n2,0,6\n", "t.csv:1: the column \"Label\" has classes"}},
                  table_of);
+  EXPECT_EQ(table_of("label,x\na,0\nb,1\n").row_ids, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(table_of("my feature\n1\n2\n").column_ids, std::vector<std::string>{"my feature"});
 }
 
