@@ -15,11 +15,12 @@ struct Submission {
   std::string name{};     ///< if empty, by its file, see method_name()
   std::string authors{};  ///< empty if not given
   std::string paper{};
-  std::string url{};                      ///< begins with http:// or https://
-  std::optional<bool> similarity{};       ///< larger values are nearer; absent if not given
-  std::string distance{};                 ///< distance between features, if the file has features
-  std::filesystem::path ids{};            ///< ids of the rows, one a line
-  std::filesystem::path repetition_of{};  ///< method of a repetition: foo of foo.seed1.npy; otherwise empty
+  std::string url{};                 ///< begins with http:// or https://
+  std::optional<bool> similarity{};  ///< larger values are nearer; absent if not given
+  std::string distance{};            ///< distance between features, if the file has features
+  std::filesystem::path ids{};       ///< ids of the rows, one a line
+  std::filesystem::path
+      repetition_of{};  ///< method of a repetition: foo of foo.seed1.npy or foo.fold1.npy; otherwise empty
 };
 
 /// Refused submission or part of one.
