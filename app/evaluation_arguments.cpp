@@ -123,8 +123,7 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
           arguments.blocks == name_of(ResamplingUnit::classes)
               ? "Unit of resampling: classes (claims about classes like these, since the intervals stand alone), "
                 "or queries (about these classes)"
-              : "Unit of resampling: queries (claims about these classes, beside a second test about classes "
-                "like these), or classes")
+              : "Unit of resampling: queries (claims about these classes), or classes (about classes like these)")
       ->check(one_of(list_of_words<ResamplingUnit>()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")
