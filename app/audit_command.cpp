@@ -20,7 +20,7 @@ namespace {
 struct AuditArguments {
   std::vector<std::filesystem::path> matrices;
   EvaluationArguments evaluation;
-  ResamplingArguments resampling{.blocks = "classes", .confidence = 0.95, .resampling = {}};
+  ResamplingArguments resampling{.blocks = "queries", .confidence = 0.95, .resampling = {}};
   ScoreFormat printed;
 };
 

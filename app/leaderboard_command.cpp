@@ -173,7 +173,8 @@ int run_on_datasets(const LeaderboardArguments& arguments, const std::vector<Sub
     labels.insert(labels.end(), {dataset.files.labels, dataset.files.targets, dataset.files.qrels, dataset.files.ids});
   }
   check_leaderboard_output(arguments, std::move(labels));
-  const JudgingOptions options = judging_options(arguments);
+  JudgingOptions options = judging_options(arguments);
+  options.standings.tested = !arguments.output.empty() && !is_page(arguments.output);  // only a site has each data set
   Cache cache(chosen_cache(arguments.cache));
   DatasetLeaderboards all;
   {
@@ -219,7 +220,8 @@ void add_leaderboard_command(CLI::App& app, int& status) {
       "         shapegauge leaderboard submissions/ --labels test.cla -o site\n"
       "         shapegauge leaderboard shrec11/ psb/ tosca/ -o all.html\n"
       "A submission is any file that 'evaluate' reads. foo.json next to foo.npy may have name, authors, paper, url, "
-      "similarity, distance and ids. foo.seed1.npy, foo.seed2.npy, ... are repetitions of foo. Invalid submissions are "
+      "similarity, distance and ids. foo.seed1.npy, foo.seed2.npy, ... (or fold1, ...) are repetitions of foo. Invalid "
+      "submissions are "
       "refused with the reason (exit status 1). Without --labels and --qrels, each argument is the folder of a data "
       "set with its own labels.* or qrels.*, and methods are compared by their ranks on all data sets.");
   const auto arguments = std::make_shared<LeaderboardArguments>();

@@ -50,6 +50,11 @@ void check_numbers(const DistanceTable& distances, Eigen::Index first) {
   }
 }
 
+RetrievalTask task_with(const EvaluationOptions& options, RetrievalTask task) {
+  if (options.finds_itself) std::ranges::fill(task.own_column, -1);
+  return task;
+}
+
 // Determines the rows that are queries, and the classes with queries.
 void choose_queries(const RetrievalTask& task, int minimum_class_size, Evaluation& evaluation) {
   const std::vector<std::size_t> relevant = relevant_counts(task);
@@ -57,7 +62,7 @@ void choose_queries(const RetrievalTask& task, int minimum_class_size, Evaluatio
   std::set<int> classes;
   for (std::size_t row = 0; row < relevant.size(); ++row) {
     if (task.query_classes[row] == no_class) continue;
-    if (relevant[row] + 1 < minimum) {
+    if (relevant[row] + 1 < minimum || (relevant[row] == 0 && task.judged.empty())) {
       ++evaluation.excluded_models;
       continue;
     }
@@ -66,11 +71,12 @@ void choose_queries(const RetrievalTask& task, int minimum_class_size, Evaluatio
     classes.insert(task.query_classes[row]);
   }
   if (classes.empty() && !task.judged.empty()) {
-    throw ArgumentError(minimum == 2 ? "no query has a relevant model"
+    throw ArgumentError(minimum <= 2 ? "no query has a relevant model"
                                      : "no query has " + std::to_string(minimum - 1) + " relevant models or more");
   }
   if (classes.empty()) {
-    throw ArgumentError("no class has " + std::to_string(minimum) + " models or more, so there are no queries");
+    throw ArgumentError("no class has " + std::to_string(std::max<std::size_t>(minimum, 2)) +
+                        " models or more, so there are no queries");
   }
   evaluation.classes.assign(classes.begin(), classes.end());
 }
@@ -137,14 +143,17 @@ std::map<std::string, int> measure_versions(const EvaluationOptions& options) {
 
 RowEvaluator::RowEvaluator(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first,
                            Eigen::Index last)
-    : relevance_(task), measures_(evaluated_measures(options)), first_tier_(measure_of(name_of_bounds)) {
+    : task_(std::make_shared<const RetrievalTask>(task_with(options, task))),
+      relevance_(*task_),
+      measures_(evaluated_measures(options)),
+      first_tier_(measure_of(name_of_bounds)) {
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
   blank_.protocol = options.protocol;
   blank_.ties = options.ties;
   blank_.curve = options.curve.value_or(default_curve(options.protocol));
   for (const Measure& measure : measures_) blank_.measures.push_back(measure.name);
-  choose_queries(task, options.minimum_class_size, blank_);
-  largest_ = std::ranges::max(relevant_counts(task)) + (blank_.protocol == Protocol::paper ? 1 : 0);
+  choose_queries(*task_, options.minimum_class_size, blank_);
+  largest_ = std::ranges::max(relevant_counts(*task_)) + (blank_.protocol == Protocol::paper ? 1 : 0);
 
   const auto begin = std::ranges::lower_bound(blank_.queries, first);
   const auto count = std::ranges::lower_bound(blank_.queries, last) - begin;

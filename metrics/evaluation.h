@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,8 +28,10 @@ struct EvaluationOptions {
   std::vector<Measure> measures{};   ///< default_measures(protocol) if empty
   std::optional<CurveKind> curve{};  ///< default_curve(protocol) if not set
   /// Models of smaller classes are not queries. The size includes the query (psbTable: 3). Every query then has at
-  /// least one relevant model less, whether or not it is itself a target.
+  /// least one relevant model less, whether or not it is itself a target. 1: judged queries without a relevant model
+  /// count, with scores of 0.
   int minimum_class_size = 2;
+  bool finds_itself = false;  ///< a query is retrieved like any other target, instead of being excluded from its list
 };
 
 /// Returns the measures of an evaluation: those of the options or the default ones.
@@ -43,8 +46,9 @@ inline constexpr std::array evaluation_table = {
                                         "Order of models at equal distance: by index, relevant models first or last, "
                                         "or the mean over all orders."),
     option_of<&EvaluationOptions::minimum_class_size>(
-        "minimum_class_size", {.low = 2, .high = 1'000'000},
-        "Minimum class size of queries (psbTable of the Princeton Shape Benchmark: 3)."),
+        "minimum_class_size", {.low = 1, .high = 1'000'000},
+        "Minimum class size of queries (psbTable of the Princeton Shape Benchmark: 3; 1: also judged queries without a "
+        "relevant model, with scores of 0)."),
 };
 
 /// Mean first tier (FT) over the queries with tied relevant models ranked last (pessimistic) and first (optimistic).
@@ -120,7 +124,7 @@ struct QueryScores {
 };
 
 /// Streaming version of evaluate() for all rows of a matrix or a part of them. Several processes may each evaluate some
-/// rows; evaluation_of() combines their scores. The task must outlive the object.
+/// rows; evaluation_of() combines their scores.
 class RowEvaluator {
  public:
   /// Prepares the evaluation of the rows [first, last). Throws as evaluate() does.
@@ -144,6 +148,7 @@ class RowEvaluator {
   void evaluate_rows(Eigen::Index first, Eigen::Index last, const ListOf& list_of);
   void keep(std::size_t score, const RankedList& list);
 
+  std::shared_ptr<const RetrievalTask> task_;
   Relevance relevance_;
   std::vector<Measure> measures_;
   Measure first_tier_;

@@ -87,7 +87,10 @@ std::vector<Evaluator> make_evaluators() {
   return {
       {.name = "psb_table",
        .program = "psbTable of the Princeton Shape Benchmark",
-       .deviations = "Classes of fewer than three models are no queries. Equal distances rank in the order of models.",
+       .deviations =
+           "Classes of fewer than three models are no queries. Equal distances rank in the order of models. "
+           "Sums are in single precision, and the logarithm is that of ten divided by 0.3010299957: the third "
+           "decimal place that it prints may be rounded otherwise.",
        .protocol = Protocol::psb,
        .curve = CurveKind::psb,
        .minimum_class_size = 3,
@@ -102,21 +105,29 @@ std::vector<Evaluator> make_evaluators() {
        .curve = CurveKind::trec,
        .scores = {{"NN", "NN"}, {"FT", "shrec21.FT"}, {"ST", "shrec21.ST"}, {"mAP", "mAP"}, {"nDCG", "nDCG"}}},
       {.name = "shapenet16",
-       .program = "evaluate.js of SHREC'16 on ShapeNetCore",
-       .deviations = "The query is the first hit of its list. Lists end after 1000 models. The average precision is "
-                     "divided by the number of hits in the list, and nDCG by the best order of the models in it, so "
-                     "that short lists score higher. Queries without a list do not count.",
-       .protocol = Protocol::paper,
-       .curve = CurveKind::paper,
+       .program = "evaluate.js of SHREC'16 on ShapeNetCore, of 1 March 2016",
+       .deviations = "The query counts as a relevant model, found at the rank where its list has it, if it has. "
+                     "Lists end after 1000 models. The average precision is divided by the number of hits in "
+                     "the list, and nDCG by the best order of the models in it, so that short lists score higher; the "
+                     "program of 2017 divides by all relevant models, as mAP@N and nDCG@N do. Queries without a list "
+                     "do not count. F1 and nDCG of a list without a hit are 0; the program prints NaN. Its curve, by "
+                     "rank, is not reproduced.",
+       .protocol = Protocol::psb,
+       .curve = CurveKind::trec,
+       .finds_itself = true,
        .scores =
            {{"P@N", "P@N"}, {"R@N", "R@N"}, {"F1@N", "F1@N"}, {"mAP", "shapenet16.mAP"}, {"nDCG", "shapenet16.nDCG"}}},
       {.name = "trec_eval",
-       .program = "trec_eval 10 of NIST",
-       .deviations = "Equal scores of a run rank in descending order of document names. Queries without a list do not "
-                     "count. Precision is interpolated at recall levels that are rounded to numbers of documents by "
-                     "adding 0.9, in floating point: a level of 0.7 with R = 3 takes two documents.",
+       .program = "trec_eval 9 of NIST",
+       .deviations = "Equal scores of a run rank in descending order of document names, equal distances of a matrix in "
+                     "the order of models. Queries without a list do not count; judged queries without a relevant "
+                     "model do, with 0. Precision is interpolated at recall levels that are rounded to numbers of "
+                     "documents by adding 0.9, in floating point: a level of 0.7 with R = 3 takes two documents. Later "
+                     "sources round to the nearest number. Scores of a run are in double precision; releases of "
+                     "trec_eval with single precision have more ties.",
        .protocol = Protocol::trec,
        .curve = CurveKind::trec_eval,
+       .minimum_class_size = 1,
        .scores = {{"mAP", "mAP"},
                   {"FT", "R-prec"},
                   {"P@10", "P@10"},
@@ -127,8 +138,8 @@ std::vector<Evaluator> make_evaluators() {
       {.name = "pytorch_metric_learning",
        .program = "AccuracyCalculator of pytorch-metric-learning",
        .deviations = "precision_at_1, r_precision, mean_average_precision and mean_average_precision_at_r. The latter "
-                     "counts only hits among the first R. Its order of equal distances is not defined; here it is that "
-                     "of the models.",
+                     "counts only hits among the first R. Queries without a relevant model do not count. Its order of "
+                     "equal distances is not defined; here it is that of the models.",
        .protocol = Protocol::psb,
        .curve = CurveKind::raw,
        .scores =
@@ -161,7 +172,8 @@ EvaluationOptions options_of_evaluator(std::string_view name) {
   EvaluationOptions options{.protocol = found->protocol,
                             .ties = Ties::index,
                             .curve = found->curve,
-                            .minimum_class_size = found->minimum_class_size};
+                            .minimum_class_size = found->minimum_class_size,
+                            .finds_itself = found->finds_itself};
   for (const EvaluatorScore& score : found->scores) options.measures.push_back(measure_of_score(score));
   return options;
 }

@@ -25,6 +25,7 @@ struct Evaluator {
   Protocol protocol = Protocol::psb;
   CurveKind curve = CurveKind::psb;
   int minimum_class_size = 2;
+  bool finds_itself = false;  ///< see EvaluationOptions
   std::vector<EvaluatorScore> scores;
 };
 

@@ -36,9 +36,9 @@ struct Measure {
   const MeasureDefinition* definition = nullptr;
   std::size_t k = 0;
 
-  /// Returns the score of a list; 0 for an empty one, whatever the measure.
+  /// Returns the score of a list; 0 for an empty one or without relevant models, whatever the measure.
   [[nodiscard]] double value(const RankedList& list) const {
-    if (list.length == 0) return 0;
+    if (list.length == 0 || list.relevant == 0) return 0;
     return definition->value != nullptr ? definition->value(list) : definition->value_at(list, k);
   }
 };

@@ -13,7 +13,9 @@ namespace shapegauge {
 namespace {
 
 Eigen::MatrixXd p_values_of(const UnitValues& units, const StandingOptions& options) {
-  if (units.values.rows() < 2) return Eigen::MatrixXd::Ones(units.values.cols(), units.values.cols());
+  if (!options.tested || units.values.rows() < 2) {
+    return Eigen::MatrixXd::Ones(units.values.cols(), units.values.cols());
+  }
   return tukey_hsd_p_values(units, options.resampling);
 }
 
@@ -52,7 +54,7 @@ std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::
     for (const std::size_t method : group) standings[method].rank = better + 1;
     better += group.size();
   }
-  if (units.values.rows() < 2) return standings;
+  if (!options.tested || units.values.rows() < 2) return standings;
   const std::vector<ConfidenceInterval> intervals = bootstrap_intervals(units, options.confidence, options.resampling);
   for (std::size_t i = 0; i < methods; ++i) standings[i].interval = intervals[i];
   return standings;

@@ -18,6 +18,7 @@ struct StandingOptions {
   Average average = Average::micro;
   double confidence = 0.95;
   ResamplingOptions resampling{};
+  bool tested = true;  ///< false: averages and ranks only; no methods differ significantly
 };
 
 /// Standing of a method among others by one measure.

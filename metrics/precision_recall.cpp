@@ -102,7 +102,7 @@ Eigen::VectorXd precision_at_levels(const RankedList& list, CurveKind kind, std:
   const std::size_t divisions = divisions_of(kind, largest_relevant);
   const std::size_t first = first_level_of(kind);
   Eigen::VectorXd precisions = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(divisions + 1 - first));
-  if (list.length == 0) return precisions;
+  if (list.length == 0 || list.relevant == 0) return precisions;
   for (std::size_t level = first; level <= divisions; ++level) {
     precisions[static_cast<Eigen::Index>(level - first)] = precision_at(list.precision_at_hit, kind, level, divisions);
   }

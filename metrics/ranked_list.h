@@ -33,7 +33,7 @@ struct RankRun {
 struct RankedList {
   std::vector<RankRun> runs;       ///< in order of rank; no two adjacent runs consist of only hits or only misses
   std::size_t length = 0;          ///< number of ranks
-  std::size_t relevant = 0;        ///< number of relevant models, including those missing from the list; at least 1
+  std::size_t relevant = 0;        ///< number of relevant models, including those missing from the list
   bool starts_with_query = false;  ///< rank 1 is the query itself, which counts as a hit
   bool tied = false;  ///< relevant and other models, or different grades, are at equal distance: their order may matter
   /// By k - 1, the mean of k / rank of the k-th hit, for each relevant model; 0 for those missing from the list.

@@ -193,7 +193,7 @@ Judgements parse_qrels(std::string_view text, const std::string& source) {
     if (grade > 0) {
       judged.relevant.emplace_back(line.words[2]);
       judged.grades.push_back(grade);
-    } else {
+    } else if (grade == 0) {
       judged.irrelevant.emplace_back(line.words[2]);
     }
     result.graded = result.graded || grade > 1;

@@ -48,9 +48,9 @@ RankedAnswers parse_ranked_lists(std::string_view text, const std::string& sourc
 /// ignored. Throws InputError, with the line, for a repeated model and no lines.
 RankedAnswers::Answer parse_ranked_list(std::string_view text, const std::string& query, const std::string& source);
 
-/// Parses TREC judgements (qrels): lines `query iteration model grade`; positive grades are relevant. Lines that
-/// begin with # are comments. Throws InputError, with the line, for a wrong number of words, a grade that is not an
-/// integer, a model judged twice for a query, and no lines.
+/// Parses TREC judgements (qrels): lines `query iteration model grade`; positive grades are relevant, and negative ones
+/// mean not judged. Lines that begin with # are comments. Throws InputError, with the line, for a wrong number of
+/// words, a grade that is not an integer, a model judged twice for a query, and no lines.
 Judgements parse_qrels(std::string_view text, const std::string& source);
 
 /// Extensions of TREC runs and ranked lists.

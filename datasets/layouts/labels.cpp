@@ -76,6 +76,18 @@ ModelLabels all_are_both(Classification classification, const fs::path& path) {
           .source = path.string()};
 }
 
+// Models of the class -1 of a .cla file, which holds all without a class, are targets only.
+ModelLabels labels_of_classification(Classification classification, const fs::path& path) {
+  ModelLabels labels = all_are_both(std::move(classification), path);
+  const auto& classes = labels.classification.classes;
+  const auto unclassified = std::ranges::find(classes, "-1", &ModelClass::name);
+  if (unclassified == classes.end()) return labels;
+  labels.separate_sets = std::erase_if(labels.queries, [&](const std::string& id) {
+                           return std::ranges::find(unclassified->models, id) != unclassified->models.end();
+                         }) > 0;
+  return labels;
+}
+
 // Columns of a table of labels.
 struct LabelColumns {
   std::optional<std::size_t> id;
@@ -342,7 +354,7 @@ std::vector<std::string> missing_class_warnings(const ModelLabels& labels) {
 ModelLabels read_labels(const fs::path& path, std::size_t level) {
   if (is_folder(path)) return all_are_both(at_level(read_folders(path), level, path.string()), path);
   if (lower_case(path.extension().string()) == ".cla") {
-    return all_are_both(at_level(read_classification(path), level, path.string()), path);
+    return labels_of_classification(at_level(read_classification(path), level, path.string()), path);
   }
   ModelLabels labels = read_list(path);
   labels.classification = at_level(labels.classification, level, labels.source);

@@ -162,11 +162,11 @@ std::optional<std::string> chance_warning(const Evaluation& evaluation, const Ma
 std::optional<std::string> left_out_warning(const Evaluation& evaluation, const RetrievalTask& task,
                                             const EvaluationOptions& options) {
   if (evaluation.excluded_models == 0) return std::nullopt;
-  return task.judged.empty()
-             ? fmt::format("omitted as queries: {} of classes with fewer than {} models",
-                           count_text(evaluation.excluded_models, "model", "models"), options.minimum_class_size)
-             : fmt::format("omitted from all scores: {} with fewer than {} relevant models",
-                           count_text(evaluation.excluded_models, "query", "queries"), options.minimum_class_size - 1);
+  const int minimum = std::max(options.minimum_class_size, 2);
+  return task.judged.empty() ? fmt::format("omitted as queries: {} of classes with fewer than {} models",
+                                           count_text(evaluation.excluded_models, "model", "models"), minimum)
+                             : fmt::format("omitted from all scores: {} with fewer than {} relevant models",
+                                           count_text(evaluation.excluded_models, "query", "queries"), minimum - 1);
 }
 
 }  // namespace shapegauge

@@ -62,11 +62,11 @@ Json key_of(const TaskLabels& labels) {
 }
 
 Json key_of(const EvaluationOptions& options) {
-  const auto& [protocol, ties, measures, curve, minimum_class_size] = options;
+  const auto& [protocol, ties, measures, curve, minimum_class_size, finds_itself] = options;
   Json names = Json::array();
   for (const Measure& measure : measures) names.push_back(measure.name);
-  return {name_of(protocol),        name_of(ties), std::move(names), curve ? name_of(*curve) : "", minimum_class_size,
-          measure_versions(options)};
+  return {name_of(protocol),  name_of(ties), std::move(names),         curve ? name_of(*curve) : "",
+          minimum_class_size, finds_itself,  measure_versions(options)};
 }
 
 Json key_of_file(const std::filesystem::path& path) {

@@ -42,12 +42,12 @@ fs::path uncompressed_name(const fs::path& path) {
   return lower_case(path.extension().string()) == ".gz" ? fs::path(path).replace_extension() : path;
 }
 
-// Returns true for a file name that ends in .seed and a number.
+// Returns true for a file name that ends in .seed or .fold and a number.
 bool is_repetition(const fs::path& name) {
-  static constexpr std::string_view mark = ".seed";
+  static constexpr std::size_t mark_size = 5;
   const std::string extension = name.extension().string();
-  return extension.size() > mark.size() && extension.starts_with(mark) &&
-         std::all_of(extension.begin() + mark.size(), extension.end(), is_digit);
+  return extension.size() > mark_size && (extension.starts_with(".seed") || extension.starts_with(".fold")) &&
+         std::all_of(extension.begin() + mark_size, extension.end(), is_digit);
 }
 
 // Returns true for a text about the submissions, such as README.txt.

@@ -19,7 +19,7 @@ struct Submission {
   std::optional<bool> similarity{};       ///< larger values are nearer; absent if not given
   std::string distance{};                 ///< distance between features, if the file has features
   std::filesystem::path ids{};            ///< ids of the rows, one per line
-  std::filesystem::path repetition_of{};  ///< method of a repetition: foo of foo.seed1.npy; otherwise empty
+  std::filesystem::path repetition_of{};  ///< method of a repetition: foo of foo.seed1.npy or foo.fold1.npy; or empty
 };
 
 /// Refused submission or part of one.

@@ -214,11 +214,26 @@ TextTable multi_dataset_summary(const MultiDatasetResults& results, const MultiD
 
 TextTable multi_dataset_csv_table(const MultiDatasetResults& results, const ScoreStyle& style) {
   TextTable all{.header = {"protocol", "average", "measure"}, .rows = {}, .text_columns = 4};
+  const bool repeated =
+      std::ranges::any_of(results.tables, [](const auto& table) { return table.deviations.size() > 0; });
   for (const MultiDatasetTable& table : results.tables) {
-    const TextTable one = multi_dataset_summary(results, table, style);
-    if (all.rows.empty()) all.header.insert(all.header.end(), one.header.begin(), one.header.end());
-    for (std::vector<std::string> row : one.rows) {
+    MultiDatasetTable without = table;
+    without.deviations.resize(0, 0);
+    const TextTable one = multi_dataset_summary(results, without, style);
+    if (all.rows.empty()) {
+      all.header.insert(all.header.end(), one.header.begin(), one.header.end());
+      for (const EvaluatedDataset& dataset : results.datasets) {
+        if (repeated) all.header.push_back(dataset.name + "_deviation");
+      }
+    }
+    for (std::size_t position = 0; position < one.rows.size(); ++position) {
+      std::vector<std::string> row = one.rows[position];
       row.insert(row.begin(), {table.protocol, name_of(table.average), table.measure});
+      for (Eigen::Index set = 0; set < table.deviations.rows(); ++set) {
+        const double deviation = table.deviations(set, static_cast<Eigen::Index>(table.ranks.order[position]));
+        row.push_back(std::isnan(deviation) ? "" : score_text(deviation, style));
+      }
+      row.resize(all.header.size());
       all.rows.push_back(std::move(row));
     }
   }

@@ -123,6 +123,30 @@ std::string heading(const AuditedScore& score) {
   return score.measure == score.quantity ? score.evaluator : fmt::format("{} {}", score.evaluator, score.measure);
 }
 
+bool are_equal(const AuditedScore& a, const AuditedScore& b) { return score_differences(a.values, b.values).isZero(0); }
+
+// Scores of evaluators that are equal for all methods.
+struct SharedColumn {
+  std::string heading;
+  const AuditedScore* score = nullptr;
+};
+
+// Returns the columns that differ from the first score.
+std::vector<SharedColumn> differing_columns(const std::vector<const AuditedScore*>& scores) {
+  std::vector<SharedColumn> columns;
+  for (const AuditedScore* score : scores) {
+    if (are_equal(*score, *scores.front())) continue;
+    const auto same =
+        std::ranges::find_if(columns, [&](const auto& column) { return are_equal(*score, *column.score); });
+    if (same == columns.end()) {
+      columns.push_back({heading(*score), score});
+    } else {
+      same->heading += ", " + heading(*score);
+    }
+  }
+  return columns;
+}
+
 std::size_t index_of_baseline(const ProtocolAudit& audit, const std::string& quantity) {
   const auto found = std::ranges::find(audit.scores, quantity, &AuditedScore::quantity);
   return static_cast<std::size_t>(found - audit.scores.begin());
@@ -148,6 +172,7 @@ ProtocolAudit audit_protocols(std::span<const std::filesystem::path> matrices, c
       audit.warnings = merged_warnings(warnings, "files");
       const AlignedMethods aligned = align_methods(scores_of(matrices, *evaluated), {});
       audit.methods = aligned.methods;
+      for (const EvaluatedFiles& one : *evaluated) audit.queries_with_ties.push_back(one.evaluation.queries_with_ties);
       for (const Eigen::MatrixXd& values : aligned.values) {
         audit.standings.push_back(standings_of(values, aligned.classes, standings));
       }
@@ -170,22 +195,25 @@ std::vector<std::string> audited_quantities(const ProtocolAudit& audit) {
 TextTable audit_table(const ProtocolAudit& audit, const std::string& quantity, const ScoreStyle& style) {
   const std::vector<const AuditedScore*> scores = scores_of_quantity(audit, quantity);
   const std::vector<MethodStanding>& standings = audit.standings[index_of_baseline(audit, quantity)];
-  TextTable table{.header = {"method", baseline, "low", "high", "ranks"}, .rows = {}};
-  for (std::size_t k = 1; k < scores.size(); ++k) {
-    table.header.push_back(heading(*scores[k]));
+  const std::vector<SharedColumn> columns = differing_columns(scores);
+  TextTable table{.header = {"method", "tied", baseline, "low", "high", "ranks"}, .rows = {}};
+  for (const SharedColumn& column : columns) {
+    table.header.push_back(column.heading);
     table.header.emplace_back("rank");
   }
   for (const std::vector<std::size_t>& group : groups_of_equal_scores(scores.front()->values)) {
     for (const std::size_t method : group) {
       const MethodStanding& own = standings[method];
       const auto value = [&](const AuditedScore& score) { return score.values[static_cast<Eigen::Index>(method)]; };
-      std::vector<std::string> row{audit.methods[method], score_text(value(*scores.front()), style),
+      std::vector<std::string> row{audit.methods[method],
+                                   fmt::format("{}", audit.queries_with_ties[method]),
+                                   score_text(value(*scores.front()), style),
                                    own.interval ? score_text(own.interval->low, style) : "",
                                    own.interval ? score_text(own.interval->high, style) : "",
                                    fmt::format("{} ({}-{})", own.rank, own.best_rank, own.worst_rank)};
-      for (std::size_t k = 1; k < scores.size(); ++k) {
-        row.push_back(score_text(value(*scores[k]), style));
-        row.push_back(fmt::format("{}", scores[k]->ranks[method]));
+      for (const SharedColumn& column : columns) {
+        row.push_back(score_text(value(*column.score), style));
+        row.push_back(fmt::format("{}", column.score->ranks[method]));
       }
       table.rows.push_back(std::move(row));
     }
@@ -214,26 +242,51 @@ TextTable audit_summary(const ProtocolAudit& audit, const ScoreStyle& style) {
 }
 
 TextTable audit_csv_table(const ProtocolAudit& audit) {
-  TextTable table{
-      .header = {"score", "evaluator", "definition", "method", "value", "rank"}, .rows = {}, .text_columns = 4};
-  for (const AuditedScore& score : audit.scores) {
+  TextTable table{.header = {"score", "evaluator", "definition", "method", "value", "rank", "low", "high", "best_rank",
+                             "worst_rank"},
+                  .rows = {},
+                  .text_columns = 4};
+  for (std::size_t i = 0; i < audit.scores.size(); ++i) {
+    const AuditedScore& score = audit.scores[i];
     for (std::size_t method = 0; method < audit.methods.size(); ++method) {
-      table.rows.push_back({score.quantity, score.evaluator, score.measure, audit.methods[method],
-                            score_text(score.values[static_cast<Eigen::Index>(method)], csv_style),
-                            fmt::format("{}", score.ranks[method])});
+      std::vector<std::string> row{score.quantity,
+                                   score.evaluator,
+                                   score.measure,
+                                   audit.methods[method],
+                                   score_text(score.values[static_cast<Eigen::Index>(method)], csv_style),
+                                   fmt::format("{}", score.ranks[method])};
+      if (i < audit.standings.size()) {
+        const auto& [average, interval, rank, best_rank, worst_rank, letters] = audit.standings[i][method];
+        row.push_back(interval ? score_text(interval->low, csv_style) : "");
+        row.push_back(interval ? score_text(interval->high, csv_style) : "");
+        row.push_back(fmt::format("{}", best_rank));
+        row.push_back(fmt::format("{}", worst_rank));
+      }
+      row.resize(table.header.size());
+      table.rows.push_back(std::move(row));
     }
   }
   return table;
 }
 
 nlohmann::ordered_json audit_json(const ProtocolAudit& audit) {
-  nlohmann::ordered_json json{{"methods", audit.methods}, {"scores", nlohmann::ordered_json::array()}};
-  for (const AuditedScore& score : audit.scores) {
+  nlohmann::ordered_json json{{"methods", audit.methods},
+                              {"queries_with_ties", audit.queries_with_ties},
+                              {"scores", nlohmann::ordered_json::array()}};
+  for (std::size_t i = 0; i < audit.scores.size(); ++i) {
+    const AuditedScore& score = audit.scores[i];
     json["scores"].push_back({{"score", score.quantity},
                               {"evaluator", score.evaluator},
                               {"definition", score.measure},
                               {"values", std::vector<double>(score.values.begin(), score.values.end())},
                               {"ranks", score.ranks}});
+    if (i >= audit.standings.size()) continue;
+    for (const MethodStanding& standing : audit.standings[i]) {
+      if (standing.interval) {
+        json["scores"].back()["intervals"].push_back({standing.interval->low, standing.interval->high});
+      }
+      json["scores"].back()["possible_ranks"].push_back({standing.best_rank, standing.worst_rank});
+    }
   }
   return json;
 }

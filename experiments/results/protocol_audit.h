@@ -31,7 +31,8 @@ struct ProtocolAudit {
   std::vector<AuditedScore> scores;  ///< those of shapegauge first
   /// For each score of shapegauge, one entry per method: averages over queries with intervals of scores and ranks.
   std::vector<std::vector<MethodStanding>> standings;
-  std::vector<std::string> warnings;  ///< one sentence each, with the file
+  std::vector<Eigen::Index> queries_with_ties;  ///< by method: of relevant and other models
+  std::vector<std::string> warnings;            ///< one sentence each, with the file
 };
 
 /// Receives the name of the file that is evaluated next.
@@ -46,15 +47,17 @@ ProtocolAudit audit_protocols(std::span<const std::filesystem::path> matrices, c
 /// Returns the quantities that several scores of the audit measure, in their order.
 std::vector<std::string> audited_quantities(const ProtocolAudit& audit);
 
-/// Makes a table of one quantity: a row for each method, best first by shapegauge, with the scores and ranks of all
-/// evaluators. Intervals and possible ranks are those of shapegauge.
+/// Makes a table of one quantity: a row for each method, best first by shapegauge, with the number of queries whose
+/// order depends on ties, and the scores and ranks of the evaluators that differ. Those with equal scores share a
+/// column. Intervals and possible ranks are those of shapegauge.
 TextTable audit_table(const ProtocolAudit& audit, const std::string& quantity, const ScoreStyle& style = {});
 
 /// Makes a table with a row for each score that is compared: quantity, evaluator, definition, the smallest and the
 /// largest difference to shapegauge, the number of methods with another rank, and Kendall's tau-b of the two rankings.
 TextTable audit_summary(const ProtocolAudit& audit, const ScoreStyle& style = {});
 
-/// Makes a table for files: quantity, evaluator, definition, method, score, rank; percent.
+/// Makes a table for files: quantity, evaluator, definition, method, score, rank, and for shapegauge the interval and
+/// the possible ranks; percent.
 TextTable audit_csv_table(const ProtocolAudit& audit);
 
 /// Formats the audit as JSON, in fractions.

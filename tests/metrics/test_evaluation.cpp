@@ -271,8 +271,30 @@ TEST(Evaluation, RejectsInputsOfDifferentSizes) {
   EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 0}, {}), HasSubstr("3 models, but 2"));
   EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 1, 2}, {}), HasSubstr("no class has 2"));
   EXPECT_THAT(error_of(naive::Matrix(0, 0), {}, {}), HasSubstr("no class has 2"));
-  EXPECT_THAT(error_of(naive::Matrix::Ones(2, 2), {0, 0}, under(Protocol::psb, 1)),
-              HasSubstr("minimum_class_size is 1"));
+  EXPECT_THAT(error_of(naive::Matrix::Ones(2, 2), {0, 0}, under(Protocol::psb, 0)),
+              HasSubstr("minimum_class_size is 0"));
+}
+
+TEST(Evaluation, MinimumOfOneCountsJudgedQueriesWithoutRelevantModels) {
+  RetrievalTask task;
+  task.query_classes = {0, 1};
+  task.target_classes = {0, 0};
+  task.own_column = {-1, -1};
+  task.judged = {{0}, {}};
+  const DistanceMatrix distances{{1, 2}, {1, 2}};
+  EXPECT_EQ(evaluate(distances, task, under(Protocol::trec, 2)).micro[0], 1);
+  const Evaluation all = evaluate(distances, task, under(Protocol::trec, 1));
+  EXPECT_EQ(all.micro[0], 0.5);
+  EXPECT_EQ(all.micro_curve.precision[10], 0.5);
+  // A class of one has no relevant model either, but nobody judged that.
+  EXPECT_EQ(evaluate(naive::Matrix::Ones(3, 3), std::vector<int>{0, 0, 1}, under(Protocol::psb, 1)).queries.size(), 2U);
+}
+
+TEST(Evaluation, AQueryMayFindItselfWhereItsListHasIt) {
+  const DistanceMatrix distances{{4, 0, 2}, {0, 0, 5}, {3, 1, 0}};
+  EvaluationOptions options{.measures = measures_of(std::vector<std::string>{"NN", "R-prec"}), .finds_itself = true};
+  const Evaluation found = evaluate(distances, std::vector<int>{0, 0, 1}, options);
+  EXPECT_EQ(found.per_query, (Eigen::MatrixXd{{1, 0.5}, {1, 1}, {1, 1}})) << "a class of one finds its only model";
 }
 
 TEST(Evaluation, JudgementsWithoutARelevantModelAreRefusedAsSuch) {

@@ -56,6 +56,13 @@ TEST(MethodStandings, RankByAverageAndGroupBySignificance) {
   EXPECT_EQ(standings[1].worst_rank, 1U);
 }
 
+TEST(MethodStandings, UntestedHaveRanksOnly) {
+  const auto standings = standings_of(steady_methods({0.3, 0.9}), pairs_of_queries(), {.tested = false});
+  EXPECT_EQ(standings[0].rank, 2U);
+  EXPECT_EQ(standings[0].best_rank, 1U);
+  EXPECT_FALSE(standings[0].interval);
+}
+
 TEST(MethodStandings, EqualAveragesShareTheBetterRank) {
   Eigen::MatrixXd table = steady_methods({0.5, 0.2, 0.5, 0.1});
   table.col(2) = table.col(0);

@@ -146,7 +146,7 @@ CALLS = [
     (lambda: sg.evaluate(DISTANCES, LABELS, measures="x"), '"x"'),
     (lambda: sg.evaluate(DISTANCES, LABELS, measures=[1]), "measures"),
     (lambda: sg.evaluate(DISTANCES, LABELS, measures={"FT", "NN"}), "order"),
-    (lambda: sg.evaluate(DISTANCES, LABELS, minimum_class_size=1), "minimum_class_size"),
+    (lambda: sg.evaluate(DISTANCES, LABELS, minimum_class_size=0), "minimum_class_size"),
     (lambda: sg.evaluate(DISTANCES, LABELS, minimum_class_size=9), "no class has 9"),
     (lambda: sg.evaluate(DISTANCES, LABELS, similarity=1), "similarity"),
     (lambda: sg.compare(DISTANCES, LABELS), "list of distances"),

@@ -51,6 +51,13 @@ TEST_F(ModelLabelsTest, ALevelSelectsAncestors) {
   EXPECT_THAT(names(9), ElementsAre("human", "lamp"));
 }
 
+TEST_F(ModelLabelsTest, TheClassMinusOneOfAClassificationHasNoQueries) {
+  const ModelLabels labels = read_labels(file("a.cla", "PSB 1\n2 3\nant 0 2\n1\n3\n-1 0 1\n2\n"));
+  EXPECT_THAT(labels.queries, ElementsAre("1", "3"));
+  EXPECT_THAT(labels.targets, ElementsAre("1", "3", "2"));
+  EXPECT_TRUE(labels.separate_sets);
+}
+
 TEST_F(ModelLabelsTest, OfATableMayHaveASplit) {
   const ModelLabels labels =
       read_labels(file("a.csv", "class,id,split\nant,1,query\nant,2,target\nbee,3,both\nbee,4,\nbee,5,train\n"));

@@ -125,6 +125,13 @@ TEST_F(SubmittedDatasets, ShowTheDeviationOfRepetitions) {
                                                        summary.rows[0][7]}));
   EXPECT_EQ(summary.rows[1][0], "fair");
   EXPECT_THAT(summary.rows[1][1], HasSubstr(" ± "));
+  const TextTable csv = multi_dataset_csv_table(all.results);
+  EXPECT_THAT(std::vector<std::string>(csv.header.end() - 3, csv.header.end()),
+              ElementsAre("s_deviation", "t_deviation", "u_deviation"));
+  for (const std::vector<std::string>& row : csv.rows) {
+    EXPECT_EQ(row.back().empty(), row[3] != "fair") << row[3];
+    EXPECT_THAT(row, testing::Each(testing::Not(HasSubstr("±"))));
+  }
   const auto json = dataset_leaderboards_json(all, options())["tables"][5];
   EXPECT_EQ(json["measure"], "mAP");
   EXPECT_EQ(json["methods"][1]["deviations"]["t"], table.deviations(1, 1));

@@ -20,7 +20,7 @@ class SubmissionFolder : public test::FolderTest {
 };
 
 TEST_F(SubmissionFolder, HaveRepetitionsWithOneDescription) {
-  for (const char* name : {"x.seed1.npy", "x.seed12.csv.gz", "y.v2.npy", "z.seedling.npy", "z.seed.npy"}) add(name);
+  for (const char* name : {"x.seed1.npy", "x.fold12.csv.gz", "y.v2.npy", "z.seedling.npy", "z.seed.npy"}) add(name);
   add("x.json", R"({"authors": "A"})");
   add("y.v2.json", R"({"name": "Y"})");
   const FoundSubmissions found = find();

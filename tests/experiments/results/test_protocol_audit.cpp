@@ -51,6 +51,9 @@ TEST_F(ProtocolAuditTest, TablesCompareScoresOfOneQuantity) {
   const ProtocolAudit found = audit();
   EXPECT_THAT(audited_quantities(found), ElementsAre("NN", "FT", "ST", "mAP", "nDCG"));
   const TextTable table = audit_table(found, "FT", {.percent = true, .decimals = 0});
+  // The other programs have the scores of shapegauge.
+  EXPECT_THAT(table.header,
+              ElementsAre("method", "tied", "shapegauge", "low", "high", "ranks", "shrec21 shrec21.FT", "rank"));
   EXPECT_THAT(table.rows[0], testing::IsSupersetOf({"good", "100", "150", "1"}));
   EXPECT_THAT(table.rows[1], testing::IsSupersetOf({"late", "50", "100", "2"}));
   // SHREC'21's second tier separates the two, which the usual one does not.
@@ -58,7 +61,9 @@ TEST_F(ProtocolAuditTest, TablesCompareScoresOfOneQuantity) {
     EXPECT_EQ(row[5], row[2] == "shrec21.ST" ? "1" : "0") << row[1] << " " << row[2];
   }
   EXPECT_EQ(audit_csv_table(found).rows.size(), 2 * found.scores.size());
+  EXPECT_THAT(audit_csv_table(found).rows[3], testing::Contains("100.0000")) << "the interval of good's FT";
   EXPECT_EQ(audit_json(found)["scores"][1]["values"][1], 1);
+  EXPECT_EQ(audit_json(found)["scores"][1]["possible_ranks"].size(), 2U);
 }
 
 // The labels are those of both files.
