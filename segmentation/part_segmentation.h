@@ -18,10 +18,10 @@ inline constexpr int part_segmentation_version = 6;
 
 /// Options of part_segmentation().
 struct PartSegmentationOptions {
-  int parts = 0;                 ///< number of parts; 0 for automatic
-  int patches = 150;             ///< number of initial patches; more if more parts are requested
-  int samples = 1000;            ///< number of surface samples for mutual visibility, at least 1
-  double min_probability = 0.5;  ///< regions with a lower probability of being one part are not merged
+  int parts = 0;                  ///< number of parts; 0 for automatic
+  int patches = 300;              ///< number of initial patches; more if more parts are requested
+  int samples = 1000;             ///< number of surface samples for mutual visibility, at least 1
+  double min_probability = 0.25;  ///< regions with a lower probability of being one part are not merged
   BoundarySmoothingOptions smoothing{};
   std::uint64_t seed = 1;
 };

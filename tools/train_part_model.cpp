@@ -39,6 +39,7 @@ namespace {
 
 constexpr int none_left_out = -1;
 constexpr int no_class = -2;  // for shapes that belong to no class
+constexpr int training_patches = 150;
 
 /// Mesh with its regions and human segmentations.
 struct TrainingModel {
@@ -87,7 +88,7 @@ TrainingModel prepared(const Shape& mesh, std::vector<std::vector<std::int32_t>>
   const PartSegmentationOptions options;
   const ThickSurface surface = thick_surface(mesh);
   TrainingModel result;
-  result.patch = patches(surface.graph, {.count = options.patches, .seed = options.seed}, patch_costs(surface));
+  result.patch = patches(surface.graph, {.count = training_patches, .seed = options.seed}, patch_costs(surface));
   result.regions = surface_regions(surface, result.patch, options.samples);
   result.people = std::move(people);
   result.together = pairs_together(result.patch, result.regions.initial_size(), result.people);
