@@ -182,6 +182,7 @@ std::string to_pdf(const Drawing& drawing) {
   const CairoSurface surface(
       cairo_pdf_surface_create_for_stream(append_to_string, &bytes, drawing.width, drawing.height),
       cairo_surface_destroy);
+  cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);  // the same with every version of Cairo
   // A creation time would make every file different.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   draw(surface.get(), drawing, 1);

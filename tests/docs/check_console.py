@@ -7,7 +7,7 @@
 Blocks marked `console` hold commands behind "$ ", each followed by its standard output. A block marked `json` is first
 written to the file that the text before it names last. Commands run in FOLDER, which is emptied first. Lines are counted and
 numbers compared, within 1 % as the last digits depend on the processor; words may differ. With --update the outputs are
-written into the page. With --any-numbers they are only counted: other compilers generate other shapes.
+written into the page. With --any-numbers they are only counted: other compilers and CGAL 6 generate other shapes.
 """
 
 import os

@@ -40,8 +40,8 @@ BOUNDS = {
     "experiments/engine/experiment.h": 121_000,
     "experiments/signatures/compute_signatures.h": 123_000,
 }
-# Lines of <functional> with GCC 12, by which the bounds are scaled for standard libraries with longer headers.
-FUNCTIONAL = 28_600
+# Lines of <string> with GCC 12, by which the bounds are scaled for standard libraries with longer headers.
+STRING = 19_200
 FOLDERS_OF_SOURCES = ["app", "core", "datasets", "experiments", "metrics", "pages", "retrieval", "segmentation"]
 
 
@@ -56,7 +56,7 @@ def lines_of(compiler, folders, header):
 
 def long_headers(compiler, folders):
     """Returns an error for each header that is longer than its bound."""
-    scale = max(1, lines_of(compiler, folders, "functional") / FUNCTIONAL)
+    scale = max(1, lines_of(compiler, folders, "string") / STRING)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         counts = list(pool.map(lambda header: lines_of(compiler, folders, f"shapegauge/{header}"), BOUNDS))
     for header, count in zip(BOUNDS, counts):

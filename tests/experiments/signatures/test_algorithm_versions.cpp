@@ -86,7 +86,7 @@ TEST(OffsetSdfVersion, ChangesWithTheValuesOfCoveredSamples) {
   const Samples samples = take_samples(prepared.shape, field.settings.samples);
   FieldSource source(prepared.shape);
   const Summary found = summary_of(field.compute(source, samples, false).values, samples.weights);
-  ASSERT_EQ(field.versions, (Json{{"offset_sdf", 13}}));
+  ASSERT_EQ(field.versions, (AlgorithmVersions{{"offset_sdf", 13}}));
   EXPECT_NEAR(found.mean, 0.204830418962, 1e-6);
   EXPECT_NEAR(found.deviation, 0.0807011254096, 1e-6);
 }

@@ -47,7 +47,7 @@ TEST(Drawing, PngHasTheColoursOfTheDrawing) {
 
 TEST(Drawing, PdfIsTheSameEachTime) {
   const std::string pdf = to_pdf(small_drawing());
-  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  EXPECT_TRUE(pdf.starts_with("%PDF-1.4"));
   EXPECT_NE(pdf.find("MediaBox [ 0 0 40 20 ]"), std::string::npos);
   EXPECT_EQ(pdf, to_pdf(small_drawing()));
 }
