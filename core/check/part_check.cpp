@@ -72,6 +72,7 @@ void link_across_sizes(const Shape& cells, const UnitFrame& frame, std::span<con
     const Cone half_space{middle - 2 * touching * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(), 0};
     Ball ball{.centre = middle, .radius = touching};
     tree.search(half_space, ball, [&](std::int32_t cell, const Ball&) {
+      if (cell < 0) return;
       const bool touches = (closest_point(tree.triangle(cell), middle) - middle).norm() <= touching;
       if (touches) links.emplace_back(side.triangle, cell);
     });

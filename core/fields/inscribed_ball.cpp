@@ -25,9 +25,10 @@ namespace {
 /// Upper bound of the radius of a ball inside a closed shape of diagonal 1.
 constexpr double largest_radius = 0.5;
 
-/// Number of triangles in the ball that are tried exactly. Beyond it, triangles that would shrink the ball by less than
-/// `skipped_difference` are skipped: around a sphere or a cylinder nearly all are equally near to the centre.
-constexpr int exact_trials = 64;
+/// Number of triangles and leaves of the tree that are tried exactly. Beyond it, triangles that would shrink the ball
+/// by less than `skipped_difference` are skipped: around a sphere or a cylinder nearly all are equally near to the
+/// centre.
+constexpr int exact_trials = 128;
 constexpr int few_exact_trials = 4;  ///< of TouchingBalls::ball_at()
 constexpr double skipped_difference = 1e-3;
 
@@ -107,7 +108,7 @@ class TouchingBalls::Search {
     bool found = false;
     tree_.search({middle - back * direction, direction, cone_cosine_, min_normal_cosine()}, ball,
                  [&](std::int32_t triangle, Ball& searched) {
-                   found = found || is_opposite(triangle, part, middle, direction, searched.radius);
+                   found = found || (triangle >= 0 && is_opposite(triangle, part, middle, direction, searched.radius));
                    if (found) searched.radius = 0;
                  });
     return found;
@@ -139,7 +140,8 @@ class TouchingBalls::Search {
   }
 
   /// Shrinks a ball from the radius `start`, which is the result if nothing stops the ball before: first to what lies
-  /// straight ahead, which is near to the result where walls are parallel. `exact` triangles are tried exactly.
+  /// straight ahead, which is near to the result where walls are parallel. `exact` triangles and leaves are tried
+  /// exactly.
   [[nodiscard]] Stop stop_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, BallSide side, double start,
                              int exact) const {
     const Eigen::Vector3d direction = direction_of(normal, side);
@@ -152,7 +154,7 @@ class TouchingBalls::Search {
       Ball ball = ball_of(limit);
       const Cone cone{point, direction, ahead ? 1 : cone_cosine_, min_normal_cosine(), true};
       tree_.search(cone, ball, [&](std::int32_t triangle, Ball& searched) {
-        const double found = radius_at(point, normal, opposite, triangle, limit);
+        const double found = triangle < 0 ? limit : radius_at(point, normal, opposite, triangle, limit);
         if (found < limit) stop = {.radius = found, .triangle = triangle};
         limit = ++trials > exact ? (1 - skipped_difference) * stop.radius : stop.radius;
         searched = ball_of(limit);

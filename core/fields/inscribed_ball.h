@@ -14,7 +14,7 @@
 namespace shapegauge {
 
 /// Cache version of inscribed_ball(); see docs/manual/cache.md.
-inline constexpr int inscribed_ball_version = 3;
+inline constexpr int inscribed_ball_version = 4;
 
 /// Options of inscribed_ball().
 struct InscribedBallOptions {
@@ -84,7 +84,7 @@ class TouchingBalls {
 /// one facing away from the sample, whatever its orientation. At 0 every point is opposite. Above 90 degrees the sides
 /// next to a right-angled edge are not. The triangles around a sampled vertex never stop the ball.
 ///
-/// The diameter is exact unless very many triangles are equally near to the centre, as in a finely tessellated sphere;
+/// The diameter is exact unless many triangles are about equally near to the centre, as in a finely tessellated sphere;
 /// then it is at most 0.1 % too large. NaN if the sample has no normal, and if nothing stops the ball before its
 /// diameter reaches the bounding-box diagonal. For a cloud the points are the surface, and the cloud must have normals.
 /// The same bytes on any number of threads. Throws InputError as TouchingBalls does.

@@ -83,11 +83,13 @@ class ConeSearch {
         const auto lane = static_cast<std::size_t>(std::countr_zero(others));
         if (distances[lane] < distances[nearest]) nearest = lane;
       }
-      if (!(distances[nearest] <= radius * radius * static_cast<float>(1 + single_precision_margin))) return;
+      if (!(distances[nearest] <= radius * radius * static_cast<float>(1 + single_precision_margin))) break;
       left &= ~(1U << nearest);
       visit_(leaf.triangle[nearest], ball_);
       set_ball();
     }
+    visit_(-1, ball_);
+    set_ball();
   }
 
   /// Caches the ball, enlarged by the error of single precision for coordinates of the order of 1.

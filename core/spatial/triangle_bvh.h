@@ -60,8 +60,8 @@ class TriangleBVH {
                                                   std::int32_t hint = -1) const;
 
   /// Calls `visit(triangle, ball)` at least for all triangles that intersect both ball and cone, roughly in order of
-  /// their distance from the cone's apex. `visit` may replace the ball by a smaller one inside it, which prunes the
-  /// search. Radii must be finite.
+  /// their distance from the cone's apex; the triangle is -1 after each leaf. `visit` may replace the ball by a smaller
+  /// one inside it, which prunes the search. Radii must be finite.
   void search(const Cone& cone, Ball& ball, const std::function<void(std::int32_t, Ball&)>& visit) const;
 
   /// Returns the corners of a triangle, by its index in the shape.

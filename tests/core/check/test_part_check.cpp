@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -506,9 +507,10 @@ TEST(PartCheck, SharpRimsOfThinPlatesBelongToTheWall) {
 
 /// A tail of triangular section: its ridges are sharp edges where it is thick, and the thin end is a wall.
 TEST(PartCheck, ThinLimbsAreToldFromTheSharpEdgesThatJoinThem) {
-  const Shape tail = solid(regular(3, 6), {{0, 1}, {20, 0.05}});
+  const Shape tail = solid(regular(3, 6), {{0, 1}, {120, 0.05}});
   const PartReport report = check_part(tail, {.min_wall = wall_limit});
   EXPECT_FALSE(report.passes());
+  EXPECT_TRUE(std::ranges::any_of(report.walls.regions, &ThinRegion::is_edge));
   const double scale = wall_limit / 6;  // beyond, all of the section is thin
   const double below = (scale * scale - 0.05 * 0.05) / (1 - 0.05 * 0.05);
   const double sides = surface_area(tail) - 9 * std::sqrt(3) * 3 * (1 + 0.05 * 0.05);

@@ -98,7 +98,9 @@ RC_GTEST_PROP(TriangleBVH, SearchesAllTrianglesInBallAndConeThatFaceTheAxis, ())
   const Ball whole{.centre = any_query(shape), .radius = 2 * fraction()};
   std::vector<int> found(static_cast<std::size_t>(shape.triangles.rows()));
   Ball ball = whole;
-  tree.search(cone, ball, [&](std::int32_t f, const Ball&) { ++found[static_cast<std::size_t>(f)]; });
+  tree.search(cone, ball, [&](std::int32_t f, const Ball&) {
+    if (f >= 0) ++found[static_cast<std::size_t>(f)];
+  });
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     const auto [a, b, c] = triangle_of(shape, f);
     const Eigen::Vector3d normal = (b - a).cross(c - a).stableNormalized();
