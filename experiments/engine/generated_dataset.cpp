@@ -10,6 +10,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
+#include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/engine/result_folder.h"
 
