@@ -191,7 +191,7 @@ TEST_F(Program, RejectsAClosedOutputStream) {
     const std::string command =
         fmt::format("SHAPEGAUGE_CACHE= {} {} {} {}", executable_for_shell(), run, quoted("again"), streams);
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << streams;
-    EXPECT_EQ(results_in(at("again")), results_in(at("out"))) << streams;
+    EXPECT_EQ(test::results_in(at("again")), test::results_in(at("out"))) << streams;
   }
 }
 

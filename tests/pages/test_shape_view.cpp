@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/render/camera.h"
 #include "shapegauge/core/render/splats.h"
 #include "shapegauge/pages/html_page.h"
 #include "tests/pages/sample_views.h"
