@@ -118,12 +118,12 @@ std::vector<Evaluator> make_evaluators() {
        .scores =
            {{"P@N", "P@N"}, {"R@N", "R@N"}, {"F1@N", "F1@N"}, {"mAP", "shapenet16.mAP"}, {"nDCG", "shapenet16.nDCG"}}},
       {.name = "trec_eval",
-       .program = "trec_eval 9 of NIST",
+       .program = "trec_eval 10 of NIST",
        .deviations = "Equal scores of a run rank in descending order of document names, equal distances of a matrix in "
                      "the order of models. Queries without a list do not count; judged queries without a relevant "
-                     "model do, with 0. Precision is interpolated at recall levels that are rounded to numbers of "
-                     "documents by adding 0.9, in floating point: a level of 0.7 with R = 3 takes two documents. Later "
-                     "sources round to the nearest number. Scores of a run are in double precision; releases of "
+                     "model do, with 0. Precision is interpolated at recall levels that are rounded to the "
+                     "nearest number of documents: a level of 0.8 with R = 3 takes two documents; version 9 adds 0.9 and "
+                     "rounds down. Scores of a run are in double precision; releases of "
                      "trec_eval with single precision have more ties.",
        .protocol = Protocol::trec,
        .curve = CurveKind::trec_eval,

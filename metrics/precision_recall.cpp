@@ -2,6 +2,7 @@
 #include "shapegauge/metrics/precision_recall.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shapegauge {
 namespace {
@@ -45,7 +46,7 @@ double largest_from(const Precisions& precision_at_hit, std::size_t first) {
 // Returns the index of the first hit that trec_eval takes for the level.
 std::size_t first_in_trec_eval(const Precisions& precision_at_hit, std::size_t level, std::size_t divisions) {
   const double recall = static_cast<double>(level) / static_cast<double>(divisions);
-  const auto hits = static_cast<std::size_t>(recall * static_cast<double>(precision_at_hit.size()) + 0.9);
+  const auto hits = static_cast<std::size_t>(std::lround(recall * static_cast<double>(precision_at_hit.size())));
   return std::max<std::size_t>(hits, 1) - 1;
 }
 

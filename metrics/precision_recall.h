@@ -23,8 +23,7 @@ namespace shapegauge {
 ///   be less than the mean of maxima, for which there is no closed form.
 /// - raw: at 1/L, 2/L, ... 1, where L is the largest number of relevant models of any query, P(k) of the first hit that
 ///   reaches the level. If every query has as many relevant models, these are the hits themselves.
-/// - trec_eval: like trec, but a level p is reached by floor(p R + 0.9) hits in double precision, as in trec_eval 9,
-///   which may be one less.
+/// - trec_eval: like trec, but a level p is reached by p R hits rounded to the nearest number, as in trec_eval 10.
 enum class CurveKind { psb, paper, trec, raw, trec_eval };
 template <>
 inline constexpr std::array<std::string_view, 5> words_of<CurveKind>{"psb", "paper", "trec", "raw", "trec_eval"};
