@@ -67,7 +67,7 @@ TEST_F(SearchCommand, AllFormatsHaveTheSameResults) {
   ASSERT_EQ(rows.size(), 5U);
   EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"query", "name", "rank", "distance"}));
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(rows[i + 1].cells[1], results[i]["name"]);
+    EXPECT_EQ(rows[i + 1].cells[1], results[i]["name"].get<std::string>());
     EXPECT_EQ(rows[i + 1].cells[2], std::to_string(i + 1));
     EXPECT_EQ(std::stod(rows[i + 1].cells[3]), results[i]["distance"].get<double>());
     EXPECT_NE(rows[i + 1].cells[1], "T4.off");
