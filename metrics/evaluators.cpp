@@ -119,12 +119,13 @@ std::vector<Evaluator> make_evaluators() {
            {{"P@N", "P@N"}, {"R@N", "R@N"}, {"F1@N", "F1@N"}, {"mAP", "shapenet16.mAP"}, {"nDCG", "shapenet16.nDCG"}}},
       {.name = "trec_eval",
        .program = "trec_eval 10 of NIST",
-       .deviations = "Equal scores of a run rank in descending order of document names, equal distances of a matrix in "
-                     "the order of models. Queries without a list do not count; judged queries without a relevant "
-                     "model do, with 0. Precision is interpolated at recall levels that are rounded to the "
-                     "nearest number of documents: a level of 0.8 with R = 3 takes two documents; version 9 adds 0.9 and "
-                     "rounds down. Scores of a run are in double precision; releases of "
-                     "trec_eval with single precision have more ties.",
+       .deviations =
+           "Equal scores of a run rank in descending order of document names, equal distances of a matrix in "
+           "the order of models. Queries without a list do not count; judged queries without a relevant "
+           "model do, with 0. Precision is interpolated at recall levels that are rounded to the "
+           "nearest number of documents: a level of 0.8 with R = 3 takes two documents; version 9 adds 0.9 and "
+           "rounds down. Scores of a run are in double precision; releases of "
+           "trec_eval with single precision have more ties.",
        .protocol = Protocol::trec,
        .curve = CurveKind::trec_eval,
        .minimum_class_size = 1,
