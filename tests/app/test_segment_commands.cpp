@@ -75,11 +75,9 @@ TEST_F(SegmentCommands, AutomaticOffsetsIgnoreOutliers) {
   Shape cloud = test::random_points(test::box({2, 2, 0.4}, 1), 2000, 1);
   cloud.vertices.conservativeResize(2003, Eigen::NoChange);
   cloud.vertices.bottomRows<3>() << 30, 0, 0, 0, 30, 0, 0, 0, 30;
-  write_off(folder_.path() / "cloud.off", cloud);
+  write_off(at("cloud.off"), cloud);
   const auto lines_with = [&](const std::string& options) {
-    const std::string command = fmt::format("segment '{}' --replace -o '{}' {}", at("cloud.off"), at("x.seg"), options);
-    const Outcome outcome = run_executable(command);
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    const Outcome outcome = succeeded(run("segment @cloud.off --replace -o @x.seg " + options));
     EXPECT_THAT(outcome.errors, HasSubstr("3 of 2003 points are outliers"));
     const std::string text = text_of(at("x.seg"));
     return std::ranges::count(text, '\n');
@@ -96,9 +94,8 @@ TEST_F(SegmentCommands, WarnsOfAnOpenCloud) {
     if (whole.vertices(i, 2) < 0.199 || whole.vertices.row(i).head<2>().norm() > 0.4) kept.push_back(i);
   }
   for (const bool is_open : {false, true}) {
-    write_off(folder_.path() / "x.off", is_open ? Shape{whole.vertices(kept, Eigen::all), {}} : whole);
-    const Outcome outcome = run_executable(
-        fmt::format("segment '{}' --method paper --offset 5% --replace -o '{}'", at("x.off"), at("x.seg")));
+    write_off(at("x.off"), is_open ? Shape{whole.vertices(kept, Eigen::all), {}} : whole);
+    const Outcome outcome = run("segment @x.off --method paper --offset 5% --replace -o @x.seg");
     EXPECT_EQ(outcome.errors.find("outside on both sides") != std::string::npos, is_open) << outcome.errors;
   }
 }
