@@ -139,8 +139,9 @@ class ClassificationParser {
                               models_promised_));
     }
     if (!words_.at_end()) {
-      words_.fail(
-          fmt::format("expected the end after {} classes, found {}", classes, quoted_word(words_.word("the end"))));
+      words_.fail(fmt::format("expected the end of the file after {}, found {}",
+                              count_text(static_cast<std::int64_t>(classes), "class", "classes"),
+                              quoted_word(words_.word("the end"))));
     }
     return std::move(result_);
   }

@@ -38,7 +38,7 @@ TEST(ClassLabels, NameTheUnknownModel) {
   };
   EXPECT_THAT(error_for({"1", "2", "10", "T3"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"T3\" is in no class")));
   EXPECT_THAT(error_for({"1", "10"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"2\" is classified")));
-  EXPECT_THAT(error_for({"1", "2", "10", "T2.off"}), HasSubstr("\"T2.off\" occurs twice"));
+  EXPECT_THAT(error_for({"1", "2", "10", "T2.off"}), HasSubstr("\"T2.off\" is looked up twice"));
 }
 
 constexpr std::string_view valid =
@@ -91,7 +91,7 @@ TEST(ParseClassification, ErrorsNameTheLine) {
        {"PSB 1\n1 1\na 0 -1\n", "x.cla:3: the number of models"},
        {"PSB 1\n1 2\na 0 3\nx y z\n", "x.cla:3: there are 3 models up to class \"a\""},
        {"PSB 1\n1 3\na 0 2\nx\ny\n", "x.cla:5: the classes have 2 models"},
-       {"PSB 1\n1 2\na 0 2\nx\ny\nz\n", "x.cla:6: \"z\""},
+       {"PSB 1\n1 2\na 0 2\nx\ny\nz\n", "x.cla:6: expected the end of the file after 1 class, found \"z\""},
        {"PSB 1\n2 2\na 0 1\nx\na 0 1\ny\n", "x.cla:5: class \"a\" is repeated"},
        {"PSB 1\n2 2\na b 1\nx\nb 0 1\ny\n", "x.cla:3: the parent \"b\""},
        {"PSB 1\n1 1\na a 1\nx\n", "x.cla:3: the parent \"a\""},
