@@ -54,7 +54,7 @@ std::vector<int> class_labels(const Classification& classification, std::span<co
                                    quoted_word(id)));
     }
     if (!seen.insert(canonical).second) {
-      throw InputError(fmt::format("model {} is looked up twice in {}", quoted_word(id), source));
+      throw InputError(fmt::format("model {} occurs twice in the models to look up in {}", quoted_word(id), source));
     }
     labels.push_back(found->second);
   }

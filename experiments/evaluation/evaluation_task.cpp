@@ -133,8 +133,8 @@ EvaluationTask labelled_task(const MatrixIds& ids, const TaskLabels& labels, con
                              const Positions& columns) {
   for (const Positions* positions : {&rows, &columns}) {
     if (!positions->repeated()) continue;
-    throw InputError(
-        fmt::format("model {} is looked up twice in {}", quoted_word(*positions->repeated()), source_of(labels)));
+    throw InputError(fmt::format("model {} occurs twice in the models to look up in {}",
+                                 quoted_word(*positions->repeated()), source_of(labels)));
   }
   EvaluationTask task{.retrieval = {},
                       .query_ids = ids.rows,
