@@ -143,17 +143,17 @@ std::map<std::string, int> measure_versions(const EvaluationOptions& options) {
 
 RowEvaluator::RowEvaluator(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first,
                            Eigen::Index last)
-    : task_(std::make_shared<const RetrievalTask>(task_with(options, task))),
-      relevance_(*task_),
-      measures_(evaluated_measures(options)),
-      first_tier_(measure_of(name_of_bounds)) {
+    : relevance_(task), measures_(evaluated_measures(options)), first_tier_(measure_of(name_of_bounds)) {
+  if (options.finds_itself && std::ranges::any_of(task.own_column, [](Eigen::Index own) { return own >= 0; })) {
+    throw ArgumentError("a query that finds itself has no column of its own in the task");
+  }
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
   blank_.protocol = options.protocol;
   blank_.ties = options.ties;
   blank_.curve = options.curve.value_or(default_curve(options.protocol));
   for (const Measure& measure : measures_) blank_.measures.push_back(measure.name);
-  choose_queries(*task_, options.minimum_class_size, blank_);
-  largest_ = std::ranges::max(relevant_counts(*task_)) + (blank_.protocol == Protocol::paper ? 1 : 0);
+  choose_queries(task, options.minimum_class_size, blank_);
+  largest_ = std::ranges::max(relevant_counts(task)) + (blank_.protocol == Protocol::paper ? 1 : 0);
 
   const auto begin = std::ranges::lower_bound(blank_.queries, first);
   const auto count = std::ranges::lower_bound(blank_.queries, last) - begin;
@@ -221,7 +221,8 @@ Evaluation RowEvaluator::evaluation_of(const QueryScores& all) const {
 
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options) {
   check_task(static_cast<std::size_t>(distances.rows()), static_cast<std::size_t>(distances.cols()), task, options);
-  RowEvaluator evaluator(task, options, 0, distances.rows());
+  const RetrievalTask adapted = task_with(options, task);
+  RowEvaluator evaluator(adapted, options, 0, distances.rows());
   evaluator.evaluate(distances, 0);
   return evaluator.evaluation_of(evaluator.scores());
 }
@@ -230,7 +231,8 @@ Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const
   constexpr Eigen::Index together = 256;
   const auto rows = static_cast<Eigen::Index>(task.query_classes.size());
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
-  RowEvaluator evaluator(task, options, 0, rows);
+  const RetrievalTask adapted = task_with(options, task);
+  RowEvaluator evaluator(adapted, options, 0, rows);
   for (Eigen::Index first = 0; first < rows; first += together) {
     const Eigen::Index count = std::min(together, rows - first);
     const DistanceMatrix some = distances(first, count);
@@ -246,7 +248,8 @@ Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const
 
 Evaluation evaluate(const RankedAnswerLists& answers, const RetrievalTask& task, const EvaluationOptions& options) {
   check_task(answers.size(), task.target_classes.size(), task, options);
-  RowEvaluator evaluator(task, options, 0, std::ssize(answers));
+  const RetrievalTask adapted = task_with(options, task);
+  RowEvaluator evaluator(adapted, options, 0, std::ssize(answers));
   evaluator.evaluate(answers);
   return evaluator.evaluation_of(evaluator.scores());
 }

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -124,7 +123,8 @@ struct QueryScores {
 };
 
 /// Streaming version of evaluate() for all rows of a matrix or a part of them. Several processes may each evaluate some
-/// rows; evaluation_of() combines their scores.
+/// rows; evaluation_of() combines their scores. The task must outlive the object. With `finds_itself` it must have no
+/// own columns; evaluate() sets them to -1.
 class RowEvaluator {
  public:
   /// Prepares the evaluation of the rows [first, last). Throws as evaluate() does.
@@ -148,7 +148,6 @@ class RowEvaluator {
   void evaluate_rows(Eigen::Index first, Eigen::Index last, const ListOf& list_of);
   void keep(std::size_t score, const RankedList& list);
 
-  std::shared_ptr<const RetrievalTask> task_;
   Relevance relevance_;
   std::vector<Measure> measures_;
   Measure first_tier_;

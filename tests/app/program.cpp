@@ -122,8 +122,8 @@ int BackgroundRun::wait() {
 }
 
 Outcome CommandTest::run(std::string arguments) const {
-  for (std::size_t i = arguments.find('@'); i != std::string::npos; i = arguments.find('@')) {
-    arguments.replace(i, 1, at("").string());
+  for (std::size_t i = arguments.find(" @"); i != std::string::npos; i = arguments.find(" @")) {
+    arguments.replace(i + 1, 1, at("").string());
   }
   return run_executable(arguments);
 }

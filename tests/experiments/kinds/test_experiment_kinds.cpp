@@ -192,7 +192,7 @@ TEST_F(ExperimentKinds, GiveTheSameBytesInParts) {
       SCOPED_TRACE(fmt::format("{} in {} parts", name, count));
       const std::string together = fmt::format("{}/{}", name, count);
       const Experiment experiment = read_experiment(document, "test.json", at(""));
-      const fs::path folder = at(together + "/cache");
+      const fs::path folder = at(together + "_cache");
       std::size_t all = 0;
       for (std::size_t number = count; number > 0; --number) {
         Cache cache(folder);
