@@ -103,7 +103,8 @@ TEST(ReadXyz, RefusesUnusableLines) {
                         {"1\n0 0 0\n1 0 0\n0 0 0\n", "found 3 points, but the first line announces 1"},
                         {"1\n0 0 0 1\n1 0 0 1\n", "found 2 points, but the first line announces 1"},
                         {"-1\n0 0 0\n", "c.xyz:1: expected 0 to 2147483647 points, found -1"},
-                        {"1\n0 0 0\n9223372036854775807\n0 0 1\n", "c.xyz:3: expected 0 to 2147483647 points, found 9223372036854775807"},
+                        {"1\n0 0 0\n9223372036854775807\n0 0 1\n",
+                         "c.xyz:3: expected 0 to 2147483647 points, found 9223372036854775807"},
                         {"1.5\n0 0 0\n", "c.xyz:1: expected the number of points"},
                         {"# nothing\n\n", "only white space"}},
                        [](const std::string& text) { read_xyz(text, "c.xyz"); });
