@@ -511,12 +511,15 @@ TEST(PartCheck, ThinLimbsAreToldFromTheSharpEdgesThatJoinThem) {
   const PartReport report = check_part(tail, {.min_wall = wall_limit});
   EXPECT_FALSE(report.passes());
   EXPECT_TRUE(std::ranges::any_of(report.walls.regions, &ThinRegion::is_edge));
-  const double scale = wall_limit / 6;  // beyond, all of the section is thin
-  const double below = (scale * scale - 0.05 * 0.05) / (1 - 0.05 * 0.05);
   const double sides = surface_area(tail) - 9 * std::sqrt(3) * 3 * (1 + 0.05 * 0.05);
+  const auto area_below = [&](double scale) { return (scale * scale - 0.05 * 0.05) / (1 - 0.05 * 0.05) * sides; };
+  const double scale = wall_limit / 6;  // beyond, all of the section is thin
+  // Walls and edges are divided within the distance from there that sides which open by 30 degrees need.
+  const double reach = wall_limit / 2 / std::tan(std::numbers::pi / 12);
   double area = 0;
   for (const ThinRegion& region : report.walls.regions) area += region.is_edge ? 0 : region.area;
-  EXPECT_NEAR(area, below * sides, 0.2 * below * sides);
+  EXPECT_GE(area, area_below(scale - reach * 0.95 / 120));
+  EXPECT_LE(area, area_below(scale + reach * 0.95 / 120));
 }
 
 TEST(PartCheck, CountsVoids) {
