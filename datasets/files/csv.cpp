@@ -211,7 +211,8 @@ std::string csv_cell(std::string_view text) {
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
+  // A row of empty cells is a row only with one of them in quotation marks.
+  std::string line = std::ranges::all_of(cells, &std::string::empty) ? "\"\"" : "";
   for (const std::string& cell : cells) {
     if (&cell != &cells.front()) line += ',';
     line += csv_cell(cell);

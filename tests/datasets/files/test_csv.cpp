@@ -122,11 +122,15 @@ TEST(Csv, FormulasAreEscapedByAnApostrophe) {
   }
 }
 
+TEST(Csv, EmptyCellsSurviveARoundTrip) {
+  EXPECT_EQ(csv_line({"", ""}), "\"\",\n");
+  EXPECT_EQ(cells_of(csv_line({""})), std::vector<std::string>{""});
+}
+
 RC_GTEST_PROP(Csv, CellsSurviveARoundTrip, ()) {
   const auto cell =
       rc::gen::container<std::string>(rc::gen::element('a', ',', '"', ' ', '\t', '\n', '\r', '\xC3', '\xA9'));
   const auto cells = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(cell));
-  RC_PRE(cells.size() > 1 || !cells[0].empty());  // an empty line is not a row
   RC_ASSERT(cells_of(csv_line(cells)) == cells);
 }
 
