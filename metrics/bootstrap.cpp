@@ -80,13 +80,14 @@ double tail_of(double confidence, Eigen::Index units) {
   return boost::math::cdf(boost::math::normal(), -std::sqrt(n / (n - 1)) * t);
 }
 
-// Interpolates linearly between order statistics; the i-th of B is the quantile i / (B + 1).
-double quantile(const Eigen::VectorXd& sorted, double fraction) {
-  const auto count = static_cast<double>(sorted.size());
+// Interpolates linearly between order statistics; the i-th of B is the quantile i / (B + 1). Reorders the values.
+double quantile(Eigen::VectorXd& values, double fraction) {
+  const auto count = static_cast<double>(values.size());
   const double position = std::clamp(fraction * (count + 1) - 1, 0.0, count - 1);
-  const auto below = static_cast<Eigen::Index>(position);
-  const Eigen::Index above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+  const auto below = values.begin() + static_cast<Eigen::Index>(position);
+  std::nth_element(values.begin(), below, values.end());
+  const auto above = below + 1 == values.end() ? below : std::min_element(below + 1, values.end());
+  return *below + (position - std::floor(position)) * (*above - *below);
 }
 
 }  // namespace
@@ -94,6 +95,8 @@ double quantile(const Eigen::VectorXd& sorted, double fraction) {
 Eigen::MatrixXd bootstrap_averages(const UnitValues& units, const ResamplingOptions& options) {
   check_options("bootstrap", resampling_table, options);
   const auto count = static_cast<std::uint64_t>(units.values.rows());
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const RowMajor weighted = units.weights.asDiagonal() * units.values;
   Eigen::MatrixXd averages(options.resamples, units.values.cols());
   parallel_for(0, options.resamples, [&](int resample) {
     RandomNumbers random(options.seed, static_cast<std::uint64_t>(resample));
@@ -101,7 +104,7 @@ Eigen::MatrixXd bootstrap_averages(const UnitValues& units, const ResamplingOpti
     double weight = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
       const auto drawn = static_cast<Eigen::Index>(random.below(count));
-      sum += units.weights[drawn] * units.values.row(drawn);
+      sum += weighted.row(drawn);
       weight += units.weights[drawn];
     }
     averages.row(resample) = sum / weight;
@@ -122,9 +125,9 @@ std::vector<ConfidenceInterval> percentile_intervals(const Eigen::MatrixXd& resa
   const double tail = tail_of(confidence, units);
   std::vector<ConfidenceInterval> intervals;
   for (Eigen::Index method = 0; method < resampled.cols(); ++method) {
-    Eigen::VectorXd sorted = resampled.col(method);
-    std::ranges::sort(sorted);
-    intervals.push_back({quantile(sorted, tail), quantile(sorted, 1 - tail)});
+    Eigen::VectorXd values = resampled.col(method);
+    const double low = quantile(values, tail);
+    intervals.push_back({low, quantile(values, 1 - tail)});
   }
   return intervals;
 }

@@ -103,10 +103,12 @@ std::vector<RankInterval> rank_intervals(const Eigen::MatrixXd& ranks, double co
   const UnitValues units{.values = ranks, .weights = Eigen::VectorXd::Ones(ranks.rows())};
   Eigen::MatrixXd positions = bootstrap_averages(units, options);
   parallel_for(0, options.resamples, [&](int resample) {
-    Eigen::RowVectorXd sorted = positions.row(resample);
+    const Eigen::RowVectorXd mean_ranks = positions.row(resample);
+    Eigen::RowVectorXd sorted = mean_ranks;
     std::ranges::sort(sorted);
-    for (double& mean_rank : positions.row(resample)) {
-      mean_rank = 1 + static_cast<double>(std::ranges::lower_bound(sorted, mean_rank) - sorted.begin());
+    for (Eigen::Index method = 0; method < mean_ranks.size(); ++method) {
+      const auto first = std::ranges::lower_bound(sorted, mean_ranks[method]);
+      positions(resample, method) = 1 + static_cast<double>(first - sorted.begin());
     }
   });
   std::vector<RankInterval> intervals;
