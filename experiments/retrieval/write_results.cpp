@@ -172,7 +172,7 @@ RunOutcome write_results(const RunResults& to, const ExperimentResults& results,
   std::vector<std::vector<std::string>> remarks;
   for (const Model& model : results.models) ids.push_back(model.id);
   for (const ModelDescription& shape : results.shapes) remarks.push_back(shape.remarks);
-  for (std::string note : {skipped_text(results.skipped), perturbation_note(ids, remarks, outcome.noun)}) {
+  for (std::string note : {skipped_text(results.skipped), note_on_shapes(ids, remarks, outcome.noun, not_perturbed)}) {
     if (!note.empty()) outcome.notes.push_back(std::move(note));
   }
   for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);

@@ -73,12 +73,13 @@ Labels carried_over(const Labels& labels, const Shape& changed, const Shape& mes
 /// Parts of one shape by one method.
 struct Parts {
   Labels labels;
-  std::vector<std::string> remarks = {};  ///< of the perturbations
+  std::vector<std::string> remarks = {};   ///< of the perturbations
+  std::vector<std::string> warnings = {};  ///< of the offset SDF
 };
 
 auto members(Parts& parts) {
-  auto& [labels, remarks] = parts;
-  return std::tie(labels, remarks);
+  auto& [labels, remarks, warnings] = parts;
+  return std::tie(labels, remarks, warnings);
 }
 
 /// Segmentation of one shape, with its inputs and results.
@@ -100,6 +101,7 @@ class SegmentationJob {
       const Parts& parts = cached_parts(method);
       result.labels.push_back(parts.labels);
       for (const std::string& remark : parts.remarks) result.remarks.push_back(method.name + ": " + remark);
+      for (const std::string& warning : parts.warnings) result.warnings.push_back(method.name + ": " + warning);
       if (!method.perturbations.empty()) (void)cached_parts(without_perturbations(method));
     }
   }
@@ -136,11 +138,19 @@ class SegmentationJob {
   }
 
   [[nodiscard]] Parts computed_parts(const SegmentationMethod& method) const {
-    if (method.perturbations.empty()) return {.labels = segment_shape(prepared(mesh_), method.options)};
+    if (method.perturbations.empty()) return parts_of(mesh_, method);
     PerturbedShape changed = perturb_model(mesh_, method.perturbations, experiment_.seed, model_.id, index_);
-    const Labels labels = segment_shape(prepared(changed.shape), method.options);
-    return {.labels = renumber_labels(carried_over(labels, changed.shape, mesh_)),
-            .remarks = std::move(changed.remarks)};
+    Parts parts = parts_of(changed.shape, method);
+    parts.labels = renumber_labels(carried_over(parts.labels, changed.shape, mesh_));
+    parts.remarks = std::move(changed.remarks);
+    return parts;
+  }
+
+  [[nodiscard]] Parts parts_of(const Shape& shape, const SegmentationMethod& method) const {
+    OffsetSdfOutcomes outcomes;
+    Parts parts{.labels = segment_shape(prepared(shape), method.options, &outcomes)};
+    parts.warnings = outcome_warnings(field_outcomes(outcomes));
+    return parts;
   }
 
   /// Prepares a shape. The default preparation only scales, on which parts do not depend.

@@ -23,6 +23,7 @@ struct SegmentedShape {
   std::vector<std::vector<std::int32_t>> labels;  ///< per method: part number of each face of the file
   bool has_polygons = false;                      ///< faces of the file are polygons
   std::vector<std::string> remarks;               ///< how perturbations fell short of their settings, with the method
+  std::vector<std::string> warnings;              ///< samples without a reliable offset SDF, with the method
   std::vector<std::vector<double>> part_sizes;    ///< per method: the parts' fractions of the area, largest first
   /// By method with perturbations: Rand error of its parts relative to those of the method without perturbations; NaN
   /// for other methods.

@@ -150,9 +150,16 @@ std::vector<std::string> notes_of(const SegmentationResults& results) {
   if (const std::string skipped = skipped_text(results.benchmark.skipped); !skipped.empty()) notes.push_back(skipped);
   std::vector<std::string> ids;
   std::vector<std::vector<std::string>> remarks;
+  std::vector<std::vector<std::string>> warnings;
   for (const SegmentedModel& model : results.benchmark.models) ids.push_back(model.id);
-  for (const SegmentedShape& shape : results.shapes) remarks.push_back(shape.remarks);
-  if (std::string note = perturbation_note(ids, remarks, "shape"); !note.empty()) notes.push_back(std::move(note));
+  for (const SegmentedShape& shape : results.shapes) {
+    remarks.push_back(shape.remarks);
+    warnings.push_back(shape.warnings);
+  }
+  for (std::string note : {note_on_shapes(ids, remarks, "shape", not_perturbed),
+                           note_on_shapes(ids, warnings, "shape", "have samples without a reliable offset SDF")}) {
+    if (!note.empty()) notes.push_back(std::move(note));
+  }
   const auto count = std::ranges::count_if(results.shapes, &SegmentedShape::has_polygons);
   if (count == 0) return notes;
   notes.push_back(

@@ -148,7 +148,7 @@ std::vector<std::string> notes_of(const ShapeComparisonResults& results) {
     names.push_back(shape.name);
     remarks.push_back(shape.description.remarks);
   }
-  const std::string note = perturbation_note(names, remarks, "shape");
+  const std::string note = note_on_shapes(names, remarks, "shape", not_perturbed);
   return note.empty() ? std::vector<std::string>() : std::vector{note};
 }
 

@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Cache version of the entries' contents; see docs/manual/cache.md.
-constexpr int entry_version = 3;
+constexpr int entry_version = 4;
 
 /// Returns the program that computes results.
 const Json& program() {

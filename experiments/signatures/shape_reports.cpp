@@ -35,14 +35,14 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
   return reports;
 }
 
-std::string perturbation_note(std::span<const std::string> names, std::span<const std::vector<std::string>> remarks,
-                              std::string_view noun) {
-  const auto fell_short = [](const std::vector<std::string>& of_shape) { return !of_shape.empty(); };
-  const auto first = std::ranges::find_if(remarks, fell_short);
+std::string note_on_shapes(std::span<const std::string> names, std::span<const std::vector<std::string>> remarks,
+                           std::string_view noun, std::string_view verb) {
+  const auto has_remarks = [](const std::vector<std::string>& of_shape) { return !of_shape.empty(); };
+  const auto first = std::ranges::find_if(remarks, has_remarks);
   if (first == remarks.end()) return {};
-  return fmt::format("{} of {} {}s were not perturbed as requested; the first, {}: {}",
-                     std::ranges::count_if(remarks, fell_short), remarks.size(), noun,
-                     printable(names[static_cast<std::size_t>(first - remarks.begin())], 100), fmt::join(*first, "; "));
+  return fmt::format("{} of {} {}s {}; the first, {}: {}", std::ranges::count_if(remarks, has_remarks), remarks.size(),
+                     noun, verb, printable(names[static_cast<std::size_t>(first - remarks.begin())], 100),
+                     fmt::join(*first, "; "));
 }
 
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {

@@ -38,10 +38,14 @@ struct FieldReport {
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
                                        std::span<const Field> fields);
 
-/// Returns a note on the shapes whose perturbations fell short of their settings; empty if there are none. `remarks`
-/// are those of each shape, `noun` is that for a shape.
-std::string perturbation_note(std::span<const std::string> names, std::span<const std::vector<std::string>> remarks,
-                              std::string_view noun);
+/// Returns a note on the shapes that have remarks, such as "3 of 9 shapes leak; the first, 1: gap of 2 %"; empty if
+/// there are none. `remarks` are those of each shape, `noun` is that for a shape, `verb` says what the shapes with
+/// remarks do.
+std::string note_on_shapes(std::span<const std::string> names, std::span<const std::vector<std::string>> remarks,
+                           std::string_view noun, std::string_view verb);
+
+/// `verb` of note_on_shapes() for shapes whose perturbations fell short of their settings.
+inline constexpr std::string_view not_perturbed = "were not perturbed as requested";
 
 /// Returns warnings about the fields, one sentence each: offsets that leak, samples undecided or without a value.
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields);

@@ -284,6 +284,30 @@ TEST_F(SegmentationRun, NotesShapesThatAreNotPerturbedAsRequestedFromTheCacheToo
   }
 }
 
+TEST_F(SegmentationRun, NotesOpenShapesFromTheCacheToo) {
+  const SegmentationExperiment run = segmentation_from_json(
+      {{"name", "balls"},
+       {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
+       {"segmentation", {{{"name", "paper"}, {"method", "paper"}, {"field", "offset_sdf"}, {"offset", 0.02}}}}},
+      "x.json", folder_.path());
+  Shape open = two_balls();
+  open.triangles.conservativeResize(320 + 160, Eigen::NoChange);  // half of the second ball
+  write_off(root() / "off/21.off", open);
+  for (const std::string file : {"a.seg", "b.seg"}) {
+    write_seg(root() / "seg/21" / file, std::vector<std::int32_t>(480, 0));
+  }
+  for (const char* const again : {"computed", "cached"}) {
+    Cache cache(at("cache"));
+    const SegmentationResults results = cut(run, at("none"), {.threads = 1}, cache);
+    EXPECT_THAT(
+        test::publish(at("results"), results).notes,
+        testing::ElementsAre(testing::AllOf(
+            testing::StartsWith("1 of 3 shapes have samples without a reliable offset SDF; the first, 21: paper: "),
+            HasSubstr("outside on both sides"))))
+        << again;
+  }
+}
+
 TEST_F(SegmentationRun, NamesChangedInputsBeforeItRuns) {
   const nlohmann::json document{{"name", "balls"},
                                 {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},

@@ -32,10 +32,10 @@ TEST(DiagnosticsJson, AnEmptyShapeHasNoFractionThatIsNotANumber) {
 TEST(PerturbationNote, CountsTheShapesAndNamesTheFirst) {
   std::vector<std::vector<std::string>> remarks(3);
   const std::vector<std::string> names{"a", "b", "c"};
-  EXPECT_EQ(perturbation_note(names, remarks, "model"), "");
+  EXPECT_EQ(note_on_shapes(names, remarks, "model", not_perturbed), "");
   remarks[1] = {"one", "two"};
   remarks[2] = {"three"};
-  EXPECT_EQ(perturbation_note(names, remarks, "model"),
+  EXPECT_EQ(note_on_shapes(names, remarks, "model", not_perturbed),
             "2 of 3 models were not perturbed as requested; the first, b: one; two");
 }
 
