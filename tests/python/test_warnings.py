@@ -151,7 +151,7 @@ def test_normals_of_another_surface_are_ignored(tmp_path):
     others = points[::-1]
     for measure in (lambda normals: sg.sdf(points, offset=0.05, normals=normals).values,
                     lambda normals: sg.segment(points, normals=normals),
-                    lambda normals: sg.describe(points, "sdf", normals=normals)):
+                    lambda normals: sg.describe(points, "surflet_pairs", normals=normals)):
         found, told = warned(lambda: measure(others))
         assert (found == warned(lambda: measure(None))[0]).all()
         assert sum("normals of the points are ignored" in sentence for sentence in told) == 1
