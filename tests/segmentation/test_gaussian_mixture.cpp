@@ -48,8 +48,7 @@ TEST(GaussianMixture, DensityOfOneComponentIsThatOfTheNormalDistribution) {
 }
 
 TEST(GaussianMixture, OfOneComponentHasTheMeanAndTheVarianceOfThePoints) {
-  Eigen::MatrixXd points(4, 2);
-  points << 1, 5, 2, 5, 4, 5, 5, 5;  // the second coordinate is constant
+  const Eigen::MatrixXd points{{1, 5}, {2, 5}, {4, 5}, {5, 5}};  // the second coordinate is constant
   const GaussianMixture mixture = fit_gaussian_mixture(points, 1);
   EXPECT_DOUBLE_EQ(mixture.weights[0], 1);
   EXPECT_DOUBLE_EQ(mixture.means(0, 0), 3);

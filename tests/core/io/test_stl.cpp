@@ -20,12 +20,8 @@ using test::expect_same;
 
 /// The tetrahedron with vertices in order of first use by its triangles.
 Shape renumbered_tetrahedron() {
-  Shape shape;
-  shape.vertices.resize(4, 3);
-  shape.vertices << 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1;
-  shape.triangles.resize(4, 3);
-  shape.triangles << 0, 1, 2, 0, 2, 3, 0, 3, 1, 2, 1, 3;
-  return shape;
+  return {.vertices = Points{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+          .triangles = Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {2, 1, 3}}};
 }
 
 std::string with_first_replaced(std::string text, const std::string& what, const std::string& with) {
@@ -97,11 +93,8 @@ TEST(ReadStl, ChecksTheHeaderAlone) {
 
 TEST(WriteStl, IsTheBinaryFormatByteForByte) {
   const test::TemporaryFolder folder;
-  Shape triangle;
-  triangle.vertices.resize(3, 3);
-  triangle.vertices << 0, 0, 0, 0, 2, 0, 0, 0, 3;  // its normal is along x
-  triangle.triangles.resize(1, 3);
-  triangle.triangles << 0, 1, 2;
+  // its normal is along x
+  const Shape triangle{.vertices = Points{{0, 0, 0}, {0, 2, 0}, {0, 0, 3}}, .triangles = Triangles{{0, 1, 2}}};
   write_stl(folder.path() / "t.stl", triangle);
   const std::string bytes = test::bytes_of(folder.path() / "t.stl");
   ASSERT_EQ(bytes.size(), 84U + 50U);

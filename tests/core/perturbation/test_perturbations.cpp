@@ -263,11 +263,7 @@ TEST(PunchHoles, RefusesToLeaveNothingAndOptionsOutOfRange) {
   EXPECT_THROW(punched(box, {.number = -1}, 1), InputError);
   EXPECT_THROW(punched(box, {.radius = -1}, 1), InputError);
   EXPECT_THROW(punched(Shape{}, {}, 1), InputError);
-  Shape needle;
-  needle.vertices.resize(2, 3);
-  needle.vertices << 0, 0, 0, 1, 0, 0;
-  needle.triangles.resize(1, 3);
-  needle.triangles << 0, 1, 1;
+  const Shape needle{.vertices = Points{{0, 0, 0}, {1, 0, 0}}, .triangles = Triangles{{0, 1, 1}}};
   EXPECT_THROW(punched(needle, {}, 1), InputError);
 }
 
@@ -277,9 +273,7 @@ Shape moved(const Shape& shape, double scale, std::uint64_t seed) {
 }
 
 TEST(RandomMotion, IsASimilarityThatKeepsHandedness) {
-  Shape corner;
-  corner.vertices.resize(4, 3);
-  corner.vertices << 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3;
+  const Shape corner{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, .triangles = {}};
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Shape other = moved(corner, 10, seed);
     Eigen::Matrix3d before;

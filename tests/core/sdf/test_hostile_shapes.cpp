@@ -34,9 +34,7 @@ Shape triangles_of(const std::vector<Eigen::RowVector3d>& corners) {
 }
 
 Shape tetrahedron_at(const Eigen::RowVector3d& place, double size) {
-  Shape shape;
-  shape.vertices.resize(4, 3);
-  shape.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  Shape shape{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .triangles = {}};
   shape.vertices = (size * shape.vertices).rowwise() + place;
   shape.triangles.resize(4, 3);
   shape.triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;

@@ -185,11 +185,9 @@ TEST_P(SampleSites, OfACloudAreItsPoints) {
 
 TEST(SamplesOfTheSurface, AreUniformByAreaAndOnTheirTriangles) {
   // Two squares, one of nine times the other's area.
-  Shape sheet;
-  sheet.vertices.resize(8, 3);
-  sheet.vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 0, 0, 8, 0, 0, 8, 3, 0, 5, 3, 0;
-  sheet.triangles.resize(4, 3);
-  sheet.triangles << 0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6;
+  const Shape sheet{
+      .vertices = Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {8, 0, 0}, {8, 3, 0}, {5, 3, 0}},
+      .triangles = Triangles{{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}}};
   const Samples samples = sample_surface(sheet, 1000);
   EXPECT_EQ(samples.site, SampleSite::surface);
   EXPECT_NEAR(samples.weights.sum(), 10, 1e-9);

@@ -25,11 +25,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-DistanceMatrix example() {
-  DistanceMatrix matrix(2, 2);
-  matrix << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
-  return matrix;
-}
+DistanceMatrix example() { return DistanceMatrix{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}}; }
 
 TEST(NumberTable, NumericIdsMayHaveAnEmptyCorner) {
   const test::TemporaryFolder folder;
@@ -55,8 +51,7 @@ TEST(PsbMatrix, IsLittleEndianFloat32RowByRow) {
   const TemporaryFolder folder;
   const auto bytes = "\0\0\0\0"s + "\0\0\xC0\x3F"s + "\0\0\x10\xC0"s + "\0\0\x80\x7F"s;
   const DistanceMatrix matrix = read_matrix(folder.file("m.matrix", bytes), TableShape::square).numbers;
-  DistanceMatrix expected(2, 2);
-  expected << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
+  const DistanceMatrix expected{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}};
   EXPECT_EQ(matrix, expected);
 }
 

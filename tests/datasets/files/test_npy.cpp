@@ -104,11 +104,7 @@ const std::string float32_big_endian_fortran_version_1 =
     "\x93NUMPY\x01\x00v\x00{'descr': '>f4', 'fortran_order': True, 'shape': (2, 2), }"s + std::string(59, ' ') +
     "\n\x00\x00\x00\x00\xc0\x10\x00\x00?\xc0\x00\x00\x7f\x80\x00\x00"s;
 
-DistanceMatrix npy_example() {
-  DistanceMatrix matrix(2, 2);
-  matrix << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
-  return matrix;
-}
+DistanceMatrix npy_example() { return DistanceMatrix{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}}; }
 
 std::string npy_replaced(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);

@@ -53,8 +53,7 @@ TEST(LimbLabels, AreTheLimbsWithMostWeight) {
   tree.bones[1].limb = 1;
   tree.bones[2].limb = 1;
   tree.bone_of_segment = {{0}, {1, 2}};
-  Eigen::MatrixXd weights(4, 3);
-  weights << 1, 0, 0, 0.5, 0.25, 0.25, 0.6, 0.1, 0.3, 0, 0.5, 0.5;
+  const Eigen::MatrixXd weights{{1, 0, 0}, {0.5, 0.25, 0.25}, {0.6, 0.1, 0.3}, {0, 0.5, 0.5}};
   EXPECT_EQ(limb_labels(mesh, weights, tree), Eigen::Vector2i(0, 1));
 }
 
@@ -118,8 +117,7 @@ TEST(Skinned, HalfwayBetweenTwoRotationsAboutAJointIsTheMiddleRotation) {
   const Eigen::Vector3d joint(1, 2, 0);
   bent.rotation = Eigen::AngleAxisd(1.6, Eigen::Vector3d::UnitZ());
   bent.translation = joint - bent.rotation * joint;
-  Points point(1, 3);
-  point << 1, 2.5, 0.3;
+  const Points point{{1, 2.5, 0.3}};
   const Points moved = skinned(point, Eigen::MatrixXd::Constant(1, 2, 0.5), {RigidMotion(), bent});
   const Eigen::Vector3d expected =
       joint + Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0, 0.5, 0.3);
