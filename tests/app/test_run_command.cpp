@@ -164,18 +164,6 @@ TEST_F(ReplayReport, RejectsInvalidArgumentsWithOneLine) {
        {manifest + " --cache x --no-cache", "--cache excludes --no-cache"}});
 }
 
-}  // namespace
-
-namespace {
-
-namespace fs = std::filesystem;
-using test::text_of;
-using test::write_text;
-using testing::HasSubstr;
-using testing::MatchesRegex;
-using testing::Not;
-using testing::StartsWith;
-
 class RunCommand : public SmallRun {
  protected:
   [[nodiscard]] Outcome run(const std::string& more = "") const {

@@ -57,10 +57,6 @@ TEST(LimbLabels, AreTheLimbsWithMostWeight) {
   EXPECT_EQ(limb_labels(mesh, weights, tree), Eigen::Vector2i(0, 1));
 }
 
-}  // namespace
-
-namespace {
-
 Skeleton rod(bool curls) {
   return {"",
           {{.kind = "rod",
@@ -123,10 +119,6 @@ TEST(Skinned, HalfwayBetweenTwoRotationsAboutAJointIsTheMiddleRotation) {
       joint + Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0, 0.5, 0.3);
   EXPECT_LT((moved.row(0).transpose() - expected).norm(), 1e-14);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(Proportions, StretchEachKindOfLimbByAFewPercentAndKeepTheJointsTogether) {
   Skeleton s;
