@@ -5,9 +5,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
-#include <map>
 #include <rapidcheck/gtest.h>
-#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"

@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "shapegauge/core/shape/shape.h"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/LU>
-#include <array>
-#include <bit>
 #include <cstring>
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
-#include <optional>
 #include <rapidcheck/gtest.h>
 #include <vector>
 
