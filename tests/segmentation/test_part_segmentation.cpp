@@ -146,10 +146,7 @@ TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
 }
 
 TEST(PartSegmentation, OfOneTriangle) {
-  Shape shape;
-  shape.vertices = Points::Identity(3, 3);
-  shape.triangles.resize(1, 3);
-  shape.triangles << 0, 1, 2;
+  const Shape shape{.vertices = Points::Identity(3, 3), .triangles = Triangles{{0, 1, 2}}};
   EXPECT_EQ(part_segmentation(shape, {}), (Labels{0}));
 }
 

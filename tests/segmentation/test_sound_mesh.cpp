@@ -39,16 +39,12 @@ TEST(SoundMesh, DegenerateTrianglesMayBeFarAway) {
 TEST(SoundMesh, LeavesOtherMeshesAndCloudsAsTheyAre) {
   const Shape sphere = test::sphere(1, 2);
   EXPECT_EQ(sound_mesh(sphere).shape.triangles, sphere.triangles);
-  Shape cloud;
-  cloud.vertices = Points::Identity(3, 3);
+  const Shape cloud{.vertices = Points::Identity(3, 3), .triangles = {}};
   EXPECT_EQ(sound_mesh(cloud).extended({1, 2, 3}), (Labels{1, 2, 3}));
 }
 
 TEST(SoundMesh, RefusesAMeshOfDegenerateTriangles) {
-  Shape mesh;
-  mesh.vertices = Points::Identity(3, 3);
-  mesh.triangles.resize(1, 3);
-  mesh.triangles << 0, 1, 1;
+  const Shape mesh{.vertices = Points::Identity(3, 3), .triangles = Triangles{{0, 1, 1}}};
   EXPECT_THROW(sound_mesh(mesh), InputError);
 }
 

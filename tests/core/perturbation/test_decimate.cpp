@@ -112,8 +112,7 @@ TEST(Decimate, ReturnsSmallMeshesUnchanged) {
 }
 
 TEST(Decimate, RejectsInvalidOptions) {
-  Shape cloud;
-  cloud.vertices = test::sphere(1, 2).vertices;
+  const Shape cloud{.vertices = test::sphere(1, 2).vertices, .triangles = {}};
   EXPECT_THROW(decimate(cloud, 100), InputError);
   EXPECT_THROW(decimate(Shape{}, 100), InputError);
   EXPECT_THROW(decimate(test::sphere(1, 2), 0), InputError);

@@ -44,10 +44,7 @@ TEST_F(BoneWeights, LabelsAreLimbsNotBones) {
 }
 
 TEST(LimbLabels, AreTheLimbsWithMostWeight) {
-  Shape mesh;
-  mesh.vertices = Points::Zero(4, 3);
-  mesh.triangles.resize(2, 3);
-  mesh.triangles << 0, 1, 2, 1, 2, 3;
+  const Shape mesh{.vertices = Points::Zero(4, 3), .triangles = Triangles{{0, 1, 2}, {1, 2, 3}}};
   BoneTree tree;
   tree.bones.resize(3);
   tree.bones[1].limb = 1;
