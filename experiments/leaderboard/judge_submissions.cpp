@@ -7,10 +7,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/files/sha256.h"
@@ -40,10 +40,7 @@ struct JudgedFile {
   std::vector<std::string> warnings;
 };
 
-auto members(JudgedFile& judged) {
-  auto& [name, evaluation, query_ids, class_names, labels, fit_for_report, wrong_kind, warnings] = judged;
-  return std::tie(name, evaluation, query_ids, class_names, labels, fit_for_report, wrong_kind, warnings);
-}
+SHAPEGAUGE_MEMBERS(JudgedFile, name, evaluation, query_ids, class_names, labels, fit_for_report, wrong_kind, warnings)
 
 // Keys of evaluations. They name every member of the inputs: a new member does not compile until its key has it.
 
