@@ -86,9 +86,9 @@ TEST(ReadStl, RefusesUnusableFiles) {
 }
 
 TEST(ReadStl, ChecksTheHeaderAlone) {
-  EXPECT_NO_THROW(check_stl_header("solid x\n", "t.stl"));
-  EXPECT_NO_THROW(check_stl_header(as_binary_stl(test::tetrahedron()).substr(0, 84), "t.stl"));
-  EXPECT_THROW(check_stl_header("hello", "t.stl"), InputError);
+  EXPECT_NO_THROW(stl_format().check_header("solid x\n", "t.stl"));
+  EXPECT_NO_THROW(stl_format().check_header(as_binary_stl(test::tetrahedron()).substr(0, 84), "t.stl"));
+  EXPECT_THROW(stl_format().check_header("hello", "t.stl"), InputError);
 }
 
 TEST(WriteStl, IsTheBinaryFormatByteForByte) {
