@@ -169,7 +169,8 @@ class Judging {
     const EvaluationFiles files = files_of(submission, options_->files);
     const std::string bytes = sha256_of_file(files.matrix);
     const std::string key = key_of(common_, files, bytes);
-    JudgedFile judged = through_cache(files, key);
+    JudgedFile judged =
+        cache_->get(EntryKind::evaluation, key, [&] { return judge_file(files, options_->evaluation); });
     if (!judged.wrong_kind.empty() && !submission.similarity) {
       throw InputError(fmt::format("{}: {}; set \"similarity\": true or false in {}", submission.file.string(),
                                    judged.wrong_kind, description_of(submission.file).filename().string()));
@@ -192,10 +193,6 @@ class Judging {
       board_->labels = judged.labels;
     }
     board_->submissions.push_back(std::move(one));
-  }
-
-  JudgedFile through_cache(const EvaluationFiles& files, const std::string& key) {
-    return cache_->get(EntryKind::evaluation, key, [&] { return judge_file(files, options_->evaluation); });
   }
 
   void warn_of_same_bytes(const std::string& bytes, std::vector<std::string>& warnings) const {
