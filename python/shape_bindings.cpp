@@ -84,47 +84,50 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     Samples samples;
     FieldValues values;
     std::optional<double> offset;
-    std::vector<std::string> leaks;
-    std::vector<std::string> hollow;
-    std::vector<std::string> without_value;
-  };
-  const auto add = [](const std::optional<std::string>& warning, std::vector<std::string>& warnings) {
-    if (warning) warnings.push_back(*warning);
+    std::optional<std::string> leak;
+    std::optional<std::string> hollow;
+    CleanedShape cleaned;
+    std::optional<std::string> weights;
   };
   Computed computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "field", "the field");
     const Field wanted = read_field(json);
-    const CleanedShape clean = cleaned(shape_of(vertices, faces, normals), remove_outliers || chooses_offset(wanted));
-    const Shape& shape = clean.shape;
     Computed result;
+    result.cleaned = cleaned(shape_of(vertices, faces, normals), remove_outliers || chooses_offset(wanted));
+    const Shape& shape = result.cleaned.shape;
     result.samples = take_samples(shape, wanted.settings.samples);
     FieldSource source(shape);
     result.values = wanted.compute(source, result.samples, true);
     if (const auto chosen = offset_of(wanted.settings, source)) {
       result.offset = chosen->offset;
-      add(leak_warning(*chosen), result.leaks);
-      add(hollow_remark(shape, true), result.hollow);
+      result.leak = leak_warning(*chosen);
+      result.hollow = hollow_remark(shape, true);
     }
-    result.without_value = outcome_warnings(result.values.outcomes);
-    add(clean.warning, result.without_value);
-    add(weights_warning(result.samples), result.without_value);
+    result.weights = weights_warning(result.samples);
     const double missing = std::numeric_limits<double>::quiet_NaN();
-    result.values.values = clean.spread(result.values.values, missing);
-    result.values.normals = clean.spread(result.values.normals, 0);
-    result.samples.weights = clean.spread(result.samples.weights, 0);
+    result.values.values = result.cleaned.spread(result.values.values, missing);
+    result.values.normals = result.cleaned.spread(result.values.normals, 0);
+    result.samples.weights = result.cleaned.spread(result.samples.weights, 0);
     if (result.samples.site == SampleSite::vertices) result.samples.points = vertices;
     return result;
   });
   py::dict result;
+  std::vector<std::string> without_value = outcome_warnings(computed.values.outcomes);
+  for (const auto& warning : {computed.cleaned.warning, computed.weights}) {
+    if (warning) without_value.push_back(*warning);
+  }
   result["values"] = array_of(std::move(computed.values.values));
   result["weights"] = array_of(std::move(computed.samples.weights));
   result["points"] = array_of(std::move(computed.samples.points));
   result["normals"] = array_of(std::move(computed.values.normals));
   result["offset"] = computed.offset;
-  result["leaks"] = std::move(computed.leaks);
-  result["hollow"] = std::move(computed.hollow);
-  result["without_value"] = std::move(computed.without_value);
+  const auto listed = [](const std::optional<std::string>& warning) {
+    return warning ? std::vector{*warning} : std::vector<std::string>();
+  };
+  result["leaks"] = listed(computed.leak);
+  result["hollow"] = listed(computed.hollow);
+  result["without_value"] = std::move(without_value);
   return result;
 }
 

@@ -374,11 +374,6 @@ bool begins_like_off(std::string_view bytes) {
          line.substr(0, keyword).find_first_not_of(may_precede) == std::string_view::npos;
 }
 
-void check_off_header(const std::string& bytes, const std::string& name) {
-  TextScanner scanner(bytes, name);
-  if (!read_off_header(scanner).binary) read_off_counts(scanner, OffLayout::lines);
-}
-
 }  // namespace
 
 Shape read_off(const std::string& bytes, const std::string& name) {
@@ -392,6 +387,11 @@ Shape read_off(const std::string& bytes, const std::string& name) {
     if (std::optional<Shape> shape = read_words(body, header)) return *std::move(shape);
     throw;
   }
+}
+
+static void check_off_header(const std::string& bytes, const std::string& name) {
+  TextScanner scanner(bytes, name);
+  if (!read_off_header(scanner).binary) read_off_counts(scanner, OffLayout::lines);
 }
 
 void write_off(const std::filesystem::path& path, const Shape& shape) {
