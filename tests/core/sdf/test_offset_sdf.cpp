@@ -153,10 +153,8 @@ Shape box_with_cavity(double outer, double inner, double shaft) {
 /// The offset SDF in the middle of the cavity's floor.
 OffsetSdfResult on_the_floor(const Shape& box, double offset) {
   Samples samples;
-  samples.points.resize(1, 3);
-  samples.points << 0.1, 0.05, -0.7;
-  samples.normals.resize(1, 3);
-  samples.normals << 0, 0, 1;
+  samples.points = Points{{0.1, 0.05, -0.7}};
+  samples.normals = Points{{0, 0, 1}};
   samples.weights = Eigen::VectorXd::Ones(1);
   return offset_sdf(box, samples, {.offset = offset});
 }

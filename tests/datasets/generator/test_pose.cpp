@@ -125,8 +125,7 @@ TEST(Proportions, StretchEachKindOfLimbByAFewPercentAndKeepTheJointsTogether) {
   }
   RestPose rest;
   rest.tree = bones_of(s);
-  rest.points.resize(4, 3);
-  rest.points << 2, 0, 0, 0, 0.5, 0, 0.5, 0, -1, 1.5, 0, -1;
+  rest.points = Points{{2, 0, 0}, {0, 0.5, 0}, {0.5, 0, -1}, {1.5, 0, -1}};
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(4, 3);
   weights(0, 0) = weights(1, 0) = weights(2, 1) = weights(3, 2) = 1;
   RandomNumbers random(9);
