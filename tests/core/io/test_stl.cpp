@@ -91,12 +91,13 @@ TEST(ReadStl, ChecksTheHeaderAlone) {
   EXPECT_THROW(stl_format().check_header("hello", "t.stl"), InputError);
 }
 
-TEST(WriteStl, IsTheBinaryFormatByteForByte) {
-  const test::TemporaryFolder folder;
+using WriteStl = test::FolderTest;
+
+TEST_F(WriteStl, IsTheBinaryFormatByteForByte) {
   // its normal is along x
   const Shape triangle{.vertices = Points{{0, 0, 0}, {0, 2, 0}, {0, 0, 3}}, .triangles = Triangles{{0, 1, 2}}};
-  write_stl(folder.path() / "t.stl", triangle);
-  const std::string bytes = test::bytes_of(folder.path() / "t.stl");
+  write_stl(at("t.stl"), triangle);
+  const std::string bytes = test::bytes_of(at("t.stl"));
   ASSERT_EQ(bytes.size(), 84U + 50U);
   using namespace std::string_literals;
   EXPECT_EQ(bytes.substr(80, 4), "\1\0\0\0"s);
@@ -108,17 +109,16 @@ TEST(WriteStl, IsTheBinaryFormatByteForByte) {
             one + zero + zero + zero + zero + zero + zero + two + zero + zero + zero + three + "\0\0"s);
 }
 
-TEST(WriteStl, DegenerateTrianglesHaveNoNormal) {
-  const test::TemporaryFolder folder;
+TEST_F(WriteStl, DegenerateTrianglesHaveNoNormal) {
   Shape flat = test::tetrahedron();
   flat.vertices.setOnes();
-  write_stl(folder.path() / "t.stl", flat);
-  const std::string bytes = test::bytes_of(folder.path() / "t.stl");
+  write_stl(at("t.stl"), flat);
+  const std::string bytes = test::bytes_of(at("t.stl"));
   EXPECT_EQ(bytes.substr(84, 12), std::string(12, '\0'));
   EXPECT_EQ(read_stl(bytes, "t.stl").triangles.rows(), 4);
 }
 
-TEST(WriteStl, LossOfPrecisionIsAWarning) {
+TEST_F(WriteStl, LossOfPrecisionIsAWarning) {
   Shape shape = test::tetrahedron();
   EXPECT_EQ(precision_warning("x.stl", shape), std::nullopt);
   shape.vertices = (0.3 * shape.vertices).array() + 1e4;  // not in single precision
@@ -130,13 +130,12 @@ TEST(WriteStl, LossOfPrecisionIsAWarning) {
   EXPECT_EQ(precision_warning("x.ply", shape), std::nullopt);
 }
 
-TEST(WriteStl, RejectsShapesThatTheFormatCannotStore) {
-  const test::TemporaryFolder folder;
-  EXPECT_THROW(write_stl(folder.path() / "t.stl", test::small_cloud()), InputError);
+TEST_F(WriteStl, RejectsShapesThatTheFormatCannotStore) {
+  EXPECT_THROW(write_stl(at("t.stl"), test::small_cloud()), InputError);
   Shape large = test::tetrahedron();
   large.vertices(3, 2) = 1e39;
-  EXPECT_THROW(write_stl(folder.path() / "t.stl", large), InputError);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "t.stl"));
+  EXPECT_THROW(write_stl(at("t.stl"), large), InputError);
+  EXPECT_FALSE(std::filesystem::exists(at("t.stl")));
 }
 
 }  // namespace
