@@ -2,7 +2,6 @@
 #include "app/evaluation_arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <fmt/format.h>
 
 #include "app/help_format.h"

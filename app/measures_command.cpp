@@ -35,20 +35,24 @@ std::string wrapped(std::string_view words, std::size_t indent) {
   return text + line + '\n';
 }
 
+nlohmann::ordered_json all_measures() {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const MeasureDefinition& measure : measure_definitions().entries()) {
+    all.push_back({{"name", measure.name},
+                   {"title", measure.title},
+                   {"definition", measure.definition},
+                   {"source", measure.source},
+                   {"caveat", measure.caveat}});
+  }
+  for (const SegmentationErrorEntry& error : segmentation_error_entries()) {
+    all.push_back({{"name", error.name}, {"segmentation", true}, {"definition", error.definition}});
+  }
+  return all;
+}
+
 int run(const std::string& format) {
   if (format == "json") {
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const MeasureDefinition& measure : measure_definitions().entries()) {
-      all.push_back({{"name", measure.name},
-                     {"title", measure.title},
-                     {"definition", measure.definition},
-                     {"source", measure.source},
-                     {"caveat", measure.caveat}});
-    }
-    for (const SegmentationErrorEntry& error : segmentation_error_entries()) {
-      all.push_back({{"name", error.name}, {"segmentation", true}, {"definition", error.definition}});
-    }
-    print_output("{}\n", all.dump(2));
+    print_output("{}\n", all_measures().dump(2));
     return exit_success;
   }
   print_output("h(i) is 1 where the model at rank i is relevant, else 0; R is the number of relevant models.\n");

@@ -5,7 +5,6 @@
 // hours. The new folder gets a link to the file of each model, and the index, for queries by the command line.
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fmt/format.h>

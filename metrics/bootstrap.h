@@ -67,6 +67,13 @@ struct ConfidenceInterval {
   double high = 0;
 };
 
+/// Confidence intervals of an evaluation's averages, by measure; may be empty.
+struct EvaluationIntervals {
+  double confidence = 0.95;
+  std::vector<ConfidenceInterval> micro;
+  std::vector<ConfidenceInterval> macro;
+};
+
 /// Draws `options.resamples` bootstrap samples of the units with replacement and computes their weighted means
 /// (resamples x methods). All methods use the same draws. Efron and Tibshirani, "An introduction to the bootstrap",
 /// 1993.

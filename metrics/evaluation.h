@@ -8,9 +8,9 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/precision_recall.h"
@@ -79,18 +79,9 @@ struct Evaluation {
 
 /// References to all members, for codecs (experiments/cache/codec.h).
 /// @{
-inline auto members(PrecisionRecallCurve& curve) {
-  auto& [recall, precision] = curve;
-  return std::tie(recall, precision);
-}
-inline auto members(FirstTierBounds& bounds) {
-  auto& [pessimistic, optimistic] = bounds;
-  return std::tie(pessimistic, optimistic);
-}
-inline auto members(Evaluation& evaluation) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = evaluation;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
-}
+SHAPEGAUGE_MEMBERS(PrecisionRecallCurve, recall, precision)
+SHAPEGAUGE_MEMBERS(FirstTierBounds, pessimistic, optimistic)
+SHAPEGAUGE_MEMBERS(Evaluation, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q)
 /// @}
 
 /// Evaluates a distance matrix against the models' classes, with every model as a query to all others

@@ -53,6 +53,23 @@ FriedmanTest friedman_of(const Eigen::VectorXd& mean_ranks, double sets, double 
   return test;
 }
 
+/// Compares all pairs of methods; differences of mean ranks are measured in `unit`.
+std::vector<RankDifference> rank_differences(const Eigen::MatrixXd& values, const Eigen::VectorXd& mean_ranks,
+                                             double unit, bool tested) {
+  std::vector<RankDifference> pairs;
+  for (Eigen::Index a = 0; a < values.cols(); ++a) {
+    for (Eigen::Index b = a + 1; b < values.cols(); ++b) {
+      RankDifference pair{.first = static_cast<std::size_t>(a), .second = static_cast<std::size_t>(b)};
+      pair.mean_ranks = mean_ranks[a] - mean_ranks[b];
+      const double range = std::sqrt(2.0) * std::abs(pair.mean_ranks) / unit;
+      if (tested) pair.p = 1 - studentised_range_probability(range, static_cast<std::size_t>(values.cols()));
+      pair.data_sets = win_tie_loss(score_differences(values.col(a), values.col(b)));
+      pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
 }  // namespace
 
 RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
@@ -81,19 +98,7 @@ RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
   };
   comparison.groups = homogeneous_groups(
       count, [&](std::size_t i, std::size_t j) { return rank_at(j) - rank_at(i) > comparison.critical_difference; });
-  if (count > max_paired_methods) return comparison;
-  for (std::size_t first = 0; first < count; ++first) {
-    for (std::size_t second = first + 1; second < count; ++second) {
-      const auto a = static_cast<Eigen::Index>(first);
-      const auto b = static_cast<Eigen::Index>(second);
-      RankDifference pair{.first = first, .second = second};
-      pair.mean_ranks = comparison.mean_ranks[a] - comparison.mean_ranks[b];
-      const double range = std::sqrt(2.0) * std::abs(pair.mean_ranks) / unit;
-      if (tested) pair.p = 1 - studentised_range_probability(range, count);
-      pair.data_sets = win_tie_loss(score_differences(values.col(a), values.col(b)));
-      comparison.pairs.push_back(pair);
-    }
-  }
+  if (count <= max_paired_methods) comparison.pairs = rank_differences(values, comparison.mean_ranks, unit, tested);
   return comparison;
 }
 

@@ -57,6 +57,14 @@ double p_value(const Eigen::VectorXd& differences, const UnitValues& units, cons
   return randomisation_p_value(differences, units.weights, options.resampling);
 }
 
+/// Applies Holm's correction to the p-values of all pairs.
+void adjust(std::vector<PairDifference>& pairs, double PairDifference::*p, double PairDifference::*adjusted) {
+  std::vector<double> values;
+  for (const PairDifference& pair : pairs) values.push_back(pair.*p);
+  const std::vector<double> corrected = adjust_by_holm(values);
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].*adjusted = corrected[i];
+}
+
 }  // namespace
 
 double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
@@ -99,8 +107,6 @@ MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<con
   comparison.classes = std::ssize(std::set(classes.begin(), classes.end()));
   comparison.averages = averages_of(units);
   comparison.intervals = percentile_intervals(resampled, comparison.units, options.confidence);
-  std::vector<double> p_values;
-  std::vector<double> class_p_values;
   for (const auto& [first, second] : pairs_of(static_cast<std::size_t>(per_query.cols()), options.reference)) {
     const auto a = static_cast<Eigen::Index>(first);
     const auto b = static_cast<Eigen::Index>(second);
@@ -116,16 +122,11 @@ MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<con
     pair.p_tukey = tukey(a, b);
     pair.effect_size = effect_size(contributions(differences, units.weights));
     pair.queries = win_tie_loss(score_differences(per_query.col(a), per_query.col(b)));
-    p_values.push_back(pair.p);
-    class_p_values.push_back(class_p_value(per_query.col(a) - per_query.col(b), classes));
+    pair.p_classes = class_p_value(per_query.col(a) - per_query.col(b), classes);
     comparison.pairs.push_back(pair);
   }
-  const std::vector<double> adjusted = adjust_by_holm(p_values);
-  const std::vector<double> adjusted_by_class = adjust_by_holm(class_p_values);
-  for (std::size_t i = 0; i < adjusted.size(); ++i) {
-    comparison.pairs[i].p_holm = adjusted[i];
-    comparison.pairs[i].p_classes = adjusted_by_class[i];
-  }
+  adjust(comparison.pairs, &PairDifference::p, &PairDifference::p_holm);
+  adjust(comparison.pairs, &PairDifference::p_classes, &PairDifference::p_classes);
   return comparison;
 }
 

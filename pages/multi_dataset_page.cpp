@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/version.h"
+#include "shapegauge/metrics/homogeneous_groups.h"
 #include "shapegauge/pages/html_page.h"
 #include "shapegauge/pages/score_json.h"
 
@@ -13,13 +14,13 @@ namespace {
 
 using PageJson = nlohmann::ordered_json;
 
-PageJson page_table_json(const MultiDatasetPageTable& table) {
+PageJson page_table_json(const MultiDatasetTable& table, const std::string& words) {
   PageJson groups = PageJson::array();
-  for (const HomogeneousGroup& group : table.ranks->groups) groups.push_back({group.first, group.last});
+  for (const HomogeneousGroup& group : table.ranks.groups) groups.push_back({group.first, group.last});
   PageJson intervals = PageJson::array();
   for (const auto& [best, worst] : table.rank_intervals) intervals.push_back({best, worst});
   PageJson pairs = PageJson::array();
-  for (const RankDifference& pair : table.ranks->pairs) {
+  for (const RankDifference& pair : table.ranks.pairs) {
     pairs.push_back({{"first", pair.first},
                      {"second", pair.second},
                      {"p", rounded_to_digits(pair.p, score_digits)},
@@ -30,14 +31,14 @@ PageJson page_table_json(const MultiDatasetPageTable& table) {
           {"measure", table.measure},
           {"values", rounded_rows(table.values)},
           {"deviations", rounded_rows(table.deviations)},  // null: none
-          {"mean_ranks", rounded_scores(table.ranks->mean_ranks)},
+          {"mean_ranks", rounded_scores(table.ranks.mean_ranks)},
           {"rank_intervals", std::move(intervals)},
-          {"order", table.ranks->order},
+          {"order", table.ranks.order},
           {"groups", std::move(groups)},
-          {"letters", table.letters},
-          {"critical_difference", rounded_to_digits(table.ranks->critical_difference, score_digits)},  // null: none
+          {"letters", letters_of(table.ranks)},
+          {"critical_difference", rounded_to_digits(table.ranks.critical_difference, score_digits)},  // null: none
           {"pairs", std::move(pairs)},
-          {"words", table.words}};
+          {"words", words}};
 }
 
 PageJson multi_dataset_page_json(const MultiDatasetPage& page) {
@@ -47,7 +48,7 @@ PageJson multi_dataset_page_json(const MultiDatasetPage& page) {
         {{"name", dataset.name}, {"page", dataset.page}, {"models", dataset.models}, {"queries", dataset.queries}});
   }
   PageJson tables = PageJson::array();
-  for (const MultiDatasetPageTable& table : page.tables) tables.push_back(page_table_json(table));
+  for (std::size_t i = 0; i < page.tables.size(); ++i) tables.push_back(page_table_json(page.tables[i], page.words[i]));
   return {{"version", version()},
           {"title", page.title},
           {"description", page.description},
@@ -59,6 +60,10 @@ PageJson multi_dataset_page_json(const MultiDatasetPage& page) {
 }
 
 }  // namespace
+
+std::vector<std::string> letters_of(const RankComparison& ranks) {
+  return compact_letters(ranks.order.size(), ranks.groups);
+}
 
 std::string multi_dataset_page(const MultiDatasetPage& page) {
   return scripted_page({.title = page.title,

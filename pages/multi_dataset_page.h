@@ -21,17 +21,18 @@ struct MultiDatasetPageDataset {
 };
 
 /// Methods by data sets under one protocol, measure and average.
-struct MultiDatasetPageTable {
+struct MultiDatasetTable {
   std::string protocol;
   Average average = Average::micro;
   std::string measure;
-  Eigen::MatrixXd values;                      ///< data sets x methods, fractions
-  Eigen::MatrixXd deviations{};                ///< of the values over repetitions, NaN for single ones; may be empty
-  const RankComparison* ranks = nullptr;       ///< must outlive the page
+  Eigen::MatrixXd values;        ///< data sets x methods, fractions
+  Eigen::MatrixXd deviations{};  ///< of the values over repetitions, NaN for single ones; empty if all are
+  RankComparison ranks;
   std::vector<RankInterval> rank_intervals{};  ///< per method; may be empty
-  std::vector<std::string> letters;            ///< by position in the order of the ranks
-  std::string words;                           ///< about the tests
 };
+
+/// Returns the letters of the groups that do not differ significantly, by position in the order of the ranks.
+std::vector<std::string> letters_of(const RankComparison& ranks);
 
 /// Contents of the page of a multi-dataset experiment.
 struct MultiDatasetPage {
@@ -39,8 +40,9 @@ struct MultiDatasetPage {
   std::string description;
   std::vector<std::string> methods;
   std::vector<MultiDatasetPageDataset> datasets;
-  std::vector<MultiDatasetPageTable> tables;  ///< every combination of the protocols, averages and measures
-  std::string main_measure;                   ///< shown first
+  std::vector<MultiDatasetTable> tables;  ///< every combination of the protocols, averages and measures
+  std::vector<std::string> words;         ///< about the tests of each table
+  std::string main_measure;               ///< shown first
   std::vector<std::pair<std::string, std::string>> failures;  ///< data sets left out, and why
 };
 

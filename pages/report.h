@@ -23,13 +23,6 @@ struct ReportHistograms {
   std::vector<std::size_t> parts;     ///< instead of a table: methods whose histograms are concatenated
 };
 
-/// Confidence intervals of an evaluation's averages, by measure; empty without intervals.
-struct ReportIntervals {
-  double confidence = 0.95;
-  std::vector<ConfidenceInterval> micro;
-  std::vector<ConfidenceInterval> macro;
-};
-
 /// Settings by name.
 using ReportSettings = std::vector<std::pair<std::string, std::string>>;
 
@@ -39,8 +32,8 @@ struct ReportMethod {
   std::string distance;     ///< name of the distance; may be empty
   ReportSettings settings;  ///< may be empty
   const DistanceOverview* distances = nullptr;
-  std::span<const Evaluation> evaluations;  ///< one per protocol, at least one; the same protocols for all methods
-  std::vector<ReportIntervals> intervals;   ///< one per evaluation; may be empty
+  std::span<const Evaluation> evaluations;     ///< one per protocol, at least one; the same protocols for all methods
+  std::vector<EvaluationIntervals> intervals;  ///< one per evaluation; may be empty
   ReportHistograms histograms;
   std::vector<std::pair<std::string, std::string>> failures =
       {};  ///< models that the method cannot process, and the reasons

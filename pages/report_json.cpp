@@ -38,7 +38,7 @@ Json intervals_json(const std::vector<ConfidenceInterval>& intervals) {
   return json;
 }
 
-Json intervals_json(const ReportIntervals& intervals) {
+Json intervals_json(const EvaluationIntervals& intervals) {
   if (intervals.micro.empty()) return nullptr;
   return {{"confidence", intervals.confidence},
           {"micro", intervals_json(intervals.micro)},

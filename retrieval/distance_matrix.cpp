@@ -113,9 +113,12 @@ void check_signatures(const SignatureBlock& block, const NamedDistance& distance
 }
 
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance) {
-  const NamedDistance between = distances().at(distance);
+  return distance_matrix(signatures, distances().at(distance));
+}
+
+DistanceMatrix distance_matrix(const Signatures& signatures, const NamedDistance& distance) {
   const SignatureBlock block{signatures, 0};
-  check_signatures(block, between);
+  check_signatures(block, distance);
   const Tiles all(block);
   DistanceMatrix matrix(signatures.rows(), signatures.rows());
   const tbb::blocked_range2d<Eigen::Index> tiles(0, all.count(), 0, all.count());
@@ -125,7 +128,7 @@ DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& 
       for (Eigen::Index j = std::max(i, some.cols().begin()); j < some.cols().end(); ++j) {
         const Stretch rows = all.at(i);
         const Stretch columns = all.at(j);
-        const DistanceMatrix tile = tile_distances(between, block, rows, block, columns);
+        const DistanceMatrix tile = tile_distances(distance, block, rows, block, columns);
         matrix.block(rows.first, columns.first, rows.size(), columns.size()) = tile;
         matrix.block(columns.first, rows.first, columns.size(), rows.size()) = tile.transpose();
       }

@@ -19,6 +19,7 @@ using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 /// Parallel, with the same bytes for any number of threads. Throws ArgumentError for a name that is not in distances(),
 /// for an entry that is not finite, and for a signature outside the distance's domain (DistanceDomain).
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
+DistanceMatrix distance_matrix(const Signatures& signatures, const NamedDistance& distance);
 
 /// Consecutive signatures of a larger set, with the index of the first.
 struct SignatureBlock {

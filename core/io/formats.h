@@ -28,15 +28,8 @@ ShapeFormat gltf_format();
 ShapeFormat xyz_format();
 /// @}
 
-/// Throw InputError if the bytes do not begin like a file of the format.
-/// @{
-void check_off_header(const std::string& bytes, const std::string& name);
-void check_obj_header(const std::string& bytes, const std::string& name);
-void check_ply_header(const std::string& bytes, const std::string& name);
-void check_stl_header(const std::string& bytes, const std::string& name);
-void check_gltf_header(const std::string& bytes, const std::string& name);
+/// Throws InputError if the bytes do not begin like a text of points.
 void check_xyz_header(const std::string& bytes, const std::string& name);
-/// @}
 
 /// Reads a shape from the bytes of an OFF file, ASCII or binary (Geomview's manual, "OFF Files"). Accepts common
 /// deviations from the specification:
@@ -131,9 +124,6 @@ std::optional<std::string> precision_warning(const std::filesystem::path& path, 
 /// Throws InputError for files that are not glTF, compressed meshes (Draco, meshopt), missing or truncated buffers,
 /// indices out of range, coordinates that are not finite, cyclic nodes, and scenes of more than 100 million vertices.
 Shape read_gltf(const ShapeSource& source);
-
-/// Returns the names of the neighbouring files that hold the buffers.
-std::vector<std::string> gltf_neighbours(const ShapeSource& source);
 
 /// Reads a point cloud from the bytes of a text file with one point per line (.xyz, .pwn, .pts, .txt). Every line has
 /// the same number of columns, at least three, separated by white space, commas or semicolons. `#` and `//` begin

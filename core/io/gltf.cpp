@@ -465,6 +465,21 @@ class GltfScene {
   std::vector<PlacedPoints> points_;
 };
 
+void check_gltf_header(const std::string& bytes, const std::string& name) {
+  if (bytes.starts_with(glb_magic)) return;
+  std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (bytes.starts_with("\xef\xbb\xbf")) first = bytes.find_first_not_of(" \t\r\n", 3);
+  if (first == std::string::npos || bytes[first] != '{')
+    fail(name, "not a glTF file: it is neither JSON nor binary glTF");
+}
+
+/// Returns the names of the neighbouring files that hold the buffers.
+std::vector<std::string> gltf_neighbours(const ShapeSource& source) {
+  GltfFiles files;
+  load(source, files);
+  return files.names;
+}
+
 }  // namespace
 
 Shape read_gltf(const ShapeSource& source) {
@@ -472,20 +487,6 @@ Shape read_gltf(const ShapeSource& source) {
   const tinygltf::Model model = load(source, files);
   require_readable(model, source.name);
   return GltfScene(model, source.name).read();
-}
-
-std::vector<std::string> gltf_neighbours(const ShapeSource& source) {
-  GltfFiles files;
-  load(source, files);
-  return files.names;
-}
-
-void check_gltf_header(const std::string& bytes, const std::string& name) {
-  if (bytes.starts_with(glb_magic)) return;
-  std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (bytes.starts_with("\xef\xbb\xbf")) first = bytes.find_first_not_of(" \t\r\n", 3);
-  if (first == std::string::npos || bytes[first] != '{')
-    fail(name, "not a glTF file: it is neither JSON nor binary glTF");
 }
 
 ShapeFormat gltf_format() {

@@ -181,13 +181,6 @@ bool begins_like_obj(std::string_view bytes) {
          std::ranges::count(statements, lower_case(std::string(line.substr(0, end)))) > 0;
 }
 
-}  // namespace
-
-Shape read_obj(const std::string& bytes, const std::string& name) {
-  const std::string text = with_separate_continuations(bytes);
-  return ObjReader(TextScanner(text, name)).read();
-}
-
 void check_obj_header(const std::string& bytes, const std::string& name) {
   TextScanner scanner(bytes, name);
   while (!scanner.at_end()) {
@@ -195,6 +188,13 @@ void check_obj_header(const std::string& bytes, const std::string& name) {
     scanner.skip_line();
   }
   scanner.fail_whole("not an OBJ file: no vertices");
+}
+
+}  // namespace
+
+Shape read_obj(const std::string& bytes, const std::string& name) {
+  const std::string text = with_separate_continuations(bytes);
+  return ObjReader(TextScanner(text, name)).read();
 }
 
 void write_obj(const std::filesystem::path& path, const Shape& shape) {

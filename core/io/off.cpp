@@ -389,7 +389,7 @@ Shape read_off(const std::string& bytes, const std::string& name) {
   }
 }
 
-void check_off_header(const std::string& bytes, const std::string& name) {
+static void check_off_header(const std::string& bytes, const std::string& name) {
   TextScanner scanner(bytes, name);
   if (!read_off_header(scanner).binary) read_off_counts(scanner, OffLayout::lines);
 }

@@ -261,6 +261,11 @@ Eigen::Index sample_count(const Shape& shape, SampleSite site) {
   return site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();
 }
 
+void check_ply_header(const std::string& bytes, const std::string& name) {
+  TextScanner scanner(bytes, name);
+  read_ply_header(scanner);
+}
+
 }  // namespace
 
 Shape read_ply(const std::string& bytes, const std::string& name) {
@@ -269,11 +274,6 @@ Shape read_ply(const std::string& bytes, const std::string& name) {
   if (header.encoding == PlyEncoding::ascii) return PlyBody(header, PlyTextSource(scanner)).read();
   const std::endian order = header.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big;
   return PlyBody(header, PlyBinarySource(scanner, order)).read();
-}
-
-void check_ply_header(const std::string& bytes, const std::string& name) {
-  TextScanner scanner(bytes, name);
-  read_ply_header(scanner);
 }
 
 void write_ply(const std::filesystem::path& path, const Shape& shape) { write(path, shape, nullptr); }

@@ -194,17 +194,17 @@ bool has_size_of_binary(std::string_view bytes) {
          bytes.size() == header_size + 4 + facet_size * std::size_t{number_of_facets(bytes)};
 }
 
+void check_stl_header(const std::string& bytes, const std::string& name) {
+  if (is_ascii(bytes) || bytes.size() >= header_size + 4) return;
+  TextScanner(bytes, name).fail_whole("not an STL file: neither \"solid\" nor a header of 84 bytes");
+}
+
 }  // namespace
 
 Shape read_stl(const std::string& bytes, const std::string& name) {
   const TextScanner scanner(bytes, name);
   const bool exact = has_size_of_binary(bytes);
   return is_ascii(bytes) && !exact ? AsciiReader(scanner).read() : read_binary(bytes, scanner);
-}
-
-void check_stl_header(const std::string& bytes, const std::string& name) {
-  if (is_ascii(bytes) || bytes.size() >= header_size + 4) return;
-  TextScanner(bytes, name).fail_whole("not an STL file: neither \"solid\" nor a header of 84 bytes");
 }
 
 void write_stl(const std::filesystem::path& path, const Shape& shape) {

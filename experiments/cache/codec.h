@@ -16,13 +16,7 @@
 #include "shapegauge/core/base/error.h"
 
 /// Values as bytes, restored bit by bit by the same program on the same kind of machine: numbers, texts, containers,
-/// Eigen's matrices, and structures for which members() lists references to all members. Structured bindings let the
-/// list fail to compile when a member is added:
-///
-///     inline auto members(Interval& interval) {
-///       auto& [low, high] = interval;
-///       return std::tie(low, high);
-///     }
+/// Eigen's matrices, and structures with members() (core/base/members.h).
 
 namespace shapegauge {
 

@@ -7,10 +7,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/datasets/files/sha256.h"
@@ -40,10 +40,7 @@ struct JudgedFile {
   std::vector<std::string> warnings;
 };
 
-auto members(JudgedFile& judged) {
-  auto& [name, evaluation, query_ids, class_names, labels, fit_for_report, wrong_kind, warnings] = judged;
-  return std::tie(name, evaluation, query_ids, class_names, labels, fit_for_report, wrong_kind, warnings);
-}
+SHAPEGAUGE_MEMBERS(JudgedFile, name, evaluation, query_ids, class_names, labels, fit_for_report, wrong_kind, warnings)
 
 // Keys of evaluations. They name every member of the inputs: a new member does not compile until its key has it.
 
@@ -172,7 +169,8 @@ class Judging {
     const EvaluationFiles files = files_of(submission, options_->files);
     const std::string bytes = sha256_of_file(files.matrix);
     const std::string key = key_of(common_, files, bytes);
-    JudgedFile judged = through_cache(files, key);
+    JudgedFile judged =
+        cache_->get(EntryKind::evaluation, key, [&] { return judge_file(files, options_->evaluation); });
     if (!judged.wrong_kind.empty() && !submission.similarity) {
       throw InputError(fmt::format("{}: {}; set \"similarity\": true or false in {}", submission.file.string(),
                                    judged.wrong_kind, description_of(submission.file).filename().string()));
@@ -195,10 +193,6 @@ class Judging {
       board_->labels = judged.labels;
     }
     board_->submissions.push_back(std::move(one));
-  }
-
-  JudgedFile through_cache(const EvaluationFiles& files, const std::string& key) {
-    return cache_->get(EntryKind::evaluation, key, [&] { return judge_file(files, options_->evaluation); });
   }
 
   void warn_of_same_bytes(const std::string& bytes, std::vector<std::string>& warnings) const {

@@ -32,9 +32,7 @@ std::string evaluation_report_page(const std::vector<ReportedEvaluation>& method
                               .settings = {},
                               .distances = &overviews.back(),
                               .evaluations = {named.evaluation, 1},
-                              .intervals = {{.confidence = named.intervals.confidence,
-                                             .micro = named.intervals.micro,
-                                             .macro = named.intervals.macro}},
+                              .intervals = {named.intervals},
                               .histograms = {}});
     names.push_back(named.method);
   }

@@ -36,13 +36,6 @@ struct IntervalOptions {
   ResamplingOptions resampling{};
 };
 
-/// Confidence intervals of an evaluation's averages, by measure; may be empty.
-struct EvaluationIntervals {
-  double confidence = 0.95;
-  std::vector<ConfidenceInterval> micro;
-  std::vector<ConfidenceInterval> macro;
-};
-
 /// Computes the confidence intervals; empty for fewer than two classes, or queries, to resample.
 EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOptions& options = {});
 

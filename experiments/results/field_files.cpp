@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <limits>
 #include <vector>
@@ -68,18 +69,14 @@ Image picture_with_legend(const Shape& shape, const Samples& samples, const Eige
   return image;
 }
 
-/// Returns true if rows of samples include the polygons of the file.
-bool names_polygons(const Shape& shape, const Samples& samples) {
-  return samples.site == SampleSite::faces && has_polygons(shape);
-}
-
-void write_csv(const fs::path& path, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values,
-               const std::string& value_name) {
-  const bool polygons = names_polygons(shape, samples);
+/// Writes a row for each sample: its index, its columns, its weight and, if there are any, its polygon.
+void write_csv(const fs::path& path, const Shape& shape, const Samples& samples, const Eigen::MatrixXd& columns,
+               std::string_view names) {
+  const bool polygons = samples.site == SampleSite::faces && has_polygons(shape);
   fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "index,{},weight{}\n", value_name, polygons ? ",polygon" : "");
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{}", i, values[i], samples.weights[i]);
+  fmt::format_to(std::back_inserter(text), "index,{},weight{}\n", names, polygons ? ",polygon" : "");
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{},{},{}", i, fmt::join(columns.row(i), ","), samples.weights[i]);
     if (polygons) fmt::format_to(std::back_inserter(text), ",{}", polygon_of(shape, i));
     text.push_back('\n');
   }
@@ -92,16 +89,7 @@ void write_values(const fs::path& path, const Shape& /*shape*/, const Samples& /
 }
 
 void write_normals_csv(const fs::path& path, const Shape& shape, const Samples& samples, const Points& normals) {
-  const bool polygons = names_polygons(shape, samples);
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "index,nx,ny,nz,weight{}\n", polygons ? ",polygon" : "");
-  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}", i, normals(i, 0), normals(i, 1), normals(i, 2),
-                   samples.weights[i]);
-    if (polygons) fmt::format_to(std::back_inserter(text), ",{}", polygon_of(shape, i));
-    text.push_back('\n');
-  }
-  write_file_atomically(path, {text.data(), text.size()});
+  write_csv(path, shape, samples, normals, "nx,ny,nz");
 }
 
 void write_normals_npy(const fs::path& path, const Shape& /*shape*/, const Samples& /*samples*/,

@@ -9,7 +9,6 @@
 
 #include "shapegauge/core/version.h"
 #include "shapegauge/metrics/equal_scores.h"
-#include "shapegauge/pages/multi_dataset_page.h"
 
 namespace shapegauge {
 
@@ -107,10 +106,6 @@ std::vector<std::string> summary_row(const MultiDatasetTable& table, std::size_t
   }
   row.push_back(letters[position]);
   return row;
-}
-
-std::vector<std::string> letters_of(const RankComparison& ranks) {
-  return compact_letters(ranks.order.size(), ranks.groups);
 }
 
 MultiDatasetJson pairs_json(const MultiDatasetResults& results, const RankComparison& ranks) {
@@ -293,7 +288,8 @@ std::string multi_dataset_html(const MultiDatasetResults& results) {
                         .description = results.description,
                         .methods = results.methods,
                         .datasets = {},
-                        .tables = {},
+                        .tables = results.tables,
+                        .words = {},
                         .main_measure = results.main_measure,
                         .failures = results.failures};
   for (const EvaluatedDataset& dataset : results.datasets) {
@@ -302,17 +298,7 @@ std::string multi_dataset_html(const MultiDatasetResults& results) {
                              .models = dataset.models,
                              .queries = dataset.scores.front().queries.size()});
   }
-  for (const MultiDatasetTable& table : results.tables) {
-    page.tables.push_back({.protocol = table.protocol,
-                           .average = table.average,
-                           .measure = table.measure,
-                           .values = table.values,
-                           .deviations = table.deviations,
-                           .ranks = &table.ranks,
-                           .rank_intervals = table.rank_intervals,
-                           .letters = letters_of(table.ranks),
-                           .words = test_words(results, table)});
-  }
+  for (const MultiDatasetTable& table : results.tables) page.words.push_back(test_words(results, table));
   return multi_dataset_page(page);
 }
 

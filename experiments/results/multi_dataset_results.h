@@ -11,8 +11,7 @@
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "shapegauge/metrics/bootstrap.h"
-#include "shapegauge/metrics/friedman_test.h"
+#include "shapegauge/pages/multi_dataset_page.h"
 
 namespace shapegauge {
 
@@ -28,17 +27,6 @@ struct EvaluatedDataset {
   std::vector<Eigen::VectorXd> micro_deviations{};
   std::vector<Eigen::VectorXd> macro_deviations{};
   /// @}
-};
-
-/// Methods by data sets under one protocol, measure and average.
-struct MultiDatasetTable {
-  std::string protocol;
-  Average average = Average::micro;
-  std::string measure;
-  Eigen::MatrixXd values;        ///< data sets x methods, fractions
-  Eigen::MatrixXd deviations{};  ///< of the values over repetitions, NaN for single ones; empty if all are
-  RankComparison ranks;
-  std::vector<RankInterval> rank_intervals{};  ///< per method; may be empty
 };
 
 /// Results of methods on several data sets.

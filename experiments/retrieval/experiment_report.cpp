@@ -128,10 +128,7 @@ ReportMethod method_of(const MethodResults& method, const SignatureConfiguration
   for (const ModelFailure& failure : method.failures) {
     shown.failures.emplace_back(results.models[failure.model].id, failure.message);
   }
-  for (const NamedEvaluation& named : evaluations) {
-    shown.intervals.push_back(
-        {.confidence = named.intervals.confidence, .micro = named.intervals.micro, .macro = named.intervals.macro});
-  }
+  for (const NamedEvaluation& named : evaluations) shown.intervals.push_back(named.intervals);
   return shown;
 }
 

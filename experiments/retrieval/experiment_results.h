@@ -33,17 +33,12 @@ struct MethodResults {
 };
 
 /// Results of a run.
-struct ExperimentResults {
+struct ExperimentResults : DescribedShapes {
   Configuration configuration;
-  std::vector<std::string> classes;      ///< names, by label
-  std::vector<Model> models;             ///< models with signatures
-  std::vector<ModelDescription> shapes;  ///< per model, without_values()
-  std::vector<std::string> pictures;     ///< per model, as PNG files; empty if not configured
-  std::vector<std::string> views;        ///< per model, interactive 3D views (model_view()); empty if not configured
-  std::vector<ViewedField> viewed;       ///< fields of the views
+  std::vector<std::string> classes;  ///< names, by label
+  std::vector<Model> models;         ///< models with signatures
   std::vector<LeftOutShape> failures;
   SkippedEntries skipped;  ///< in the folder of the data set
-  std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;
   CacheReport cache;
   int threads = 1;

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <functional>
 #include <span>
-#include <tuple>
 #include <vector>
 
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -36,10 +36,7 @@ double largest_of_first(const NamedDistance& distance, const Signatures& signatu
 /// Scores of the queries among some rows, by evaluation.
 using RowScores = std::vector<QueryScores>;
 
-inline auto members(QueryScores& scores) {
-  auto& [measures, precisions, relevant, tied, first_tiers] = scores;
-  return std::tie(measures, precisions, relevant, tied, first_tiers);
-}
+SHAPEGAUGE_MEMBERS(QueryScores, measures, precisions, relevant, tied, first_tiers)
 
 /// Evaluates rows of a distance matrix, which visit() passes to its visitor in order. Parallel. Adds the seconds of
 /// evaluation. Throws as RowEvaluator does.

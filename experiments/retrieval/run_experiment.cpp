@@ -44,11 +44,7 @@ void run_stages(const Configuration& configuration, const RunContext& context,
     const Model& model = dataset.models[failure.model];
     results.failures.push_back({.id = model.id, .message = failure.message, .file = model.file});
   }
-  results.fields = std::move(computed.fields);
-  results.shapes = std::move(computed.shapes);
-  results.pictures = std::move(computed.pictures);
-  results.views = std::move(computed.views);
-  results.viewed = std::move(computed.viewed);
+  static_cast<DescribedShapes&>(results) = static_cast<DescribedShapes&&>(computed);
   results.timings.emplace_back("signatures", stopwatch.lap());
 
   run_methods(configuration, distance_files, context, computed, results);

@@ -16,7 +16,6 @@
 #include "shapegauge/experiments/retrieval/judge_distances.h"
 #include "shapegauge/experiments/retrieval/models_with_signature.h"
 #include "shapegauge/experiments/signatures/cache_keys.h"
-#include "shapegauge/experiments/signatures/distances_through_cache.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
 #include "shapegauge/metrics/distance_overview.h"
 
@@ -170,15 +169,14 @@ class MethodsRun {
     const ModelsWithSignature& holders = holders_[i];
     if (signature.derived) return holders.spread(derived_distances(signature, whole_, holders, remarks_[i]));
     const auto distances_of = [&](const Signatures& table) {
-      return signature.descriptor ? distances_through_cache(table, signature.descriptor->descriptor, context_->cache)
-                                  : distances_through_cache(table, configuration_->distance, context_->cache);
+      return distances_through_cache(table, distance_between(signature, *configuration_), context_->cache);
     };
     return holders.are_all() ? distances_of(all) : holders.spread(distances_of(all(holders.places(), Eigen::all)));
   }
 
   [[nodiscard]] StreamedRows streamed_rows(std::size_t i, const Signatures& rows) const {
     NamedDistance distance = distance_between(configuration_->signatures[i], *configuration_);
-    std::string key = distances_key(rows, std::string(distance.name));
+    std::string key = distances_key(rows, distance.name);
     return {.signature = i,
             .distance = std::move(distance),
             .rows = holders_[i].are_all() ? rows : holders_[i].with_stand_ins(rows),

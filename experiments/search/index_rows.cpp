@@ -6,7 +6,6 @@
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/experiments/signatures/signature_tables.h"
-#include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
@@ -16,19 +15,13 @@ namespace {
 /// Maximum number of models whose distances by a term are kept in memory, which takes half the time.
 constexpr std::size_t max_in_memory = 10'000;
 
-DistanceMatrix whole_matrix(const SearchMethod& method, std::size_t term, const Signatures& table) {
-  const SignatureConfiguration& signature = method.configuration.signatures[method.terms[term]];
-  return signature.descriptor ? descriptor_distances(signature.descriptor->descriptor, table)
-                              : distance_matrix(table, method.configuration.distance);
-}
-
 /// Distances between all models by one term.
 class TermDistances {
  public:
   TermDistances(const SearchMethod& method, std::size_t term, const IndexTable& table, bool in_memory)
       : distance_(distances_of(method)[term]), table_(table.signatures()) {
     check_signatures({table_, 0}, distance_);
-    if (in_memory) whole_ = whole_matrix(method, term, table_);
+    if (in_memory) whole_ = distance_matrix(table_, distance_);
   }
 
   [[nodiscard]] DistanceMatrix rows(Eigen::Index first, Eigen::Index count) const {

@@ -2,36 +2,21 @@
 #include "shapegauge/experiments/search/shape_index.h"
 
 #include <fmt/format.h>
-#include <tuple>
 #include <utility>
 
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/cache/codec.h"
 #include "shapegauge/experiments/signatures/bench.h"
 
 namespace shapegauge {
 
-static auto members(IndexedFile& file) {
-  auto& [id, path, bytes, modified, sha256, failure] = file;
-  return std::tie(id, path, bytes, modified, sha256, failure);
-}
+SHAPEGAUGE_MEMBERS(IndexedFile, id, path, bytes, modified, sha256, failure)
 static auto members(IndexTable& table) { return std::tie(table.rows, table.columns); }
-static auto members(LocalScales& scales) {
-  auto& [roots, least] = scales;
-  return std::tie(roots, least);
-}
-static auto members(NearestModels& nearest) {
-  auto& [indices, distances, largest] = nearest;
-  return std::tie(indices, distances, largest);
-}
-static auto members(CollectionSum& sum) {
-  auto& [scale, weights, units, local_scales, at_ranks] = sum;
-  return std::tie(scale, weights, units, local_scales, at_ranks);
-}
-static auto members(ShapeIndex& index) {
-  auto& [collection, models, failures, tables, learnt, field_ranges, sum, nearest] = index;
-  return std::tie(collection, models, failures, tables, learnt, field_ranges, sum, nearest);
-}
+SHAPEGAUGE_MEMBERS(LocalScales, roots, least)
+SHAPEGAUGE_MEMBERS(NearestModels, indices, distances, largest)
+SHAPEGAUGE_MEMBERS(CollectionSum, scale, weights, units, local_scales, at_ranks)
+SHAPEGAUGE_MEMBERS(ShapeIndex, collection, models, failures, tables, learnt, field_ranges, sum, nearest)
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <tuple>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
@@ -77,10 +77,7 @@ struct Parts {
   std::vector<std::string> warnings = {};  ///< of the offset SDF
 };
 
-auto members(Parts& parts) {
-  auto& [labels, remarks, warnings] = parts;
-  return std::tie(labels, remarks, warnings);
-}
+SHAPEGAUGE_MEMBERS(Parts, labels, remarks, warnings)
 
 /// Segmentation of one shape, with its inputs and results.
 class SegmentationJob {

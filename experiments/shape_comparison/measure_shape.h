@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/shape_comparison.h"
@@ -61,26 +61,12 @@ struct MeasuredShape {
 MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size_t index, std::span<const Field> fields,
                                     const GroundTruth* truth, const RunControl& control, Cache& cache);
 
-inline auto members(ValueErrors& errors) {
-  auto& [median, percentile_90, relative_median, relative_percentile_90] = errors;
-  return std::tie(median, percentile_90, relative_median, relative_percentile_90);
-}
-inline auto members(NormalErrors& errors) {
-  auto& [mean, median, percentile_90] = errors;
-  return std::tie(mean, median, percentile_90);
-}
-inline auto members(FieldMeasurement& field) {
-  auto& [samples, missing, build_seconds, query_seconds, errors, offset_normals, own_normals] = field;
-  return std::tie(samples, missing, build_seconds, query_seconds, errors, offset_normals, own_normals);
-}
-inline auto members(PlacedValues& placed) {
-  auto& [points, values, dimension] = placed;
-  return std::tie(points, values, dimension);
-}
-inline auto members(ReferenceShape& reference) {
-  auto& [key, vertices, triangles, values] = reference;
-  return std::tie(key, vertices, triangles, values);
-}
+SHAPEGAUGE_MEMBERS(ValueErrors, median, percentile_90, relative_median, relative_percentile_90)
+SHAPEGAUGE_MEMBERS(NormalErrors, mean, median, percentile_90)
+SHAPEGAUGE_MEMBERS(FieldMeasurement, samples, missing, build_seconds, query_seconds, errors, offset_normals,
+                   own_normals)
+SHAPEGAUGE_MEMBERS(PlacedValues, points, values, dimension)
+SHAPEGAUGE_MEMBERS(ReferenceShape, key, vertices, triangles, values)
 inline auto members(MeasuredShape& measured) {
   auto& [name, read_seconds, fields, description, reference] = measured;
   return std::tie(read_seconds, fields, description, reference);

@@ -9,9 +9,9 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
@@ -48,26 +48,11 @@ struct FeatureDescription {
   std::string error = {};  ///< why the shape has none, with OnError::skip; otherwise empty
 };
 
-inline auto members(ShapeDiagnostics& diagnostics) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v] = diagnostics;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v);
-}
-inline auto members(ShapeFacts& facts) {
-  auto& [diagnostics, chosen, remarks, area, noise, pass_band] = facts;
-  return std::tie(diagnostics, chosen, remarks, area, noise, pass_band);
-}
-inline auto members(Interval& interval) {
-  auto& [low, high] = interval;
-  return std::tie(low, high);
-}
-inline auto members(StoredField& field) {
-  auto& [range, outcomes, offset, seconds, values] = field;
-  return std::tie(range, outcomes, offset, seconds, values);
-}
-inline auto members(FeatureDescription& description) {
-  auto& [features, seconds, error] = description;
-  return std::tie(features, seconds, error);
-}
+SHAPEGAUGE_MEMBERS(ShapeDiagnostics, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v)
+SHAPEGAUGE_MEMBERS(ShapeFacts, diagnostics, chosen, remarks, area, noise, pass_band)
+SHAPEGAUGE_MEMBERS(Interval, low, high)
+SHAPEGAUGE_MEMBERS(StoredField, range, outcomes, offset, seconds, values)
+SHAPEGAUGE_MEMBERS(FeatureDescription, features, seconds, error)
 
 /// Makes the cache entry of computed values. Throws InputError if all values are missing.
 StoredField stored_field(const Field& field, FieldValues computed, const Samples& samples);

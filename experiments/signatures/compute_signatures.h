@@ -15,8 +15,18 @@
 
 namespace shapegauge {
 
+/// Reports on the models with signatures, and their drawings.
+struct DescribedShapes {
+  std::vector<ModelDescription> shapes;  ///< per model, without_values()
+  std::vector<std::string> pictures;     ///< per model, as PNG files; empty if not configured
+  std::vector<std::string> views;        ///< per model, interactive 3D views (model_view()); empty if not configured
+  std::vector<ViewedField> viewed;  ///< fields of the views, named after the first signature that is a histogram of it,
+                                    ///< or the one that has it pictured
+  std::vector<FieldReport> fields;
+};
+
 /// Signatures of the models of a data set.
-struct ComputedSignatures {
+struct ComputedSignatures : DescribedShapes {
   std::vector<std::size_t> models;     ///< models with signatures, by index in the data set
   std::vector<Signatures> signatures;  ///< of those models, as assemble_signatures() returns them
   std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip: no signature can be computed
@@ -25,13 +35,7 @@ struct ComputedSignatures {
   std::vector<LearntFeatures> learnt;  ///< per signature; empty if it does not learn
   std::vector<Interval> field_ranges;  ///< per field, over all models
   std::vector<std::vector<Interval>>
-      histogram_ranges;               ///< per signature: range of each model's histogram; empty without a field
-  std::vector<std::string> pictures;  ///< per model; empty if not configured
-  std::vector<std::string> views;     ///< per model, interactive 3D views; empty if not configured
-  std::vector<ViewedField> viewed;  ///< fields of the views, named after the first signature that is a histogram of it,
-                                    ///< or the one that has it pictured
-  std::vector<FieldReport> fields;
-  std::vector<ModelDescription> shapes;  ///< per model with signatures, without_values()
+      histogram_ranges;  ///< per signature: range of each model's histogram; empty without a field
 };
 
 /// Computes all signatures of the configuration, in parallel over the models. The same bytes for any number of threads.

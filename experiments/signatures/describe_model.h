@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/cache/cache.h"
@@ -58,10 +58,7 @@ struct ModelDescription : ShapeFacts {
   std::string view;                          ///< model_view(), if configured
 };
 
-inline auto members(FieldDescription& field) {
-  auto& [range, values, weights, outcomes, offset, seconds, error] = field;
-  return std::tie(range, values, weights, outcomes, offset, seconds, error);
-}
+SHAPEGAUGE_MEMBERS(FieldDescription, range, values, weights, outcomes, offset, seconds, error)
 inline auto members(ModelDescription& model) {
   return std::tie(static_cast<ShapeFacts&>(model), model.sha256, model.fields, model.features, model.shape_key,
                   model.picture, model.view);

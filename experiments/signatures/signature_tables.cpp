@@ -77,6 +77,12 @@ NamedDistance distance_between(const SignatureConfiguration& signature, const Co
   return {.name = distance_of(signature.descriptor->descriptor), .function = signature.descriptor->descriptor.distance};
 }
 
+DistanceMatrix distances_through_cache(const Signatures& signatures, const NamedDistance& distance, Cache& cache) {
+  const auto compute = [&] { return distance_matrix(signatures, distance); };
+  const bool kept = !cache.folder().empty() && signatures.rows() <= max_models_of_cached_distances;
+  return kept ? cache.get(EntryKind::distances, distances_key(signatures, distance.name), compute) : compute();
+}
+
 std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields) {
   std::vector<Interval> ranges;
   for (std::size_t field = 0; field < fields; ++field) ranges.push_back(common_range(models, field));

@@ -5,8 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
+#include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/distances.h"
 #include "shapegauge/retrieval/histogram.h"
 
@@ -16,6 +18,13 @@ namespace shapegauge {
 
 /// Returns the distance between signatures of a kind that is not derived: a descriptor's own, or the configuration's.
 NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration);
+
+/// Maximum number of models of a cached distance matrix: 64 MB. A larger one is computed as fast as it is read.
+inline constexpr Eigen::Index max_models_of_cached_distances = 2900;
+
+/// Computes distance_matrix() or reads it from the cache; stores it there, for up to max_models_of_cached_distances
+/// signatures. Throws as distance_matrix() does.
+DistanceMatrix distances_through_cache(const Signatures& signatures, const NamedDistance& distance, Cache& cache);
 
 /// Returns the range of each field over the models that have values of it. Throws ArgumentError if none
 /// has.

@@ -221,7 +221,7 @@ Descriptor bag_of_features_descriptor() {
           .parameters = parameters,
           .min_fields = 1,
           .max_fields = max_fields,
-          .version = bag_of_features_version,
+          .version = 1,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures& learnt, const DescriptorSettings& settings) {
                 return bag_of_features(input.fields, as_codebook(learnt), options_from(table, settings.values));

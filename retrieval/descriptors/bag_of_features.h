@@ -9,9 +9,6 @@
 
 namespace shapegauge {
 
-/// Cache version of codebook() and bag_of_features(); see docs/manual/cache.md.
-inline constexpr int bag_of_features_version = 1;
-
 /// Options of a bag of features and its codebook.
 struct BagOfFeaturesOptions {
   int words = 80;                ///< size of the codebook, as in the paper's concatenation

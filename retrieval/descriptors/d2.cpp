@@ -58,7 +58,7 @@ Descriptor d2_descriptor() {
   return {.name = "d2",
           .description = "Shape distribution of the distances between points on the surface (Osada et al. 2002).",
           .parameters = parameters,
-          .version = d2_version,
+          .version = 2,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 return d2(input.shape, options_from(table, settings.values));

@@ -8,9 +8,6 @@
 
 namespace shapegauge {
 
-/// Cache version of d2(); see docs/manual/cache.md.
-inline constexpr int d2_version = 2;
-
 /// Options of d2().
 struct D2Options {
   int points = 1024;   ///< number of surface points, all pairs of which count

@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/retrieval/descriptors/bag_of_features.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
@@ -80,14 +79,7 @@ DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& feat
     if (features.row(i).allFinite()) continue;
     throw InputError(fmt::format("the features of shape {} (counted from 0) are not all finite numbers", i));
   }
-  const auto row = [&](Eigen::Index i) {
-    return std::span(features.data() + i * features.cols(), static_cast<std::size_t>(features.cols()));
-  };
-  DistanceMatrix matrix = DistanceMatrix::Zero(features.rows(), features.rows());
-  parallel_for(Eigen::Index{0}, features.rows(), [&](Eigen::Index i) {
-    for (Eigen::Index j = i + 1; j < features.rows(); ++j) matrix(i, j) = matrix(j, i) = of.distance(row(i), row(j));
-  });
-  return matrix;
+  return distance_matrix(features, NamedDistance{.name = std::string(of.name), .function = of.distance});
 }
 
 std::vector<std::string> feature_distance_names() {

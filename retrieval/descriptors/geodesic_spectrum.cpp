@@ -78,7 +78,7 @@ Descriptor geodesic_spectrum_descriptor() {
   return {.name = "geodesic_spectrum",
           .description = "Eigenvalues of the geodesic distances between landmarks (after Smeets et al. 2012).",
           .parameters = parameters,
-          .version = version_on_proxy(geodesic_spectrum_version),
+          .version = version_on_proxy(1),
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 const GeodesicSpectrumOptions options = options_from(table, settings.values);

@@ -7,10 +7,6 @@
 
 namespace shapegauge {
 
-/// Cache version of geodesic_spectrum(), combined with that of the proxy (version_on_proxy()); see
-/// docs/manual/cache.md.
-inline constexpr int geodesic_spectrum_version = 1;
-
 /// Options of geodesic_spectrum().
 struct GeodesicSpectrumOptions {
   int eigenvalues = 20;  ///< number of ratios of eigenvalues, without the largest eigenvalue itself

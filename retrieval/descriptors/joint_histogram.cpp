@@ -218,7 +218,7 @@ Descriptor joint_histogram_descriptor() {
           .axis_parameters = parameters,
           .min_fields = 2,
           .max_fields = max_fields,
-          .version = joint_histogram_version,
+          .version = 2,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures& ranges, const DescriptorSettings& settings) {
                 std::vector<JointAxis> axes = axes_from(settings);

@@ -10,9 +10,6 @@
 
 namespace shapegauge {
 
-/// Cache version of joint_histogram(); see docs/manual/cache.md.
-inline constexpr int joint_histogram_version = 2;
-
 /// Axis of a joint histogram: the binning of one field's values.
 struct JointAxis {
   int bins = 40;

@@ -246,7 +246,7 @@ Descriptor light_field_descriptor() {
   return {.name = "light_field",
           .description = "Silhouettes from all sides, as Zernike moments and Fourier coefficients (Chen et al. 2003).",
           .parameters = parameters,
-          .version = light_field_version,
+          .version = 3,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 return light_field(input.shape, options_from(table, settings.values));

@@ -9,9 +9,6 @@
 
 namespace shapegauge {
 
-/// Cache version of light_field() and its distance; see docs/manual/cache.md.
-inline constexpr int light_field_version = 3;
-
 /// Options of light_field().
 struct LightFieldOptions {
   int pixels = 128;  ///< side of a silhouette in pixels

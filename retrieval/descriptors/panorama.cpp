@@ -217,7 +217,7 @@ Descriptor panorama_descriptor() {
           "Fourier magnitudes and wavelet statistics of the views from cylinders about principal axes (Papadakis et "
           "al. 2010).",
       .parameters = parameters,
-      .version = panorama_version,
+      .version = 3,
       .describe =
           [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
             return panorama(input.shape, options_from(table, settings.values));

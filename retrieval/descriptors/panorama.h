@@ -9,9 +9,6 @@
 
 namespace shapegauge {
 
-/// Cache version of panorama() and its distance; see docs/manual/cache.md.
-inline constexpr int panorama_version = 3;
-
 /// Options of panorama().
 struct PanoramaOptions {
   int angles = 128;       ///< cells around a cylinder, a multiple of 64

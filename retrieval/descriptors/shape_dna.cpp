@@ -60,7 +60,7 @@ Descriptor shape_dna_descriptor() {
   return {.name = "shape_dna",
           .description = "The first eigenvalues of the surface's Laplacian (Reuter, Wolter, Peinecke 2006).",
           .parameters = parameters,
-          .version = version_on_proxy(shape_dna_version),
+          .version = version_on_proxy(3),
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 const ShapeDnaSettings chosen = options_from(settings_table, settings.values);

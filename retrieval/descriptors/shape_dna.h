@@ -8,9 +8,6 @@
 
 namespace shapegauge {
 
-/// Cache version of shape_dna(); see docs/manual/cache.md.
-inline constexpr int shape_dna_version = 3;
-
 /// Options of shape_dna().
 struct ShapeDnaOptions {
   int eigenvalues = 20;        ///< number of positive eigenvalues; the SHREC'11 entry used 12

@@ -203,7 +203,7 @@ Descriptor spherical_harmonics_descriptor() {
   return {.name = "spherical_harmonics",
           .description = "Norms of spherical harmonics on concentric shells (Kazhdan et al. 2003).",
           .parameters = parameters,
-          .version = spherical_harmonics_version,
+          .version = 2,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 return spherical_harmonics(input.shape, options_from(table, settings.values));

@@ -9,9 +9,6 @@
 
 namespace shapegauge {
 
-/// Cache version of spherical_harmonics(); see docs/manual/cache.md.
-inline constexpr int spherical_harmonics_version = 2;
-
 /// Options of spherical_harmonics().
 struct SphericalHarmonicsOptions {
   int shells = 32;     ///< number of concentric spheres; the last has twice the mean distance of the surface from its

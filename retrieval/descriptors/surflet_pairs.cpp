@@ -122,7 +122,7 @@ Descriptor surflet_pairs_descriptor() {
   return {.name = "surflet_pairs",
           .description = "Distances and angles of pairs of points with normals (after Wahl et al. 2003).",
           .parameters = parameters,
-          .version = version_on_proxy(surflet_pairs_version),
+          .version = version_on_proxy(1),
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 const SurfletPairsOptions options = options_from(table, settings.values);

@@ -7,9 +7,6 @@
 
 namespace shapegauge {
 
-/// Cache version; increment when features change. Combined with the version of the proxy (version_on_proxy()).
-inline constexpr int surflet_pairs_version = 1;
-
 /// Options of surflet_pairs().
 struct SurfletPairsOptions {
   int distance_bins = 10;       ///< bins of the distance

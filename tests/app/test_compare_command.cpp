@@ -55,8 +55,7 @@ class CompareCommand : public CommandTest {
 };
 
 TEST_F(CompareCommand, FindsTheBetterMethod) {
-  const Outcome outcome = compare_matrices("good.npy bad.npy poor.npy", "--measures FT,NN --format json");
-  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(compare_matrices("good.npy bad.npy poor.npy", "--measures FT,NN --format json"));
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["protocol"], "psb");
   EXPECT_EQ(json["blocks"], "queries");
@@ -97,10 +96,9 @@ TEST_F(CompareCommand, MethodsOfOneFolderAreComparedWithAReference) {
 }
 
 TEST_F(CompareCommand, WritesChartsAndAReport) {
-  const Outcome outcome = compare_matrices(
+  const Outcome outcome = succeeded(compare_matrices(
       "good.npy bad.npy",
-      "--measures FT --names ours,theirs --plot @pr.svg --plot-scores @scores.svg --pr @pr.csv --report @all.html");
-  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+      "--measures FT --names ours,theirs --plot @pr.svg --plot-scores @scores.svg --pr @pr.csv --report @all.html"));
   EXPECT_THAT(text_of(at("pr.svg")), AllOf(HasSubstr(">Recall<"), HasSubstr(">ours<"), HasSubstr(">theirs<")));
   EXPECT_THAT(text_of(at("scores.svg")), AllOf(HasSubstr(">FT<"), HasSubstr(">theirs<")));
   EXPECT_THAT(text_of(at("pr.csv")),

@@ -113,8 +113,7 @@ TEST_F(DatasetCommand, ReportsTheFilesOfAnInterruptedGeneration) {
 }
 
 TEST_F(DatasetCommand, InfoReadsGeneratedDataSets) {
-  const Outcome generated = run("dataset generate @made --classes 2 --models-per-class 2 --faces 1000");
-  ASSERT_EQ(generated.status, 0) << generated.errors;
+  const Outcome generated = succeeded(run("dataset generate @made --classes 2 --models-per-class 2 --faces 1000"));
   EXPECT_THAT(generated.output, HasSubstr("4 models of 2 classes"));
   EXPECT_THAT(run("dataset validate @made").output, HasSubstr("4 of 4 models"));
   EXPECT_EQ(run("dataset generate @made --classes 2").status, 2);

@@ -46,8 +46,8 @@ TEST_F(EvaluateCommand, StandardInputGivesTheResultsOfAFile) {
   const nlohmann::json of_file = nlohmann::json::parse(evaluate_toy("--format json").output);
   for (const std::string format : {"npy", "matrix", "txt"}) {
     const std::string told = format == "npy" ? "" : " --input-format " + format;  // .npy is recognized by its contents
-    const Outcome piped = run("evaluate - --labels @toy.cla --format json" + told + " < " + quoted("toy." + format));
-    ASSERT_EQ(piped.status, 0) << piped.errors;
+    const Outcome piped =
+        succeeded(run("evaluate - --labels @toy.cla --format json" + told + " < " + quoted("toy." + format)));
     const nlohmann::json json = nlohmann::json::parse(piped.output);
     EXPECT_EQ(json.at("file"), "-");
     EXPECT_EQ(json.at("method"), "standard input");
@@ -65,8 +65,7 @@ TEST_F(EvaluateCommand, StandardInputGivesTheResultsOfAFile) {
 
 TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
   for (const char* matrix : {"toy.npy", "toy.matrix", "toy.txt"}) {
-    const Outcome outcome = evaluate_toy("--format json", matrix);
-    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const Outcome outcome = succeeded(evaluate_toy("--format json", matrix));
     EXPECT_EQ(outcome.errors, "");
     const auto json = nlohmann::json::parse(outcome.output);
     EXPECT_EQ(json["protocol"], "psb");
@@ -87,8 +86,7 @@ TEST_F(EvaluateCommand, PrintsEqualAveragesAsOneRow) {
 }
 
 TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
-  const Outcome outcome = evaluate_toy("--report @report.html");
-  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(evaluate_toy("--report @report.html"));
   EXPECT_EQ(outcome.output, evaluate_toy("").output);
   const std::string page = text_of(at("report.html"));
   EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
@@ -289,8 +287,7 @@ int warnings_in(const std::string& text) {
 }
 
 TEST_F(EvaluateCommand, DrawsTheCurveAndTheClasses) {
-  const Outcome outcome = evaluate_toy("--measures FT --plot @pr.svg --plot-classes @classes.svg");
-  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(evaluate_toy("--measures FT --plot @pr.svg --plot-classes @classes.svg"));
   EXPECT_THAT(text_of(at("pr.svg")), AllOf(HasSubstr(">Recall<"), HasSubstr(">Precision<"), HasSubstr("<path")));
   EXPECT_THAT(text_of(at("classes.svg")), AllOf(HasSubstr(">A<"), HasSubstr(">B<"), HasSubstr("FT")));
   // Other distances have another curve, and the same ones the same.

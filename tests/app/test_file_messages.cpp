@@ -47,7 +47,7 @@ TEST_F(FileMessages, PolygonsAreReportedOnce) {
   const std::string rows = test::text_of(at("q.seg"));
   EXPECT_EQ(std::ranges::count(rows, '\n'), 6) << "as many as the file has faces";
 
-  EXPECT_THAT(run_executable("info " + quoted("quads.off")).output, testing::ContainsRegex("polygons +6\n"));
+  EXPECT_THAT(run("info @quads.off").output, testing::ContainsRegex("polygons +6\n"));
 }
 
 TEST_F(FileMessages, ALinkToItselfIsOneLine) {
@@ -67,7 +67,7 @@ TEST_F(FileMessages, TrianglesAreNotReported) {
       run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("ball.off"), quoted("b.csv")));
   EXPECT_THAT(sdf.errors, Not(HasSubstr("polygon")));
   EXPECT_THAT(test::text_of(at("b.csv")), StartsWith("index,sdf,weight\n"));
-  EXPECT_THAT(run_executable("info " + quoted("ball.off")).output, Not(HasSubstr("polygon")));
+  EXPECT_THAT(run("info @ball.off").output, Not(HasSubstr("polygon")));
 }
 
 TEST_F(FileMessages, StandardInputIsRecognisedByItsContent) {
@@ -77,14 +77,14 @@ TEST_F(FileMessages, StandardInputIsRecognisedByItsContent) {
     EXPECT_EQ(outcome.output, run_executable("info " + quoted(name)).output) << name;
   }
   write_text(at("cloud"), "0 0 0 1\n1 0.5 0 1\n0 1 0 1\n0 0 1 1\n");
-  EXPECT_EQ(run_executable("info - < " + quoted("cloud")).status, 0);
-  EXPECT_EQ(run_executable("info " + quoted("cloud")).status, 0) << "so is a file without an extension";
+  EXPECT_EQ(run("info - < @cloud").status, 0);
+  EXPECT_EQ(run("info @cloud").status, 0) << "so is a file without an extension";
 }
 
 TEST_F(FileMessages, UnrecognisedInputNamesTheFormatOption) {
   write_text(at("bare"), "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");  // OFF without its keyword
-  expect_error_line(run_executable("info - < " + quoted("bare")), "--input-format");
-  EXPECT_EQ(run_executable("info - --input-format off < " + quoted("bare")).status, 0);
+  expect_error_line(run("info - < @bare"), "--input-format");
+  EXPECT_EQ(run("info - --input-format off < @bare").status, 0);
 }
 
 TEST_F(FileMessages, EscapeControlSequences) {
@@ -112,7 +112,7 @@ TEST_F(FileMessages, CircularLinksAreNamedAndTheOtherFilesProcessed) {
   }
   fs::create_symlink("loop.off", at("data/ant/loop.off"));
   fs::create_symlink("gone", at("data/gone"));
-  const Outcome info = run_executable("dataset info " + quoted("data"));
+  const Outcome info = run("dataset info @data");
   EXPECT_EQ(info.status, 1);
   EXPECT_THAT(info.output, HasSubstr("6 models in 3 classes, 2 of them unusable"));
   EXPECT_THAT(info.errors, AllOf(HasSubstr("ant/loop.off"), HasSubstr("data/gone")));

@@ -28,7 +28,7 @@ class ReplayReport : public SmallRun {
     ASSERT_EQ(run_executable("run " + quoted("small.json") + " --output " + quoted("out")).status, 0);
   }
   [[nodiscard]] Outcome replay(const std::string& more = "") const {
-    return run_executable("run --replay " + quoted("out/manifest.json") + " --output " + quoted("again") + " " + more);
+    return run("run --replay @out/manifest.json --output @again " + more);
   }
 };
 
@@ -44,13 +44,11 @@ TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
 
 TEST_F(SmallRun, RunAndComparePlotTheCurves) {
   const std::string run = "run " + quoted("small.json") + " --output " + quoted("out");
-  const Outcome outcome = run_executable(run + " --plot " + quoted("run.svg"));
-  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run_executable(run + " --plot " + quoted("run.svg")));
   const std::string drawn = text_of(at("run.svg"));
   EXPECT_THAT(drawn, AllOf(HasSubstr(">Recall<"), HasSubstr(">fixed (psb)<"), HasSubstr(">both (paper)<")));
   const Outcome compared =
-      run_executable("compare " + quoted("out") + " --plot " + quoted("compare.svg") + " --measures FT");
-  ASSERT_EQ(compared.status, 0) << compared.errors;
+      succeeded(run_executable("compare " + quoted("out") + " --plot " + quoted("compare.svg") + " --measures FT"));
   EXPECT_THAT(text_of(at("compare.svg")), AllOf(HasSubstr(">Recall<"), HasSubstr(">fixed<"), HasSubstr(">both<")));
   EXPECT_THAT(run_executable(run + " --plot " + quoted("run.svg")).errors, HasSubstr("--replace"));
   EXPECT_EQ(run_executable(run + " --plot " + quoted("run.eps")).status, 2);
@@ -71,20 +69,19 @@ TEST_F(SmallRun, DryRunChecksInputsAndPrintsTheConfiguration) {
 }
 
 TEST_F(SmallRun, EvaluateReadsTheFolderOfARun) {
-  ASSERT_EQ(run_executable("run " + quoted("small.json") + " --output " + quoted("out")).status, 0);
+  ASSERT_EQ(run("run @small.json --output @out").status, 0);
   EXPECT_EQ(text_of(at("out/distances/ids.txt")), "0\n1\n2\n3\n4\n5\n6\n7\n8\n");
-  const Outcome all = run_executable("evaluate " + quoted("out") + " --protocol paper --format csv");
-  ASSERT_EQ(all.status, 0) << all.errors;
+  const Outcome all = succeeded(run("evaluate @out --protocol paper --format csv"));
   const std::string summary = text_of(at("out/summary.csv"));
   EXPECT_THAT(all.output, StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\nboth,paper,micro,"));
   std::size_t begin = summary.find("fixed,paper,micro");
   EXPECT_THAT(all.output, HasSubstr(summary.substr(begin, summary.find('\n', begin) - begin)));
-  const Outcome json = run_executable("evaluate " + quoted("out") + " --format json");
+  const Outcome json = run("evaluate @out --format json");
   EXPECT_EQ(nlohmann::json::parse(json.output).size(), 4U);
 }
 
 TEST_F(SmallRun, IdsNextToAMatrixDetermineItsOrder) {
-  ASSERT_EQ(run_executable("run " + quoted("small.json") + " --output " + quoted("out")).status, 0);
+  ASSERT_EQ(run("run @small.json --output @out").status, 0);
   const std::string evaluate = "evaluate " + quoted("out/distances/fixed.npy") + " --format csv --labels ";
   write_text(at("shuffled.csv"), "id,class\n8,c\n0,a\n1,b\n2,c\n3,a\n4,b\n5,c\n6,a\n7,b\n");
   const Outcome outcome = run_executable(evaluate + quoted("shuffled.csv"));
@@ -127,7 +124,7 @@ TEST_F(ReplayReport, RepeatsComparisons) {
   write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
     {"name": "a", "file": "data/T0.off"}, {"name": "b", "file": "data/T1.off"}], "signatures": [
     {"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"range": "per-shape"}}]})");
-  ASSERT_EQ(run_executable("run " + quoted("comparison.json") + " --output " + quoted("two")).status, 0);
+  ASSERT_EQ(run("run @comparison.json --output @two").status, 0);
   fs::rename(at("data"), at("moved"));
   const std::string replay =
       "run --replay " + quoted("two/manifest.json") + " --output " + quoted("again") + " --dataset-root ";
@@ -144,10 +141,9 @@ TEST_F(ReplayReport, RepeatsComparisons) {
 TEST_F(ReplayReport, NamesChangedInputsOfSegmentationsFirst) {
   write_text(at("parts.json"), R"({"name": "parts", "pictures": false,
     "dataset": {"layout": "shrec11", "root": "data"}, "segmentation": [{"name": "paper", "method": "paper"}]})");
-  ASSERT_EQ(run_executable("run " + quoted("parts.json") + " --output " + quoted("parts")).status, 0);
+  ASSERT_EQ(run("run @parts.json --output @parts").status, 0);
   fs::copy_file(at("data/T2.off"), at("data/T1.off"), fs::copy_options::overwrite_existing);
-  const Outcome changed =
-      run_executable("run --replay " + quoted("parts/manifest.json") + " --output " + quoted("again"));
+  const Outcome changed = run("run --replay @parts/manifest.json --output @again");
   EXPECT_EQ(changed.status, 1);
   EXPECT_THAT(changed.errors, HasSubstr("input: model 1 differs from the recorded one\n")) << "before the run";
 }
@@ -164,27 +160,15 @@ TEST_F(ReplayReport, RejectsInvalidArgumentsWithOneLine) {
        {manifest + " --cache x --no-cache", "--cache excludes --no-cache"}});
 }
 
-}  // namespace
-
-namespace {
-
-namespace fs = std::filesystem;
-using test::text_of;
-using test::write_text;
-using testing::HasSubstr;
-using testing::MatchesRegex;
-using testing::Not;
-using testing::StartsWith;
-
 class RunCommand : public SmallRun {
  protected:
-  [[nodiscard]] Outcome run(const std::string& more = "") const {
-    return run_executable("run " + quoted("small.json") + " --output " + quoted("out") + " " + more);
+  [[nodiscard]] Outcome run_small(const std::string& more = "") const {
+    return run("run @small.json --output @out " + more);
   }
 };
 
 TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
-  const Outcome outcome = succeeded(run());
+  const Outcome outcome = succeeded(run_small());
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("fixed      psb       both     100.00"));
   EXPECT_THAT(outcome.output, HasSubstr("Results in " + at("out").string()));
@@ -198,26 +182,26 @@ TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
 }
 
 TEST_F(RunCommand, OmitsTheReportOnRequest) {
-  ASSERT_EQ(run().status, 0);
+  ASSERT_EQ(run_small().status, 0);
   EXPECT_TRUE(fs::exists(at("out") / "report.html"));
-  const Outcome outcome = succeeded(run("--force --set report=false"));
+  const Outcome outcome = succeeded(run_small("--force --set report=false"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("report.html")));
   EXPECT_FALSE(fs::exists(at("out") / "report.html")) << "that of the earlier run";
 }
 
 TEST_F(RunCommand, ReplacesOnlyResultsOfTheSameConfiguration) {
-  ASSERT_EQ(run().status, 0);
-  EXPECT_EQ(run().status, 0);
-  const Outcome other = run("--set signatures.0.histogram.bins=10");
+  ASSERT_EQ(run_small().status, 0);
+  EXPECT_EQ(run_small().status, 0);
+  const Outcome other = run_small("--set signatures.0.histogram.bins=10");
   EXPECT_EQ(other.status, 2);
   EXPECT_THAT(other.errors, HasSubstr("--replace"));
-  EXPECT_EQ(run("--replace --set signatures.0.histogram.bins=10").status, 0);
-  EXPECT_EQ(run("--force --set signatures.0.histogram.bins=10").status, 0);
+  EXPECT_EQ(run_small("--replace --set signatures.0.histogram.bins=10").status, 0);
+  EXPECT_EQ(run_small("--force --set signatures.0.histogram.bins=10").status, 0);
 }
 
 TEST_F(RunCommand, SkipsAndNamesUnusableModelsOnRequest) {
   write_text(at("data/T3.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
-  const Outcome outcome = run("--set on_error=skip");
+  const Outcome outcome = run_small("--set on_error=skip");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("omitted model 3: "));
   EXPECT_THAT(outcome.errors, HasSubstr("1 of 9 models could not be used"));
@@ -229,7 +213,7 @@ TEST_F(RunCommand, NamesMethodsThatCannotProcessAModel) {
   test::make_cloud(at("data/T3.off"));
   const std::string d2 = R"( --set 'signatures=[{"name": "d2", "descriptor": {"type": "d2"}}, {"name": "dna", )"
                          R"("descriptor": {"type": "shape_dna", "eigenvalues": 5}}]')";
-  const Outcome outcome = run("--set on_error=skip" + d2);
+  const Outcome outcome = run_small("--set on_error=skip" + d2);
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("method \"dna\" cannot process 1 of 9 models, which count as not found: 3 ("));
   EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("omitted")));
@@ -266,9 +250,8 @@ TEST_F(RunCommand, DoesNotOverwriteTheFilesItReads) {
         refusal("sets/summary.json")},
        {"run " + quoted("small.json") + " -o " + quoted("data"), refusal("data")}});
   EXPECT_FALSE(fs::exists(at("sets/manifest.json")));
-  ASSERT_EQ(run().status, 0);
-  expect_error_line(run_executable("run --replay " + quoted("out/manifest.json") + " -o " + quoted("out")),
-                    "would overwrite the input");
+  ASSERT_EQ(run_small().status, 0);
+  expect_error_line(run("run --replay @out/manifest.json -o @out"), "would overwrite the input");
 }
 
 TEST_F(RunCommand, CountsOffsetsBelowTheGapsInAllOutputs) {
@@ -276,15 +259,16 @@ TEST_F(RunCommand, CountsOffsetsBelowTheGapsInAllOutputs) {
   open_box.triangles = open_box.triangles.bottomRows(open_box.triangles.rows() - 8).eval();
   write_off(at("data/T1.off"), open_box);
   const std::string field = R"(--set 'signatures.0.field={"type":"offset_sdf","offset":0.005}')";
-  const Outcome outcome = succeeded(run(field));
+  const Outcome outcome = succeeded(run_small(field));
   EXPECT_THAT(outcome.errors, HasSubstr("warning: 1 of 9 shapes have gaps wider than the offset of the field "));
   EXPECT_THAT(text_of(at("out/report.html")), HasSubstr("1 of 9 shapes have gaps wider than the offset"));
   const auto fields = nlohmann::json::parse(text_of(at("out/manifest.json")))["fields"];
   EXPECT_EQ(fields[0]["shapes_with_gaps_wider_than_offset"], 1);
   EXPECT_FALSE(fields[1].contains("shapes_with_gaps_wider_than_offset")) << "the cone has no offset";
-  EXPECT_THAT(run("--replace " + field + R"( --set 'perturbations=[{"type":"remove_faces","fraction":0.3}]')").errors,
-              HasSubstr("have the outside on both sides"));
-  EXPECT_EQ(run("--replace --set 'signatures.0.field={\"type\":\"offset_sdf\",\"offset\":\"auto\"}'").errors, "")
+  EXPECT_THAT(
+      run_small("--replace " + field + R"( --set 'perturbations=[{"type":"remove_faces","fraction":0.3}]')").errors,
+      HasSubstr("have the outside on both sides"));
+  EXPECT_EQ(run_small("--replace --set 'signatures.0.field={\"type\":\"offset_sdf\",\"offset\":\"auto\"}'").errors, "")
       << "auto closes the opening";
 }
 
@@ -294,7 +278,7 @@ TEST_F(RunCommand, ComparisonsWarnOfOffsetsBelowTheGaps) {
     {"name": "b", "file": "data/T0.off", "perturbations": [{"type": "remove_faces", "fraction": 0.3}]}],
     "signatures": [
     {"name": "offset", "field": {"type": "offset_sdf", "offset": 0.005}, "histogram": {"range": "per-shape"}}]})");
-  const Outcome outcome = succeeded(run_executable("run " + quoted("comparison.json") + " --output " + quoted("two")));
+  const Outcome outcome = succeeded(run("run @comparison.json --output @two"));
   EXPECT_THAT(outcome.errors, HasSubstr("warning: 1 of 2 shapes have gaps wider than the offset of the field "));
   EXPECT_THAT(text_of(at("two/summary.md")), HasSubstr("1 of 2 shapes have gaps wider than the offset"));
   EXPECT_EQ(nlohmann::json::parse(text_of(at("two/manifest.json")))["fields"][0]["shapes_with_gaps_wider_than_offset"],

@@ -123,29 +123,26 @@ TEST_F(SearchCommand, WritesAPage) {
 
 TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
   expect_error_line(run_executable("search"), "paths is required");
-  expect_error_line(run_executable("search " + quoted("query.off")), "is not a collection");
-  expect_error_line(run_executable("search " + quoted("absent")), "No such file or directory");
+  expect_error_line(run("search @query.off"), "is not a collection");
+  expect_error_line(run("search @absent"), "No such file or directory");
   expect_error_line(search("query.off", "-k 0"), "--count");
   expect_error_line(search("query.off", "--signature d3"), "did you mean");
   expect_error_line(search("query.off", "--index " + quoted("query.off")), "--index");
   expect_error_line(search("query.off", "--index " + quoted("models/T1.off")), "is not an index");
   expect_error_line(search("query.off", "-o " + quoted("o.html") + " --index " + quoted("o.html")),
                     "--index and --output would both be written to");
-  expect_error_line(run_executable("search " + quoted("query.off") + " " + quoted("models") + " --signature d2"),
-                    "require --configuration");
+  expect_error_line(run("search @query.off @models --signature d2"), "require --configuration");
   expect_error_line(search("query.off", "--articulated"), "--articulated");
 }
 
 TEST_F(SearchCommand, ArticulatedSelectsAnotherMethodAndIndex) {
-  const Outcome outcome = succeeded(run_executable("search " + quoted("query.off") + " " + quoted("models") +
-                                                   " -k 3 --articulated --cache " + quoted("cache")));
+  const Outcome outcome = succeeded(run("search @query.off @models -k 3 --articulated --cache @cache"));
   for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
   EXPECT_TRUE(std::filesystem::exists(at("models.recommended_articulated.search-index")));
 }
 
 TEST_F(SearchCommand, ReRanksAndUsesTheRecommendedMethodByDefault) {
-  const Outcome outcome = succeeded(run_executable("search " + quoted("query.off") + " " + quoted("models") +
-                                                   " -k 3 --rerank --format json --cache " + quoted("cache")));
+  const Outcome outcome = succeeded(run("search @query.off @models -k 3 --rerank --format json --cache @cache"));
   const nlohmann::json json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["reranked"], true);
   EXPECT_EQ(json["queries"][0]["results"].size(), 3U);

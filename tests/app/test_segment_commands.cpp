@@ -144,8 +144,7 @@ TEST_F(SegmentCommands, EvaluateSegmentationTellsMethodsFromPeople) {
   write_text(at("good/1.seg"), segments(7, 8));
   write_text(at("good/21.seg"), segments(5, 5));
   for (const char* name : {"none/1.seg", "none/21.seg"}) write_text(at(name), segments(0, 0));
-  const Outcome outcome = run("evaluate-segmentation @good @none --benchmark @psb --format json");
-  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const Outcome outcome = succeeded(run("evaluate-segmentation @good @none --benchmark @psb --format json"));
   const auto json = nlohmann::json::parse(outcome.output);
   ASSERT_EQ(json["methods"].size(), 3U);
   EXPECT_EQ(json["methods"][0]["name"], "good");

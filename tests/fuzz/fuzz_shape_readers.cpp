@@ -26,31 +26,21 @@ void promise_sound(const Shape& shape) {
   promise(polygons.front() >= 0 && polygons.back() < polygon_count(shape), "polygons are within range");
 }
 
-using Read = Shape (*)(const std::string& bytes, const std::string& name);
-using Check = void (*)(const std::string& bytes, const std::string& name);
-
 /// The reader and the check of headers before long runs, which must accept every readable file.
-bool read_with(Read read, Check check, std::string_view bytes) {
-  const std::string copy(bytes);
-  const std::string name = "shape";
-  const bool is_read = is_accepted("shape:", [&] { promise_sound(read(copy, name)); });
-  const bool is_checked = is_accepted("shape:", [&] { check(copy, name); });
+bool read_with(const ShapeFormat& format, std::string_view bytes) {
+  const ShapeSource source{.bytes = std::string(bytes), .name = "shape"};
+  const bool is_read = is_accepted("shape:", [&] { promise_sound(format.read(source)); });
+  const bool is_checked = is_accepted("shape:", [&] { format.check_header(source.bytes, source.name); });
   promise(!is_read || is_checked, "the header of what can be read is accepted");
   return is_read;
 }
 
 }  // namespace
 
-bool read_off(std::string_view bytes) { return read_with(shapegauge::read_off, check_off_header, bytes); }
-bool read_obj(std::string_view bytes) { return read_with(shapegauge::read_obj, check_obj_header, bytes); }
-bool read_ply(std::string_view bytes) { return read_with(shapegauge::read_ply, check_ply_header, bytes); }
-bool read_stl(std::string_view bytes) { return read_with(shapegauge::read_stl, check_stl_header, bytes); }
-
-bool read_gltf(std::string_view bytes) {
-  const auto read = [](const std::string& copy, const std::string& name) {
-    return shapegauge::read_gltf({.bytes = copy, .name = name});
-  };
-  return read_with(read, check_gltf_header, bytes);
-}
+bool read_off(std::string_view bytes) { return read_with(off_format(), bytes); }
+bool read_obj(std::string_view bytes) { return read_with(obj_format(), bytes); }
+bool read_ply(std::string_view bytes) { return read_with(ply_format(), bytes); }
+bool read_stl(std::string_view bytes) { return read_with(stl_format(), bytes); }
+bool read_gltf(std::string_view bytes) { return read_with(gltf_format(), bytes); }
 
 }  // namespace shapegauge::fuzz

@@ -158,8 +158,7 @@ TEST(MinClassEffect, GrowsWithPairsAndFallsWithClasses) {
 
 TEST(MethodComparison, TheTTestWeighsUnitsAsTheAverageDoes) {
   // One class of three queries and one of one: under macro the last query counts three times as much as the others.
-  Eigen::MatrixXd per_query(4, 2);
-  per_query << 0.5, 0.4, 0.7, 0.4, 0.3, 0.1, 0.9, 0.2;
+  const Eigen::MatrixXd per_query{{0.5, 0.4}, {0.7, 0.4}, {0.3, 0.1}, {0.9, 0.2}};
   const std::vector<int> classes = {0, 0, 0, 1};
   const MethodComparison result = compare_methods(
       per_query, classes, {.test = PairTest::t, .blocks = ResamplingUnit::queries, .average = Average::macro});

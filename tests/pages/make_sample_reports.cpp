@@ -24,7 +24,6 @@ int main(int argument_count, char** arguments) {
   write_file_atomically(folder / "plain.html", report_page(test_report::plain_report().report));
   write_file_atomically(folder / "crowded.html", report_page(test_report::crowded_report().report));
   write_file_atomically(folder / "leaderboard.html", leaderboard_page(test_leaderboard::sample_leaderboard().page));
-  write_file_atomically(folder / "multi_dataset.html",
-                        multi_dataset_page(test_multi_dataset::sample_multi_dataset().page));
+  write_file_atomically(folder / "multi_dataset.html", multi_dataset_page(test_multi_dataset::sample_multi_dataset()));
   return 0;
 }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "shapegauge/metrics/homogeneous_groups.h"
-
 namespace shapegauge::test_multi_dataset {
 
 namespace {
@@ -25,9 +23,8 @@ Eigen::MatrixXd collected_values(int variant) {
   return values;
 }
 
-SampleMultiDataset made_sample() {
-  SampleMultiDataset sample;
-  MultiDatasetPage& page = sample.page;
+MultiDatasetPage made_sample() {
+  MultiDatasetPage page;
   page.title = "</title></script><script>alert(1)</script> & \"sets\"";
   page.description = "<b>All</b> of them.";
   page.methods = {"<img src=x> & co"};
@@ -45,31 +42,26 @@ SampleMultiDataset made_sample() {
     for (const Average average : {Average::micro, Average::macro}) {
       for (const char* measure : {"NN", "mAP"}) {
         const Eigen::MatrixXd values = collected_values(++variant);
+        const RankComparison ranks = compare_by_ranks(values);
         page.tables.push_back({.protocol = protocol,
                                .average = average,
                                .measure = measure,
                                .values = values,
-                               .ranks = nullptr,
-                               .letters = {},
-                               .words = "Friedman's test: chi-squared 1.00."});
-        sample.ranks.push_back(compare_by_ranks(values));
+                               .ranks = ranks,
+                               .rank_intervals = rank_intervals(ranks.ranks)});
+        page.words.emplace_back("Friedman's test: chi-squared 1.00.");
       }
     }
   }
-  for (std::size_t i = 0; i < page.tables.size(); ++i) {
-    page.tables[i].ranks = &sample.ranks[i];
-    page.tables[i].rank_intervals = rank_intervals(sample.ranks[i].ranks);
-    page.tables[i].letters = compact_letters(page.methods.size(), sample.ranks[i].groups);
-  }
   page.main_measure = "mAP";
   page.failures = {{"gone <i>", "no such folder </script>"}};
-  return sample;
+  return page;
 }
 
 }  // namespace
 
-const SampleMultiDataset& sample_multi_dataset() {
-  static const SampleMultiDataset sample = made_sample();
+const MultiDatasetPage& sample_multi_dataset() {
+  static const MultiDatasetPage sample = made_sample();
   return sample;
 }
 

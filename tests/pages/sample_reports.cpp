@@ -68,13 +68,13 @@ void add_hostile_words(Report& report) {
 }
 
 /// Intervals of a hundredth to either side.
-std::vector<ReportIntervals> intervals_around(const std::vector<Evaluation>& evaluations) {
+std::vector<EvaluationIntervals> intervals_around(const std::vector<Evaluation>& evaluations) {
   const auto around = [](const Eigen::VectorXd& values) {
     std::vector<ConfidenceInterval> intervals;
     for (const double value : values) intervals.push_back({.low = value - 0.01, .high = value + 0.01});
     return intervals;
   };
-  std::vector<ReportIntervals> all;
+  std::vector<EvaluationIntervals> all;
   for (const Evaluation& evaluation : evaluations) {
     all.push_back({.confidence = 0.9, .micro = around(evaluation.micro), .macro = around(evaluation.macro)});
   }

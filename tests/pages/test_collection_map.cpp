@@ -20,8 +20,7 @@ Eigen::MatrixXd distances_between(const Eigen::MatrixX2d& points) {
 }
 
 TEST(PlaneEmbedding, RestoresPointsOfThePlaneUpToMotion) {
-  Eigen::MatrixX2d points(6, 2);
-  points << 0, 0, 5, 1, 2, 3, -1, 4, 7, -2, 3, 3;
+  const Eigen::MatrixX2d points{{0, 0}, {5, 1}, {2, 3}, {-1, 4}, {7, -2}, {3, 3}};
   const Eigen::MatrixXd distances = distances_between(points);
   const Eigen::MatrixX2d places = plane_embedding(distances);
   EXPECT_TRUE(distances_between(places).isApprox(distances, 1e-9));
@@ -33,8 +32,7 @@ TEST(PlaneEmbedding, RestoresPointsOfThePlaneUpToMotion) {
 }
 
 TEST(PlaneEmbedding, ModelsWithoutDistancesHaveNoPosition) {
-  Eigen::MatrixX2d points(3, 2);
-  points << 0, 0, 4, 0, 0, 3;
+  const Eigen::MatrixX2d points{{0, 0}, {4, 0}, {0, 3}};
   Eigen::MatrixXd distances = Eigen::MatrixXd::Constant(4, 4, infinity);
   distances.topLeftCorner(3, 3) = distances_between(points);
   distances(3, 3) = 0;

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(MultiDatasetPage, EscapesNames) {
-  const std::string page = multi_dataset_page(test_multi_dataset::sample_multi_dataset().page);
+  const std::string page = multi_dataset_page(test_multi_dataset::sample_multi_dataset());
   EXPECT_EQ(test::occurrences(page, "</script>"), 3U) << "the library, the data, the scripts";
   EXPECT_EQ(test::occurrences(page, "</title>"), 1U);
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));
@@ -23,21 +23,21 @@ TEST(MultiDatasetPage, EscapesNames) {
 }
 
 TEST(MultiDatasetPage, HasTheValuesRanksAndGroupsOfEachTable) {
-  const auto& sample = test_multi_dataset::sample_multi_dataset();
-  const auto json = test::data_in(multi_dataset_page(sample.page));
+  const MultiDatasetPage& sample = test_multi_dataset::sample_multi_dataset();
+  const auto json = test::data_in(multi_dataset_page(sample));
   ASSERT_EQ(json["tables"].size(), 8U);
   const auto& table = json["tables"][5];
   EXPECT_EQ(table["average"], "micro");
-  EXPECT_NEAR(table["values"][3][2].get<double>(), sample.page.tables[5].values(3, 2), 1e-5);
-  EXPECT_NEAR(table["mean_ranks"][4].get<double>(), sample.ranks[5].mean_ranks[4], 1e-4);
-  EXPECT_EQ(table["groups"].size(), sample.ranks[5].groups.size());
+  EXPECT_NEAR(table["values"][3][2].get<double>(), sample.tables[5].values(3, 2), 1e-5);
+  EXPECT_NEAR(table["mean_ranks"][4].get<double>(), sample.tables[5].ranks.mean_ranks[4], 1e-4);
+  EXPECT_EQ(table["groups"].size(), sample.tables[5].ranks.groups.size());
   EXPECT_EQ(table["pairs"].size(), 66U);
-  EXPECT_EQ(table["rank_intervals"][11][1], sample.page.tables[5].rank_intervals[11].worst);
+  EXPECT_EQ(table["rank_intervals"][11][1], sample.tables[5].rank_intervals[11].worst);
   EXPECT_EQ(json["failures"][0][1], "no such folder </script>");
 }
 
 TEST(MultiDatasetPage, HasNoCriticalDifferenceOfOneDataSet) {
-  const RankComparison ranks = compare_by_ranks((Eigen::MatrixXd(1, 2) << 1, 0).finished());
+  const Eigen::MatrixXd values{{1, 0}};
   const MultiDatasetPage one{.title = "one",
                              .description = {},
                              .methods = {"a", "b"},
@@ -45,10 +45,9 @@ TEST(MultiDatasetPage, HasNoCriticalDifferenceOfOneDataSet) {
                              .tables = {{.protocol = "psb",
                                          .average = Average::micro,
                                          .measure = "NN",
-                                         .values = (Eigen::MatrixXd(1, 2) << 1, 0).finished(),
-                                         .ranks = &ranks,
-                                         .letters = {"a", "a"},
-                                         .words = {}}},
+                                         .values = values,
+                                         .ranks = compare_by_ranks(values)}},
+                             .words = {""},
                              .main_measure = "NN",
                              .failures = {}};
   EXPECT_THAT(multi_dataset_page(one), HasSubstr("\"critical_difference\":null"));

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <png.h>
 #include <string>
 #include <tbb/global_control.h>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "shapegauge/core/render/splats.h"
 #include "shapegauge/pages/html_page.h"
 #include "tests/pages/sample_views.h"
+#include "tests/support/decoded_png.h"
 #include "tests/support/page_text.h"
 #include "tests/support/test_shapes.h"
 
@@ -187,15 +187,10 @@ TEST(CentralRange, ExcludesTwoPercentOfTheAreaAtEachEnd) {
 }
 
 TEST(ShapeViewPicture, IsSquareWithATransparentBackground) {
-  const std::string png = shape_view_picture(test_view::balls(), 64);
-  png_image header = {};
-  header.version = PNG_IMAGE_VERSION;
-  ASSERT_NE(png_image_begin_read_from_memory(&header, png.data(), png.size()), 0);
-  header.format = PNG_FORMAT_RGBA;
-  EXPECT_EQ(header.width, 64U);
-  EXPECT_EQ(header.height, 64U);
-  std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(header));
-  png_image_finish_read(&header, nullptr, pixels.data(), 0, nullptr);
+  const auto [width, height, pixels] = test::decoded(shape_view_picture(test_view::balls(), 64));
+  EXPECT_EQ(width, 64);
+  EXPECT_EQ(height, 64);
+  ASSERT_EQ(pixels.size(), 4U * 64 * 64);
   EXPECT_EQ(pixels[3], 0);
   int yellow = 0;
   int dark = 0;

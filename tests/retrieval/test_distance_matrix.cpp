@@ -36,10 +36,8 @@ TEST(DistanceMatrix, ListsItsDistances) {
 }
 
 TEST(DistanceMatrix, SmallExample) {
-  Signatures signatures(3, 2);
-  signatures << 0, 0, 1, 2, -1, 0.5F;
-  DistanceMatrix expected(3, 3);
-  expected << 0, 3, 1.5, 3, 0, 3.5, 1.5, 3.5, 0;
+  const Signatures signatures{{0, 0}, {1, 2}, {-1, 0.5F}};
+  const DistanceMatrix expected{{0, 3, 1.5}, {3, 0, 3.5}, {1.5, 3.5, 0}};
   EXPECT_EQ(distance_matrix(signatures), expected);
 }
 

@@ -242,13 +242,10 @@ TEST(Concatenate, KeepsTheProportionOfPartsOfUnequalSum) {
 }
 
 TEST(Concatenate, WorksRowByRow) {
-  Signatures left(2, 1);
-  left << 1, 2;
-  Signatures right(2, 2);
-  right << 1, 0, 0, 2;
+  const Signatures left{{1}, {2}};
+  const Signatures right{{1, 0}, {0, 2}};
   const std::vector<Signatures> parts = {left, right};
-  Signatures expected(2, 3);
-  expected << 0.5F, 0.5F, 0, 0.5F, 0, 0.5F;
+  const Signatures expected{{0.5F, 0.5F, 0}, {0.5F, 0, 0.5F}};
   EXPECT_EQ(concatenate(parts), expected);
 }
 

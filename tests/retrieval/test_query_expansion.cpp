@@ -50,8 +50,7 @@ TEST(QueryExpansion, MatchesTheDefinition) {
 }
 
 TEST(QueryExpansion, IsTheWeightedMeanOfRows) {
-  Eigen::MatrixXd points(3, 1);
-  points << 0, 1, 3;
+  const Eigen::MatrixXd points{{0}, {1}, {3}};
   // Rows with their nearest: (0 1 3) + (1 0 2) / 2, over 1.5; (1 0 2) + (0 1 3) / 2; (3 2 0) + (1 0 2) / 2.
   const DistanceMatrix found = query_expansion(distances_of(points), {.neighbours = 1});
   EXPECT_NEAR(found(0, 1), ((1 + 0.0) / 1.5 + (1 + 0.0) / 1.5) / 2, 1e-15);

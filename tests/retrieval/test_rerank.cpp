@@ -155,8 +155,7 @@ TEST_P(Reranking, RejectsInvalidDistances) {
 }
 
 TEST(NearestModels, AreSortedWithTiesByIndex) {
-  DistanceMatrix distances(4, 4);
-  distances << 0, 2, 1, 2, 2, 0, 3, 1, 1, 3, 0, 3, 2, 1, 3, 0;
+  const DistanceMatrix distances{{0, 2, 1, 2}, {2, 0, 3, 1}, {1, 3, 0, 3}, {2, 1, 3, 0}};
   const NearestModels nearest = nearest_models(4, 2, rows_of(distances));
   EXPECT_EQ(nearest.indices.row(0), (Eigen::RowVector2i{2, 1}));
   EXPECT_EQ(nearest.indices.row(1), (Eigen::RowVector2i{3, 0}));

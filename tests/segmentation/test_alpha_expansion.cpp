@@ -5,9 +5,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
-#include <map>
 #include <rapidcheck/gtest.h>
-#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -115,8 +113,8 @@ RC_GTEST_PROP(AlphaExpansion, IsCloseToTheBestOfAllLabellings, ()) {
 }
 
 TEST(AlphaExpansion, StrongEdgesKeepNeighboursTogether) {
-  Eigen::MatrixXd costs(4, 2);
-  costs << 0, 5, 2, 0, 0, 2, 5, 0;  // the data terms of the two in the middle favour the opposite labels
+  const Eigen::MatrixXd costs{
+      {0, 5}, {2, 0}, {0, 2}, {5, 0}};  // the data terms of the two in the middle favour the opposite labels
   std::vector<LabelEdge> edges = {{0, 1, 3}, {1, 2, 0.5}, {2, 3, 3}};
   EXPECT_EQ(alpha_expansion(costs, edges, {0, 0, 0, 0}), (Labels{0, 0, 1, 1}));
   for (LabelEdge& edge : edges) edge.cost = 0.1;
@@ -125,8 +123,7 @@ TEST(AlphaExpansion, StrongEdgesKeepNeighboursTogether) {
 
 TEST(AlphaExpansion, AnEdgePullsEitherEnd) {
   // The data term of one node favours the first label by 2, the other must have the second; the edge costs 3.
-  Eigen::MatrixXd costs(2, 2);
-  costs << 0, 2, 10, 0;
+  const Eigen::MatrixXd costs{{0, 2}, {10, 0}};
   EXPECT_EQ(alpha_expansion(costs, {{0, 1, 3}}, {0, 1}), (Labels{1, 1}));
   EXPECT_EQ(alpha_expansion(costs, {{1, 0, 3}}, {0, 1}), (Labels{1, 1}));
 }

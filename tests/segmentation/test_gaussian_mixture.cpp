@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -48,8 +47,7 @@ TEST(GaussianMixture, DensityOfOneComponentIsThatOfTheNormalDistribution) {
 }
 
 TEST(GaussianMixture, OfOneComponentHasTheMeanAndTheVarianceOfThePoints) {
-  Eigen::MatrixXd points(4, 2);
-  points << 1, 5, 2, 5, 4, 5, 5, 5;  // the second coordinate is constant
+  const Eigen::MatrixXd points{{1, 5}, {2, 5}, {4, 5}, {5, 5}};  // the second coordinate is constant
   const GaussianMixture mixture = fit_gaussian_mixture(points, 1);
   EXPECT_DOUBLE_EQ(mixture.weights[0], 1);
   EXPECT_DOUBLE_EQ(mixture.means(0, 0), 3);

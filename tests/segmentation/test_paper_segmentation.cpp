@@ -72,8 +72,7 @@ bool falls_apart(double smoothness, double length, double concavity) {
   std::vector<test::HandMadeLink> links = test::chain({1, 1, length, 1, 1});
   links[2].concavity = concavity;
   const SurfaceGraph graph = test::hand_made_graph(std::vector<double>(6, 1), links);
-  Eigen::VectorXd values(6);
-  values << 1, 1, 1, 2, 2, 2;
+  const Eigen::VectorXd values{{1, 1, 1, 2, 2, 2}};
   const std::vector<ScalarField> fields = {{values, graph.samples.weights}};
   const std::vector<std::int32_t> parts =
       paper_segmentation(graph, fields, {.patches = {.count = 6}, .clusters = 2, .smoothness = smoothness});

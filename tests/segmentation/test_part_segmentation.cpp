@@ -114,11 +114,8 @@ TEST(PartSegmentation, SliversAreNoParts) {
 }
 
 TEST(PartSegmentation, ANeedleIsOnePart) {
-  Shape shape;
-  shape.vertices.resize(3, 3);
-  shape.vertices << 0, 0, 0, 0.3, 0.5, 0.7, 0.3, 0.5, 0.7 + 1e-10;
-  shape.triangles.resize(1, 3);
-  shape.triangles << 0, 1, 2;
+  const Shape shape{.vertices = Points{{0, 0, 0}, {0.3, 0.5, 0.7}, {0.3, 0.5, 0.7 + 1e-10}},
+                    .triangles = Triangles{{0, 1, 2}}};
   EXPECT_EQ(part_segmentation(shape, {}), (Labels{0}));
 }
 
@@ -149,10 +146,7 @@ TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
 }
 
 TEST(PartSegmentation, OfOneTriangle) {
-  Shape shape;
-  shape.vertices = Points::Identity(3, 3);
-  shape.triangles.resize(1, 3);
-  shape.triangles << 0, 1, 2;
+  const Shape shape{.vertices = Points::Identity(3, 3), .triangles = Triangles{{0, 1, 2}}};
   EXPECT_EQ(part_segmentation(shape, {}), (Labels{0}));
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
@@ -22,16 +21,14 @@ TEST(PatchFeatures, AreSharesOfWeightBelowEachLevel) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 1};
   // In order, 2, 5, 6 and 10 are at 0.5, 1.5, 3.5 and 5.5 sixths of the weight; levels are at 1/8, 3/8, 5/8 and 7/8.
   const std::vector<ScalarField> fields = {field({2, 6, 10, 5}, {1, 3, 1, 1})};
-  Eigen::MatrixXd expected(2, 4);
-  expected << 0.25, 0.25, 1, 1, 0, 0.5, 0.5, 0.5;
+  const Eigen::MatrixXd expected{{0.25, 0.25, 1, 1}, {0, 0.5, 0.5, 0.5}};
   EXPECT_TRUE(patch_features(patch, fields, 4).isApprox(expected, 1e-12)) << patch_features(patch, fields, 4);
 }
 
 TEST(PatchFeatures, LeaveOutWhatIsMissing) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 2};
   const std::vector<ScalarField> fields = {field({0, nan, 1, nan}, {1, 1, 3, 1})};
-  Eigen::MatrixXd expected(3, 2);
-  expected << 1, 1, 0, 1, 0.25, 1;  // the last patch has the distribution of the whole
+  const Eigen::MatrixXd expected{{1, 1}, {0, 1}, {0.25, 1}};  // the last patch has the distribution of the whole
   EXPECT_TRUE(patch_features(patch, fields, 2).isApprox(expected, 1e-12));
 }
 
@@ -48,8 +45,7 @@ TEST(PatchFeatures, OfAnIncreasingFunctionAreTheSame) {
 TEST(PatchFeatures, OfSeveralFieldsStandSideBySide) {
   const std::vector<std::int32_t> patch = {0, 1};
   const std::vector<ScalarField> fields = {field({0, 1}, {1, 1}), field({5, 5}, {1, 1})};
-  Eigen::MatrixXd expected(2, 2);
-  expected << 1, 1, 0, 1;
+  const Eigen::MatrixXd expected{{1, 1}, {0, 1}};
   EXPECT_TRUE(patch_features(patch, fields, 1).isApprox(expected, 1e-12));
 }
 

@@ -21,10 +21,7 @@ class SegFile : public ::testing::Test {
  protected:
   /// A mesh with the given number of triangles.
   static Shape mesh_of(Eigen::Index triangles) {
-    Shape mesh;
-    mesh.vertices = Points::Zero(3, 3);
-    mesh.triangles = Triangles::Zero(triangles, 3);
-    return mesh;
+    return {.vertices = Points::Zero(3, 3), .triangles = Triangles::Zero(triangles, 3)};
   }
 
   void write(const std::string& text) const { test::write_text(path_, text); }

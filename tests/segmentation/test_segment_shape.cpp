@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/paper_segmentation.h"

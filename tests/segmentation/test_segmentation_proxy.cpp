@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numeric>
-#include <set>
 
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/perturbation/perturbations.h"

@@ -13,11 +13,8 @@ using Labels = std::vector<std::int32_t>;
 
 TEST(SoundMesh, DegenerateTrianglesBelongToTheClosest) {
   // Two triangles far apart; the others are a point of the first, an edge of the second, and a duplicate of the second.
-  Shape mesh;
-  mesh.vertices.resize(7, 3);
-  mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0, 5, 1, 0;
-  mesh.triangles.resize(5, 3);
-  mesh.triangles << 1, 1, 1, 0, 1, 2, 3, 5, 6, 3, 4, 5, 5, 4, 3;
+  const Shape mesh{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 1, 0}},
+                   .triangles = Triangles{{1, 1, 1}, {0, 1, 2}, {3, 5, 6}, {3, 4, 5}, {5, 4, 3}}};
   const SoundMesh sound = sound_mesh(mesh);
   ASSERT_EQ(sound.shape.triangles.rows(), 2);
   EXPECT_EQ(sound.shape.triangles.row(0), mesh.triangles.row(1));
@@ -42,16 +39,12 @@ TEST(SoundMesh, DegenerateTrianglesMayBeFarAway) {
 TEST(SoundMesh, LeavesOtherMeshesAndCloudsAsTheyAre) {
   const Shape sphere = test::sphere(1, 2);
   EXPECT_EQ(sound_mesh(sphere).shape.triangles, sphere.triangles);
-  Shape cloud;
-  cloud.vertices = Points::Identity(3, 3);
+  const Shape cloud{.vertices = Points::Identity(3, 3), .triangles = {}};
   EXPECT_EQ(sound_mesh(cloud).extended({1, 2, 3}), (Labels{1, 2, 3}));
 }
 
 TEST(SoundMesh, RefusesAMeshOfDegenerateTriangles) {
-  Shape mesh;
-  mesh.vertices = Points::Identity(3, 3);
-  mesh.triangles.resize(1, 3);
-  mesh.triangles << 0, 1, 1;
+  const Shape mesh{.vertices = Points::Identity(3, 3), .triangles = Triangles{{0, 1, 1}}};
   EXPECT_THROW(sound_mesh(mesh), InputError);
 }
 

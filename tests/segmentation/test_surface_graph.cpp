@@ -18,12 +18,8 @@ namespace {
 
 /// Two squares of two triangles each that meet at the y axis; the right one rises with slope `slope`.
 Shape valley(double slope) {
-  Shape shape;
-  shape.vertices.resize(6, 3);
-  shape.vertices << 0, 0, 0, 0, 1, 0, -1, 0, 0, -1, 1, 0, 1, 0, slope, 1, 1, slope;
-  shape.triangles.resize(4, 3);
-  shape.triangles << 0, 1, 2, 2, 1, 3, 0, 4, 1, 4, 5, 1;
-  return shape;
+  return {.vertices = Points{{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, 1, 0}, {1, 0, slope}, {1, 1, slope}},
+          .triangles = Triangles{{0, 1, 2}, {2, 1, 3}, {0, 4, 1}, {4, 5, 1}}};
 }
 
 double concavity(const SurfaceGraph& graph, std::int32_t from, std::int32_t to) {
@@ -127,11 +123,8 @@ TEST(SurfaceGraph, TrianglesOnBothSidesOfAGapAreLinkedAtItsVertices) {
 
 TEST(SurfaceGraph, TriangleThatIsLooseBetweenGapsIsLinkedToThoseAroundIt) {
   // A strip without every second triangle: the others meet only at vertices.
-  Shape strip;
-  strip.vertices.resize(5, 3);
-  strip.vertices << 0, 0, 0, 1, 1, 0, 2, 0, 0, 3, 1, 0, 4, 0, 0;
-  strip.triangles.resize(2, 3);
-  strip.triangles << 0, 2, 1, 2, 4, 3;
+  const Shape strip{.vertices = Points{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {3, 1, 0}, {4, 0, 0}},
+                    .triangles = Triangles{{0, 2, 1}, {2, 4, 3}}};
   const SurfaceGraph graph = surface_graph(strip);
   ASSERT_THAT(link_counts(graph, 2), testing::ElementsAre(1, 1));
   // At (2, 0, 0), from centroid to centroid, and as wide as half of the longer edges there.

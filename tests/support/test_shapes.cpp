@@ -14,15 +14,6 @@ namespace shapegauge::test {
 
 namespace {
 
-Shape shape_of(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Eigen::Vector3i>& triangles) {
-  Shape shape;
-  shape.vertices.resize(static_cast<Eigen::Index>(vertices.size()), 3);
-  shape.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t i = 0; i < vertices.size(); ++i) shape.vertices.row(static_cast<Eigen::Index>(i)) = vertices[i];
-  for (std::size_t i = 0; i < triangles.size(); ++i) shape.triangles.row(static_cast<Eigen::Index>(i)) = triangles[i];
-  return shape;
-}
-
 /// Splits every triangle into four; the midpoints of the edges become vertices.
 void subdivide(std::vector<Eigen::Vector3d>& vertices, std::vector<Eigen::Vector3i>& triangles) {
   std::map<std::pair<int, int>, int> midpoints;
@@ -63,10 +54,39 @@ Shape revolved(const std::vector<Eigen::Vector2d>& profile, int around) {
     }
     triangles.emplace_back(at(rings, i), at(rings, i + 1), top);
   }
-  return shape_of(vertices, triangles);
+  return mesh_of(vertices, triangles);
 }
 
 }  // namespace
+
+Shape mesh_of(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Eigen::Vector3i>& triangles) {
+  Shape shape{Points(std::ssize(vertices), 3), Triangles(std::ssize(triangles), 3)};
+  for (std::size_t i = 0; i < vertices.size(); ++i) shape.vertices.row(static_cast<Eigen::Index>(i)) = vertices[i];
+  for (std::size_t i = 0; i < triangles.size(); ++i) shape.triangles.row(static_cast<Eigen::Index>(i)) = triangles[i];
+  return shape;
+}
+
+Shape soup_of(const std::vector<Eigen::Vector3d>& corners) {
+  std::vector<Eigen::Vector3i> triangles;
+  for (int i = 0; i < std::ssize(corners); i += 3) triangles.emplace_back(i, i + 1, i + 2);
+  return mesh_of(corners, triangles);
+}
+
+Shape rectangle(double width, double height, int nx, int ny) {
+  std::vector<Eigen::Vector3d> vertices;
+  for (int y = 0; y <= ny; ++y) {
+    for (int x = 0; x <= nx; ++x) vertices.emplace_back(width * x / nx, height * y / ny, 0);
+  }
+  std::vector<Eigen::Vector3i> triangles;
+  const auto vertex = [nx](int x, int y) { return y * (nx + 1) + x; };
+  for (int y = 0; y < ny; ++y) {
+    for (int x = 0; x < nx; ++x) {
+      triangles.emplace_back(vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1));
+      triangles.emplace_back(vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1));
+    }
+  }
+  return mesh_of(vertices, triangles);
+}
 
 Shape sphere(double radius, int subdivisions) {
   const double g = std::numbers::phi;
@@ -79,7 +99,7 @@ Shape sphere(double radius, int subdivisions) {
                                             {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   for (int i = 0; i < subdivisions; ++i) subdivide(vertices, triangles);
   for (Eigen::Vector3d& vertex : vertices) vertex *= radius;
-  return shape_of(vertices, triangles);
+  return mesh_of(vertices, triangles);
 }
 
 Shape box(const Eigen::Vector3d& size, int n) {
@@ -112,7 +132,7 @@ Shape box(const Eigen::Vector3d& size, int n) {
       }
     }
   }
-  return shape_of(vertices, triangles);
+  return mesh_of(vertices, triangles);
 }
 
 Shape capsule(double radius, double length, int around, int rings) {
@@ -140,7 +160,7 @@ Shape torus(double ring, double tube, int around, int along) {
       triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
   }
-  return shape_of(vertices, triangles);
+  return mesh_of(vertices, triangles);
 }
 
 Shape joined(const std::vector<Shape>& parts) {

@@ -3,13 +3,21 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "shapegauge/core/shape/shape.h"
 
 /// Shapes of known geometry, and transformations under which measures are invariant.
 namespace shapegauge::test {
+
+/// Mesh with these vertices and triangles.
+Shape mesh_of(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Eigen::Vector3i>& triangles);
+
+/// Mesh whose triangle f has the corners 3 f to 3 f + 2.
+Shape soup_of(const std::vector<Eigen::Vector3d>& corners);
+
+/// Rectangle in the plane z = 0 with a corner at the origin: a grid of 2 nx ny triangles, whose diagonals are parallel.
+Shape rectangle(double width, double height, int nx, int ny);
 
 /// Icosahedron whose triangles are split into four `subdivisions` times, vertices on the sphere about the origin.
 Shape sphere(double radius, int subdivisions);

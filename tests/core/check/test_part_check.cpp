@@ -73,14 +73,7 @@ Shape grid_solid(const std::array<Breaks, 3>& breaks, int n, const std::function
       }
     }
   }
-  Shape shape;
-  shape.vertices.resize(std::ssize(corners), 3);
-  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
-    shape.vertices.row(i) = corners[static_cast<std::size_t>(i)].transpose();
-  }
-  shape.triangles.resize(std::ssize(corners) / 3, 3);
-  for (Eigen::Index i = 0; i < shape.triangles.size(); ++i) shape.triangles.data()[i] = static_cast<std::int32_t>(i);
-  return shape;
+  return test::soup_of(corners);
 }
 
 bool everywhere(const Eigen::Vector3d& /*point*/) { return true; }
@@ -402,14 +395,13 @@ struct Section {
 Shape solid(const Polygon& polygon, const std::vector<Section>& sections) {
   const auto sides = static_cast<int>(polygon.size());
   const auto last = static_cast<int>(sections.size()) - 1;
-  Shape shape;
-  shape.vertices.resize(sides * (last + 1), 3);
-  for (int v = 0; v < shape.vertices.rows(); ++v) {
-    const Section& section = sections[static_cast<std::size_t>(v / sides)];
-    const Eigen::Vector2d corner = section.scale * polygon[static_cast<std::size_t>(v % sides)];
-    shape.vertices.row(v) << corner.x(), corner.y(), section.z;
+  std::vector<Eigen::Vector3d> vertices;
+  for (const Section& section : sections) {
+    for (const auto& corner : polygon) {
+      vertices.emplace_back(section.scale * corner.x(), section.scale * corner.y(), section.z);
+    }
   }
-  std::vector<Eigen::RowVector3i> triangles;
+  std::vector<Eigen::Vector3i> triangles;
   for (int i = 0; i < sides; ++i) {
     const int next = (i + 1) % sides;
     for (int k = 0; k < last; ++k) {
@@ -420,11 +412,7 @@ Shape solid(const Polygon& polygon, const std::vector<Section>& sections) {
     triangles.emplace_back(0, next, i);
     triangles.emplace_back(last * sides, last * sides + i, last * sides + next);
   }
-  shape.triangles.resize(std::ssize(triangles), 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    shape.triangles.row(static_cast<Eigen::Index>(t)) = triangles[t].cast<std::int32_t>();
-  }
-  return shape;
+  return test::mesh_of(vertices, triangles);
 }
 
 Shape solid(const Polygon& polygon, double length) { return solid(polygon, {{0, 1}, {length, 1}}); }

@@ -19,8 +19,7 @@ Eigen::VectorXd at_vertices(const Shape& shape, const CentricityOptions& options
 /// A flat disc of radius 1 about the origin, in rings.
 Shape disc(int rings) {
   const int around = 6 * rings;
-  Shape shape;
-  shape.vertices = Points::Zero(1 + rings * around, 3);
+  Shape shape{.vertices = Points::Zero(1 + rings * around, 3), .triangles = {}};
   std::vector<Eigen::RowVector3i> triangles;
   const auto vertex = [around](int ring, int i) { return 1 + (ring - 1) * around + i % around; };
   for (int ring = 1; ring <= rings; ++ring) {

@@ -197,9 +197,7 @@ TEST(MakeField, SecondsIncludeAllSteps) {
 
 TEST(MakeField, CountsMissingValues) {
   // A single triangle: rays hit nothing.
-  Shape shape;
-  shape.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  shape.triangles = Triangles{{0, 1, 2}};
+  const Shape shape{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = Triangles{{0, 1, 2}}};
   EXPECT_EQ(compute(make_field(settings_of("cone_sdf")), shape).outcomes.at("missing"), 1U);
 }
 

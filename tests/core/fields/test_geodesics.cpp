@@ -27,24 +27,6 @@ Eigen::VectorXd great_circles(const Shape& unit_sphere, Eigen::Index source) {
   return cosines.unaryExpr([](double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); });
 }
 
-/// A flat square of n x n cells with side 1, each split along the same diagonal: the worst case for paths along edges.
-Shape square(int n) {
-  Shape shape;
-  shape.vertices.resize((n + 1) * (n + 1), 3);
-  shape.triangles.resize(2 * n * n, 3);
-  const auto vertex = [n](int x, int y) { return y * (n + 1) + x; };
-  for (int y = 0; y <= n; ++y) {
-    for (int x = 0; x <= n; ++x) shape.vertices.row(vertex(x, y)) << double(x) / n, double(y) / n, 0;
-  }
-  for (int y = 0; y < n; ++y) {
-    for (int x = 0; x < n; ++x) {
-      shape.triangles.row(2 * (y * n + x)) << vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1);
-      shape.triangles.row(2 * (y * n + x) + 1) << vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1);
-    }
-  }
-  return shape;
-}
-
 TEST(Geodesics, GraphPathsOnASphereAreAtMostAFewPercentTooLong) {
   const Shape shape = sphere(1, 4);
   const Eigen::VectorXd exact = great_circles(shape, 7);
@@ -58,7 +40,7 @@ TEST(Geodesics, GraphPathsOnASphereAreAtMostAFewPercentTooLong) {
 TEST(Geodesics, SegmentsAcrossEdgesShortenTheWorstCase) {
   const int n = 20;
   // Between the two corners without a diagonal, paths along edges are too long by a factor of sqrt 2.
-  const Eigen::VectorXd found = geodesic_distances(square(n))(n);
+  const Eigen::VectorXd found = geodesic_distances(test::rectangle(1, 1, n, n))(n);
   EXPECT_NEAR(found[n * (n + 1)], std::sqrt(2.0), 1e-9);
 }
 

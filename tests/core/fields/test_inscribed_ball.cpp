@@ -164,11 +164,7 @@ TEST(InscribedBall, IgnoresVerticesWithoutTriangles) {
 }
 
 TEST(InscribedBall, IsMissingWithoutAContact) {
-  Shape sheet;
-  sheet.vertices.resize(3, 3);
-  sheet.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
-  sheet.triangles.resize(1, 3);
-  sheet.triangles << 0, 1, 2;
+  const Shape sheet{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = Triangles{{0, 1, 2}}};
   EXPECT_TRUE(std::isnan(at_faces(sheet)[0]));
 }
 

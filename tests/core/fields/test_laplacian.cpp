@@ -12,25 +12,6 @@ namespace {
 
 using test::sphere;
 
-/// A flat rectangle of 2 n x n cells with sides 2 and 1.
-Shape rectangle(int n) {
-  Shape shape;
-  shape.vertices.resize((2 * n + 1) * (n + 1), 3);
-  shape.triangles.resize(4 * n * n, 3);
-  const auto vertex = [n](int x, int y) { return y * (2 * n + 1) + x; };
-  for (int y = 0; y <= n; ++y) {
-    for (int x = 0; x <= 2 * n; ++x) shape.vertices.row(vertex(x, y)) << double(x) / n, double(y) / n, 0;
-  }
-  for (int y = 0; y < n; ++y) {
-    for (int x = 0; x < 2 * n; ++x) {
-      const int cell = y * 2 * n + x;
-      shape.triangles.row(2 * cell) << vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1);
-      shape.triangles.row(2 * cell + 1) << vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1);
-    }
-  }
-  return shape;
-}
-
 TEST(Laplacian, HasConstantsInItsKernelAndTheAreaAsItsMass) {
   const Shape shape = test::torus(2, 0.5, 12, 30);
   const Laplacian laplacian = cotangent_laplacian(shape);
@@ -39,7 +20,7 @@ TEST(Laplacian, HasConstantsInItsKernelAndTheAreaAsItsMass) {
 }
 
 TEST(Laplacian, EnergyOfALinearFunctionIsTheAreaTimesItsSquaredSlope) {
-  const Shape shape = rectangle(5);
+  const Shape shape = test::rectangle(2, 1, 10, 5);
   const Laplacian laplacian = cotangent_laplacian(shape);
   Eigen::VectorXd values(laplacian.mass.size());
   for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
@@ -71,7 +52,7 @@ TEST(Laplacian, KeepsMultipleEigenvalues) {
 }
 
 TEST(Laplacian, EigenvaluesOfARectangleMatchCosines) {
-  const Spectrum spectrum = laplacian_spectrum(rectangle(24), 6);
+  const Spectrum spectrum = laplacian_spectrum(test::rectangle(2, 1, 48, 24), 6);
   const double unit = std::numbers::pi * std::numbers::pi;  // of pi^2 (i^2 / 4 + j^2)
   const std::vector<double> expected = {0, unit / 4, unit, unit, unit * 5 / 4, unit * 2};
   for (std::size_t k = 0; k < expected.size(); ++k) {

@@ -35,12 +35,8 @@ std::string ply_header(const Shape& shape, std::string_view format, std::string_
 }  // namespace
 
 Shape tetrahedron() {
-  Shape shape;
-  shape.vertices.resize(4, 3);
-  shape.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
-  shape.triangles.resize(4, 3);
-  shape.triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
-  return shape;
+  return {.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+          .triangles = Triangles{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
 std::string as_ascii_off(const Shape& shape) {

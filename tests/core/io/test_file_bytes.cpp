@@ -51,36 +51,34 @@ TEST(MappedFile, FailsWithTheErrorsOfReading) {
   }
 }
 
-TEST(AtomicFile, WritesExactlyTheBytes) {
-  const TemporaryFolder folder;
+using AtomicFileTest = test::FolderTest;
+
+TEST_F(AtomicFileTest, WritesExactlyTheBytes) {
   const std::string bytes("a\0b\r\n", 5);
-  write_file_atomically(folder.path() / "out", bytes);
-  EXPECT_EQ(bytes_of(folder.path() / "out"), bytes);
-  EXPECT_EQ(folder.size(), 1U);
+  write_file_atomically(at("out"), bytes);
+  EXPECT_EQ(bytes_of(at("out")), bytes);
+  EXPECT_EQ(folder_.size(), 1U);
 }
 
-TEST(AtomicFile, ReplacesAnEarlierFile) {
-  const TemporaryFolder folder;
-  const auto path = folder.file("out", "a longer text that was there before");
+TEST_F(AtomicFileTest, ReplacesAnEarlierFile) {
+  const auto path = folder_.file("out", "a longer text that was there before");
   write_file_atomically(path, "new");
   EXPECT_EQ(bytes_of(path), "new");
-  EXPECT_EQ(folder.size(), 1U);
+  EXPECT_EQ(folder_.size(), 1U);
 }
 
-TEST(AtomicFile, HasThePermissionsOfTheUmask) {
-  const TemporaryFolder folder;
+TEST_F(AtomicFileTest, HasThePermissionsOfTheUmask) {
   const mode_t before = ::umask(027);
-  write_file_atomically(folder.path() / "out", "x");
+  write_file_atomically(at("out"), "x");
   ::umask(before);
   struct stat status = {};
-  ASSERT_EQ(::stat((folder.path() / "out").c_str(), &status), 0);
+  ASSERT_EQ(::stat(at("out").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777U, 0640U);
 }
 
-TEST(AtomicFile, ReplacementKeepsThePermissions) {
-  const TemporaryFolder folder;
+TEST_F(AtomicFileTest, ReplacementKeepsThePermissions) {
   for (const auto mode : {0600, 0640, 0666, 0444}) {
-    const fs::path path = folder.file(fmt::format("{:o}", mode), "old");
+    const fs::path path = folder_.file(fmt::format("{:o}", mode), "old");
     fs::permissions(path, fs::perms(mode));
     write_file_atomically(path, "new");
     EXPECT_EQ(bytes_of(path), "new");
@@ -88,57 +86,52 @@ TEST(AtomicFile, ReplacementKeepsThePermissions) {
   }
 }
 
-TEST(AtomicFile, DoesNotReplaceAFileThatMustBeNew) {
-  const TemporaryFolder folder;
-  const fs::path path = folder.path() / "result";
+TEST_F(AtomicFileTest, DoesNotReplaceAFileThatMustBeNew) {
+  const fs::path path = at("result");
   expect_new_file(path, true);
-  const fs::path other = folder.file("result", "of another program");
+  const fs::path other = folder_.file("result", "of another program");
   EXPECT_THAT(input_error_of([&] { write_file_atomically(path, "ours"); }), HasSubstr("exists"));
   EXPECT_EQ(bytes_of(other), "of another program");
-  EXPECT_EQ(folder.size(), 1U);
+  EXPECT_EQ(folder_.size(), 1U);
 }
 
-TEST(AtomicFile, ReplacesItsOwnNewFile) {
-  const TemporaryFolder folder;
-  const fs::path path = folder.path() / "result";
+TEST_F(AtomicFileTest, ReplacesItsOwnNewFile) {
+  const fs::path path = at("result");
   expect_new_file(path, true);
   write_file_atomically(path, "first");
   write_file_atomically(path, "second");
   EXPECT_EQ(bytes_of(path), "second");
 }
 
-TEST(AtomicFile, FollowsASymbolicLink) {
-  const TemporaryFolder folder;
-  const auto path = folder.file("target", "old");
-  std::filesystem::create_symlink(path, folder.path() / "link");
-  write_file_atomically(folder.path() / "link", "new");
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+TEST_F(AtomicFileTest, FollowsASymbolicLink) {
+  const auto path = folder_.file("target", "old");
+  std::filesystem::create_symlink(path, at("link"));
+  write_file_atomically(at("link"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(at("link")));
   EXPECT_EQ(bytes_of(path), "new");
 }
 
-TEST(AtomicFile, WritesToDevicesWithoutReplacingThem) {
+TEST_F(AtomicFileTest, WritesToDevicesWithoutReplacingThem) {
   write_file_atomically("/dev/null", "x");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST(AtomicFile, RefusesPathsThatCannotBeWritten) {
-  const TemporaryFolder folder;
+TEST_F(AtomicFileTest, RefusesPathsThatCannotBeWritten) {
   for (const auto& [path, reason] :
-       {std::pair(folder.path() / "absent" / "out", "No such file or directory"),
-        std::pair(folder.path(), "Is a directory"), std::pair(fs::path("/dev/full"), "No space left on device")}) {
+       {std::pair(folder_.path() / "absent" / "out", "No such file or directory"),
+        std::pair(folder_.path(), "Is a directory"), std::pair(fs::path("/dev/full"), "No space left on device")}) {
     EXPECT_THAT([&] { write_file_atomically(path, "x"); }, throws_cannot_write(path, reason));
   }
 }
 
-TEST(AtomicFile, FolderWithoutPermissionIsAnError) {
-  const TemporaryFolder folder;
-  std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
-  const auto path = folder.path() / "out";
+TEST_F(AtomicFileTest, FolderWithoutPermissionIsAnError) {
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms(0555));
+  const auto path = at("out");
   {
     const test::OrdinaryUser ordinary_user;
     EXPECT_THAT([&] { write_file_atomically(path, "x"); }, throws_cannot_write(path, "Permission denied"));
   }
-  EXPECT_EQ(folder.size(), 0U);
+  EXPECT_EQ(folder_.size(), 0U);
 }
 
 /// Limits the size of files during its lifetime, to simulate a full disk.
@@ -163,21 +156,19 @@ class FileSizeLimit {
   void (*handler_)(int);
 };
 
-TEST(AtomicFile, AFailedWriteKeepsTheEarlierFileOnly) {
-  const TemporaryFolder folder;
-  const auto path = folder.file("out", "old");
+TEST_F(AtomicFileTest, AFailedWriteKeepsTheEarlierFileOnly) {
+  const auto path = folder_.file("out", "old");
   {
     const FileSizeLimit limit(1000);
     EXPECT_THAT([&] { write_file_atomically(path, std::string(5000, 'x')); },
                 throws_cannot_write(path, "File too large"));
   }
   EXPECT_EQ(bytes_of(path), "old");
-  EXPECT_EQ(folder.size(), 1U);
+  EXPECT_EQ(folder_.size(), 1U);
 }
 
-TEST(AtomicFile, ConcurrentWritersDoNotMix) {
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "out";
+TEST_F(AtomicFileTest, ConcurrentWritersDoNotMix) {
+  const auto path = at("out");
   std::vector<std::jthread> threads;
   for (const char letter : {'a', 'b', 'c', 'd'}) {
     threads.emplace_back([&path, letter] {
@@ -187,7 +178,7 @@ TEST(AtomicFile, ConcurrentWritersDoNotMix) {
   threads.clear();
   const std::string bytes = bytes_of(path);
   EXPECT_EQ(bytes, std::string(100'000, bytes.front()));
-  EXPECT_EQ(folder.size(), 1U);
+  EXPECT_EQ(folder_.size(), 1U);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/LU>
-#include <array>
-#include <bit>
 #include <cstring>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -79,7 +77,7 @@ TEST_F(Gltf, ReadsABufferInAnotherFile) {
   EXPECT_EQ(shape.vertices.row(3), Eigen::RowVector3d(0, 0, 1));
   EXPECT_EQ(shape.triangles.row(1), (Eigen::RowVector3i(0, 1, 3)));
   EXPECT_DOUBLE_EQ(volume_of(shape), 1.0 / 6);
-  EXPECT_THAT(gltf_neighbours(read_shape_source(at("shape.gltf"))), testing::ElementsAre("tetrahedron.bin"));
+  EXPECT_THAT(gltf_format().neighbours(read_shape_source(at("shape.gltf"))), testing::ElementsAre("tetrahedron.bin"));
 }
 
 TEST_F(Gltf, AppliesNodeTransforms) {

@@ -108,8 +108,8 @@ TEST(ReadObj, RefusesTextThatIsNotAMesh) {
 }
 
 TEST(ReadObj, ChecksTheHeaderAlone) {
-  EXPECT_NO_THROW(check_obj_header("# v\no x\nv 0", "t.obj"));
-  EXPECT_THROW(check_obj_header("# v 0 0 0\nvn 0 0 1\n", "t.obj"), InputError);
+  EXPECT_NO_THROW(obj_format().check_header("# v\no x\nv 0", "t.obj"));
+  EXPECT_THROW(obj_format().check_header("# v 0 0 0\nvn 0 0 1\n", "t.obj"), InputError);
 }
 
 TEST(WriteObj, Plain) {

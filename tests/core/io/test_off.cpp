@@ -179,10 +179,10 @@ TEST(ReadOff, RefusesDamagedBinaryFiles) {
 }
 
 TEST(ReadOff, ChecksTheHeaderAlone) {
-  EXPECT_NO_THROW(check_off_header("OFF\n4 4 6\n", "t.off"));
-  EXPECT_NO_THROW(check_off_header("OFF BINARY\n", "t.off"));
-  EXPECT_THROW(check_off_header("OFF\n", "t.off"), InputError);
-  EXPECT_THROW(check_off_header("HELLO\n4 4 6\n", "t.off"), InputError);
+  EXPECT_NO_THROW(off_format().check_header("OFF\n4 4 6\n", "t.off"));
+  EXPECT_NO_THROW(off_format().check_header("OFF BINARY\n", "t.off"));
+  EXPECT_THROW(off_format().check_header("OFF\n", "t.off"), InputError);
+  EXPECT_THROW(off_format().check_header("HELLO\n4 4 6\n", "t.off"), InputError);
 }
 
 TEST(WriteOff, IsPlainOff) {

@@ -226,9 +226,10 @@ void expect_samples(const std::string& bytes, std::size_t offset, std::size_t st
   }
 }
 
-TEST(WritePly, ColoursAndValuesAtFaces) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "t.ply";
+using WritePly = test::FolderTest;
+
+TEST_F(WritePly, ColoursAndValuesAtFaces) {
+  const auto path = at("t.ply");
   write_ply(path, tetrahedron(), SampleSite::faces, values(), colours);
   test::expect_same(read_shape(path), tetrahedron());
   const std::string bytes = test::bytes_of(path);
@@ -242,9 +243,8 @@ TEST(WritePly, ColoursAndValuesAtFaces) {
   expect_samples(bytes, body + 4 * vertex, face, 13);
 }
 
-TEST(WritePly, ColoursAndValuesAtVertices) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "t.ply";
+TEST_F(WritePly, ColoursAndValuesAtVertices) {
+  const auto path = at("t.ply");
   write_ply(path, tetrahedron(), SampleSite::vertices, values(), colours);
   test::expect_same(read_shape(path), tetrahedron());
   const std::string bytes = test::bytes_of(path);
@@ -254,9 +254,8 @@ TEST(WritePly, ColoursAndValuesAtVertices) {
   expect_samples(bytes, body, vertex, 24);
 }
 
-TEST(WritePly, CloudsWithAndWithoutValues) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "t.ply";
+TEST_F(WritePly, CloudsWithAndWithoutValues) {
+  const auto path = at("t.ply");
   write_ply(path, test::small_cloud(), SampleSite::vertices, values(), colours);
   test::expect_same(read_shape(path), test::small_cloud());
   const std::string bytes = test::bytes_of(path);
@@ -269,11 +268,10 @@ TEST(WritePly, CloudsWithAndWithoutValues) {
   test::expect_same(read_shape(path), test::small_cloud());
 }
 
-TEST(WritePly, WrongNumberOfValuesOrColoursIsAnError) {
-  const test::TemporaryFolder folder;
+TEST_F(WritePly, WrongNumberOfValuesOrColoursIsAnError) {
   Shape shape = tetrahedron();
   shape.triangles.conservativeResize(3, 3);
-  EXPECT_THAT([&] { write_ply(folder.path() / "t.ply", shape, SampleSite::faces, values(), colours); },
+  EXPECT_THAT([&] { write_ply(at("t.ply"), shape, SampleSite::faces, values(), colours); },
               ThrowsMessage<InputError>(EndsWith("4 values and 4 colours for 3 samples")));
 }
 

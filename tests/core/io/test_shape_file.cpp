@@ -27,10 +27,11 @@ Points corners_of(const Shape& shape) {
   return shape.vertices(shape.triangles.reshaped<Eigen::RowMajor>(), Eigen::all);
 }
 
-TEST(ReadShape, EveryFormatByItsExtension) {
-  const TemporaryFolder folder;
+using ReadShape = test::FolderTest;
+
+TEST_F(ReadShape, EveryFormatByItsExtension) {
   for (const auto& [name, bytes, optional] : test::encoded_in_every_format(tetrahedron())) {
-    const auto path = folder.file(name, bytes);
+    const auto path = folder_.file(name, bytes);
     EXPECT_NO_THROW(check_shape_header(path));
     const Shape shape = read_shape(path);
     EXPECT_EQ(shape.vertices.rows(), 4) << name;
@@ -38,18 +39,16 @@ TEST(ReadShape, EveryFormatByItsExtension) {
   }
 }
 
-TEST(ReadShape, CloudsWithTheirNormalsInEveryFormat) {
-  const TemporaryFolder folder;
+TEST_F(ReadShape, CloudsWithTheirNormalsInEveryFormat) {
   for (const auto& [name, bytes, optional] : test::cloud_in_every_format(test::small_cloud())) {
     SCOPED_TRACE(name);
-    const auto path = folder.file(name, bytes);
+    const auto path = folder_.file(name, bytes);
     EXPECT_NO_THROW(check_shape_header(path));
     test::expect_same(read_shape(path), test::small_cloud());
   }
 }
 
-TEST(ReadShape, TextInUtf16) {
-  const TemporaryFolder folder;
+TEST_F(ReadShape, TextInUtf16) {
   const std::string text = test::as_ascii_off(tetrahedron());
   std::string little = "\xFF\xFE";
   std::string big = "\xFE\xFF";
@@ -57,58 +56,53 @@ TEST(ReadShape, TextInUtf16) {
     little += {character, '\0'};
     big += {'\0', character};
   }
-  for (const auto& path : {folder.file("little.off", little), folder.file("big.off", big)}) {
+  for (const auto& path : {folder_.file("little.off", little), folder_.file("big.off", big)}) {
     EXPECT_NO_THROW(check_shape_header(path));
     test::expect_same(read_shape(path), tetrahedron());
   }
 }
 
-TEST(ReadShape, ExtensionInCapitals) {
-  const TemporaryFolder folder;
-  test::expect_same(read_shape(folder.file("t.OFF", test::as_ascii_off(tetrahedron()))), tetrahedron());
+TEST_F(ReadShape, ExtensionInCapitals) {
+  test::expect_same(read_shape(folder_.file("t.OFF", test::as_ascii_off(tetrahedron()))), tetrahedron());
 }
 
-TEST(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
-  const TemporaryFolder folder;
-  test::expect_same(read_shape(folder.file("T12", "C" + test::as_ascii_off(tetrahedron()))), tetrahedron());
-  test::expect_same(read_shape(folder.file("T13", "\xEF\xBB\xBF" + test::as_ascii_off(tetrahedron()))), tetrahedron());
-  test::expect_same(read_shape(folder.file("a.mesh", test::as_ascii_ply(tetrahedron()))), tetrahedron());
-  EXPECT_EQ(read_shape(folder.file("b.dat", test::as_ascii_stl(tetrahedron()))).triangles.rows(), 4);
+TEST_F(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
+  test::expect_same(read_shape(folder_.file("T12", "C" + test::as_ascii_off(tetrahedron()))), tetrahedron());
+  test::expect_same(read_shape(folder_.file("T13", "\xEF\xBB\xBF" + test::as_ascii_off(tetrahedron()))), tetrahedron());
+  test::expect_same(read_shape(folder_.file("a.mesh", test::as_ascii_ply(tetrahedron()))), tetrahedron());
+  EXPECT_EQ(read_shape(folder_.file("b.dat", test::as_ascii_stl(tetrahedron()))).triangles.rows(), 4);
   std::string of_off = test::as_ascii_stl(tetrahedron());
   of_off.insert(of_off.find('\n'), " OFF");  // in the name of the solid
-  EXPECT_EQ(read_shape(folder.file("c.dat", of_off)).triangles.rows(), 4);
+  EXPECT_EQ(read_shape(folder_.file("c.dat", of_off)).triangles.rows(), 4);
 }
 
-TEST(ReadShape, UnsupportedFormatsGiveAdvice) {
-  const TemporaryFolder folder;
+TEST_F(ReadShape, UnsupportedFormatsGiveAdvice) {
   for (const char* name : {"part.STEP", "scene.fbx", "scan.las", "print.3mf"}) {
-    test::write_text(folder.path() / name, "anything");
-    EXPECT_THAT(test::input_error_of([&] { read_shape(folder.path() / name); }), ::testing::HasSubstr("export"));
+    test::write_text(folder_.path() / name, "anything");
+    EXPECT_THAT(test::input_error_of([&] { read_shape(folder_.path() / name); }), ::testing::HasSubstr("export"));
   }
   EXPECT_FALSE(unsupported_format_advice("x.off"));
 }
 
-TEST(ReadShape, RejectsFilesThatAreNoShapes) {
-  const TemporaryFolder folder;
-  std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
-  std::filesystem::create_directory(folder.path() / "folder.off");
-  ASSERT_EQ(::mkfifo((folder.path() / "pipe.off").c_str(), 0644), 0);
-  const auto locked = folder.file("locked.off", test::as_ascii_off(tetrahedron()));
+TEST_F(ReadShape, RejectsFilesThatAreNoShapes) {
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
+  std::filesystem::create_directory(at("folder.off"));
+  ASSERT_EQ(::mkfifo(at("pipe.off").c_str(), 0644), 0);
+  const auto locked = folder_.file("locked.off", test::as_ascii_off(tetrahedron()));
   std::filesystem::permissions(locked, std::filesystem::perms::none);
   const std::vector<test::Refusal> refusals = {{"absent.off", "No such file"},
                                                {"folder.off", "folder"},
                                                {"pipe.off", "regular file"},
                                                {"locked.off", "Permission denied"},
-                                               {folder.file("empty.stl", "").filename(), "empty"},
-                                               {folder.file("empty", "").filename(), "empty"},
-                                               {folder.file("notes.doc", "hello\n").filename(), "\".doc\""}};
+                                               {folder_.file("empty.stl", "").filename(), "empty"},
+                                               {folder_.file("empty", "").filename(), "empty"},
+                                               {folder_.file("notes.doc", "hello\n").filename(), "\".doc\""}};
   const test::OrdinaryUser ordinary_user;
-  test::expect_refused(refusals, [&](const std::string& name) { read_shape(folder.path() / name); });
-  test::expect_refused(refusals, [&](const std::string& name) { check_shape_header(folder.path() / name); });
+  test::expect_refused(refusals, [&](const std::string& name) { read_shape(folder_.path() / name); });
+  test::expect_refused(refusals, [&](const std::string& name) { check_shape_header(folder_.path() / name); });
 }
 
-TEST(ReadShape, FileWithoutVerticesIsAnError) {
-  const TemporaryFolder folder;
+TEST_F(ReadShape, FileWithoutVerticesIsAnError) {
   for (const auto& [name, bytes, optional] :
        {test::Encoded{"t.off", "OFF\n0 0 0\n"},
         {"t.ply",
@@ -117,17 +111,16 @@ TEST(ReadShape, FileWithoutVerticesIsAnError) {
         {"t.pts", "0\n"},
         {"t.stl", "solid x\nendsolid x\n"},
         {"s.stl", std::string(84, '\0')}}) {
-    const auto path = folder.file(name, bytes);
+    const auto path = folder_.file(name, bytes);
     EXPECT_THAT([&] { read_shape(path); }, ThrowsMessage<InputError>(StrEq(path.string() + ": no vertices")));
   }
 }
 
-TEST(ReadShape, FindsTheHeaderAfterALongComment) {
-  const TemporaryFolder folder;
+TEST_F(ReadShape, FindsTheHeaderAfterALongComment) {
   const std::string comment = "# " + std::string(200'000, 'x') + "\n";
-  EXPECT_NO_THROW(check_shape_header(folder.file("t.off", comment + test::as_ascii_off(tetrahedron()))));
-  EXPECT_NO_THROW(check_shape_header(folder.file("t.obj", comment + test::as_obj(tetrahedron()))));
-  EXPECT_THROW(check_shape_header(folder.file("u.off", comment + "hello")), InputError);
+  EXPECT_NO_THROW(check_shape_header(folder_.file("t.off", comment + test::as_ascii_off(tetrahedron()))));
+  EXPECT_NO_THROW(check_shape_header(folder_.file("t.obj", comment + test::as_obj(tetrahedron()))));
+  EXPECT_THROW(check_shape_header(folder_.file("u.off", comment + "hello")), InputError);
 }
 
 TEST(ShapeWriter, SelectsTheFormatByExtension) {

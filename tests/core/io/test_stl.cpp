@@ -20,12 +20,8 @@ using test::expect_same;
 
 /// The tetrahedron with vertices in order of first use by its triangles.
 Shape renumbered_tetrahedron() {
-  Shape shape;
-  shape.vertices.resize(4, 3);
-  shape.vertices << 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1;
-  shape.triangles.resize(4, 3);
-  shape.triangles << 0, 1, 2, 0, 2, 3, 0, 3, 1, 2, 1, 3;
-  return shape;
+  return {.vertices = Points{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+          .triangles = Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {2, 1, 3}}};
 }
 
 std::string with_first_replaced(std::string text, const std::string& what, const std::string& with) {
@@ -90,20 +86,18 @@ TEST(ReadStl, RefusesUnusableFiles) {
 }
 
 TEST(ReadStl, ChecksTheHeaderAlone) {
-  EXPECT_NO_THROW(check_stl_header("solid x\n", "t.stl"));
-  EXPECT_NO_THROW(check_stl_header(as_binary_stl(test::tetrahedron()).substr(0, 84), "t.stl"));
-  EXPECT_THROW(check_stl_header("hello", "t.stl"), InputError);
+  EXPECT_NO_THROW(stl_format().check_header("solid x\n", "t.stl"));
+  EXPECT_NO_THROW(stl_format().check_header(as_binary_stl(test::tetrahedron()).substr(0, 84), "t.stl"));
+  EXPECT_THROW(stl_format().check_header("hello", "t.stl"), InputError);
 }
 
-TEST(WriteStl, IsTheBinaryFormatByteForByte) {
-  const test::TemporaryFolder folder;
-  Shape triangle;
-  triangle.vertices.resize(3, 3);
-  triangle.vertices << 0, 0, 0, 0, 2, 0, 0, 0, 3;  // its normal is along x
-  triangle.triangles.resize(1, 3);
-  triangle.triangles << 0, 1, 2;
-  write_stl(folder.path() / "t.stl", triangle);
-  const std::string bytes = test::bytes_of(folder.path() / "t.stl");
+using WriteStl = test::FolderTest;
+
+TEST_F(WriteStl, IsTheBinaryFormatByteForByte) {
+  // its normal is along x
+  const Shape triangle{.vertices = Points{{0, 0, 0}, {0, 2, 0}, {0, 0, 3}}, .triangles = Triangles{{0, 1, 2}}};
+  write_stl(at("t.stl"), triangle);
+  const std::string bytes = test::bytes_of(at("t.stl"));
   ASSERT_EQ(bytes.size(), 84U + 50U);
   using namespace std::string_literals;
   EXPECT_EQ(bytes.substr(80, 4), "\1\0\0\0"s);
@@ -115,17 +109,16 @@ TEST(WriteStl, IsTheBinaryFormatByteForByte) {
             one + zero + zero + zero + zero + zero + zero + two + zero + zero + zero + three + "\0\0"s);
 }
 
-TEST(WriteStl, DegenerateTrianglesHaveNoNormal) {
-  const test::TemporaryFolder folder;
+TEST_F(WriteStl, DegenerateTrianglesHaveNoNormal) {
   Shape flat = test::tetrahedron();
   flat.vertices.setOnes();
-  write_stl(folder.path() / "t.stl", flat);
-  const std::string bytes = test::bytes_of(folder.path() / "t.stl");
+  write_stl(at("t.stl"), flat);
+  const std::string bytes = test::bytes_of(at("t.stl"));
   EXPECT_EQ(bytes.substr(84, 12), std::string(12, '\0'));
   EXPECT_EQ(read_stl(bytes, "t.stl").triangles.rows(), 4);
 }
 
-TEST(WriteStl, LossOfPrecisionIsAWarning) {
+TEST_F(WriteStl, LossOfPrecisionIsAWarning) {
   Shape shape = test::tetrahedron();
   EXPECT_EQ(precision_warning("x.stl", shape), std::nullopt);
   shape.vertices = (0.3 * shape.vertices).array() + 1e4;  // not in single precision
@@ -137,13 +130,12 @@ TEST(WriteStl, LossOfPrecisionIsAWarning) {
   EXPECT_EQ(precision_warning("x.ply", shape), std::nullopt);
 }
 
-TEST(WriteStl, RejectsShapesThatTheFormatCannotStore) {
-  const test::TemporaryFolder folder;
-  EXPECT_THROW(write_stl(folder.path() / "t.stl", test::small_cloud()), InputError);
+TEST_F(WriteStl, RejectsShapesThatTheFormatCannotStore) {
+  EXPECT_THROW(write_stl(at("t.stl"), test::small_cloud()), InputError);
   Shape large = test::tetrahedron();
   large.vertices(3, 2) = 1e39;
-  EXPECT_THROW(write_stl(folder.path() / "t.stl", large), InputError);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "t.stl"));
+  EXPECT_THROW(write_stl(at("t.stl"), large), InputError);
+  EXPECT_FALSE(std::filesystem::exists(at("t.stl")));
 }
 
 }  // namespace

@@ -57,22 +57,22 @@ std::vector<Encoded> every_format() {
   return all;
 }
 
-TEST(UnusableFiles, EveryPrefixOfAFileIsReadOrGivesAnInputError) {
-  const test::TemporaryFolder folder;
+using UnusableFiles = test::FolderTest;
+
+TEST_F(UnusableFiles, EveryPrefixOfAFileIsReadOrGivesAnInputError) {
   for (const auto& [name, bytes, optional] : every_format()) {
     SCOPED_TRACE(name);
     for (std::size_t size = 0; size <= bytes.size(); ++size) {
-      const bool read = is_read(folder.file(name, std::string_view(bytes).substr(0, size)));
+      const bool read = is_read(folder_.file(name, std::string_view(bytes).substr(0, size)));
       if (optional < bytes.size()) {
         EXPECT_EQ(read, size + optional >= bytes.size()) << size << " bytes";
       }
     }
-    EXPECT_TRUE(is_read(folder.path() / name));
+    EXPECT_TRUE(is_read(folder_.path() / name));
   }
 }
 
-TEST(UnusableFiles, DamagedBytesGiveAShapeOrAnInputError) {
-  const test::TemporaryFolder folder;
+TEST_F(UnusableFiles, DamagedBytesGiveAShapeOrAnInputError) {
   std::mt19937 random(20240229);
   for (const auto& [name, bytes, optional] : every_format()) {
     SCOPED_TRACE(name);
@@ -82,14 +82,13 @@ TEST(UnusableFiles, DamagedBytesGiveAShapeOrAnInputError) {
     for (int i = 0; i < 400; ++i) {
       std::string damaged = bytes;
       for (int k = 0; k <= i % 4; ++k) damaged[place(random)] = static_cast<char>(value(random));
-      refused += is_read(folder.file(name, damaged)) ? 0 : 1;
+      refused += is_read(folder_.file(name, damaged)) ? 0 : 1;
     }
     EXPECT_GT(refused, 0);
   }
 }
 
-TEST(UnusableFiles, ImpossibleCountsAllocateNoMemory) {
-  const test::TemporaryFolder folder;
+TEST_F(UnusableFiles, ImpossibleCountsAllocateNoMemory) {
   const std::string ply_vertices = "element vertex 2000000000\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string ply_faces =
       "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
@@ -109,7 +108,7 @@ TEST(UnusableFiles, ImpossibleCountsAllocateNoMemory) {
       {{"i.pts", "2000000000\n0 0 0\n"}, "ends after 1 of 2000000000 points"},
       {{"h.stl", std::string(80, ' ') + "\xFF\xFF\xFF\xFF"}, "ends after 0 of 4294967295 facets"}};
   for (const auto& [file, message] : files) {
-    const auto path = folder.file(file.file_name, file.bytes);
+    const auto path = folder_.file(file.file_name, file.bytes);
     test::reset_largest_allocation();
     EXPECT_THAT([&] { read_shape(path); }, ThrowsMessage<InputError>(HasSubstr(message))) << file.file_name;
     EXPECT_LT(test::largest_allocation(), 100'000U) << file.file_name;

@@ -43,11 +43,8 @@ TEST(OffsetSolver, ResultOfASampleDoesNotDependOnTheOthers) {
 
 TEST(OffsetSolver, BreaksTiesByTheNormal) {
   // Both sides of an open sheet are exterior and equally near.
-  Shape sheet;
-  sheet.vertices.resize(4, 3);
-  sheet.vertices << 0, 0, 0, 0.7, 0, 0, 0.7, 0.7, 0, 0, 0.7, 0;
-  sheet.triangles.resize(2, 3);
-  sheet.triangles << 0, 1, 2, 0, 2, 3;
+  const Shape sheet{.vertices = Points{{0, 0, 0}, {0.7, 0, 0}, {0.7, 0.7, 0}, {0, 0.7, 0}},
+                    .triangles = Triangles{{0, 1, 2}, {0, 2, 3}}};
   const Samples samples = sample_shape(sheet, SampleSite::faces);
   const OffsetResults up = solve_on_grid(sheet, samples.points, samples.normals, {});
   const OffsetResults down = solve_on_grid(sheet, samples.points, -samples.normals, {});

@@ -44,9 +44,8 @@ TEST(OnSurface, FindsTheTriangleOfASampleOnASliver) {
 }
 
 TEST(LikelyTriangles, AreTheFacesOrIncidentTriangles) {
-  Shape shape;
-  shape.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 2, 0}};
-  shape.triangles = Triangles{{0, 1, 2}, {2, 1, 3}};
+  const Shape shape{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 2, 0}},
+                    .triangles = Triangles{{0, 1, 2}, {2, 1, 3}}};
   EXPECT_THAT(likely_triangles(shape, 2), ElementsAre(0, 1));
   EXPECT_THAT(likely_triangles(shape, 5), ElementsAre(0, 1, 1, 1, 0));
   EXPECT_THAT(likely_triangles(shape, 3), ElementsAre(0, 0, 0));

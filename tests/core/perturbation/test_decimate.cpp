@@ -112,16 +112,12 @@ TEST(Decimate, ReturnsSmallMeshesUnchanged) {
 }
 
 TEST(Decimate, RejectsInvalidOptions) {
-  Shape cloud;
-  cloud.vertices = test::sphere(1, 2).vertices;
+  const Shape cloud{.vertices = test::sphere(1, 2).vertices, .triangles = {}};
   EXPECT_THROW(decimate(cloud, 100), InputError);
   EXPECT_THROW(decimate(Shape{}, 100), InputError);
   EXPECT_THROW(decimate(test::sphere(1, 2), 0), InputError);
-  Shape tetrahedron;
-  tetrahedron.vertices.resize(4, 3);
-  tetrahedron.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
-  tetrahedron.triangles.resize(4, 3);
-  tetrahedron.triangles << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3;
+  const Shape tetrahedron{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                          .triangles = Triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   EXPECT_THROW(decimate(tetrahedron, 3), InputError);
 }
 

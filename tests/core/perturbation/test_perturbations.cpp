@@ -98,8 +98,7 @@ TEST(WithoutElements, KeepsOrderAndVerticesOfAMesh) {
 }
 
 TEST(WithoutElements, RemovesNormalsWithTheirPoints) {
-  Shape cloud;
-  cloud.vertices = Points::Random(3, 3);
+  Shape cloud{.vertices = Points::Random(3, 3), .triangles = {}};
   cloud.normals = Points::Random(3, 3);
   const Shape rest = without_elements(cloud, {false, true, false});
   ASSERT_EQ(rest.vertices.rows(), 2);
@@ -152,15 +151,13 @@ TEST(VertexNoise, DependsOnTheSeedAndIsProportionalToSize) {
 }
 
 TEST(VertexNoise, MovesThePointsOfACloud) {
-  Shape cloud;
-  cloud.vertices = test::sphere(1, 2).vertices;
+  const Shape cloud{.vertices = test::sphere(1, 2).vertices, .triangles = {}};
   const Points moves = noisy(cloud, {.amplitude = 0.1}, 1).vertices - cloud.vertices;
   EXPECT_GT(moves.rowwise().norm().minCoeff(), 0);
 }
 
 TEST(VertexNoise, RefusesAShapeWithoutExtentAndAnImpossibleAmplitude) {
-  Shape point;
-  point.vertices = Points::Ones(5, 3);
+  const Shape point{.vertices = Points::Ones(5, 3), .triangles = {}};
   EXPECT_THROW(noisy(point, {}, 1), InputError);
   EXPECT_THROW(noisy(Shape{}, {}, 1), InputError);
   for (const double amplitude : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
@@ -212,8 +209,7 @@ TEST(FlipOrientation, ReversesExactlyTheFraction) {
 }
 
 TEST(FlipOrientation, ReversesTheNormalsOfACloud) {
-  Shape cloud;
-  cloud.vertices = test::sphere(1, 1).vertices;
+  Shape cloud{.vertices = test::sphere(1, 1).vertices, .triangles = {}};
   EXPECT_EQ(turned(cloud, 1, 1).vertices, cloud.vertices);
   cloud.normals = cloud.vertices;
   EXPECT_EQ(turned(cloud, 1, 1).normals, -cloud.vertices);
@@ -250,8 +246,7 @@ TEST(PunchHoles, HolesAddUpAndDependOnTheSeed) {
 }
 
 TEST(PunchHoles, RemovesPointsOfACloudAboutSomeOfThem) {
-  Shape cloud;
-  cloud.vertices = test::sphere(1, 3).vertices;
+  const Shape cloud{.vertices = test::sphere(1, 3).vertices, .triangles = {}};
   const Shape rest = punched(cloud, {.number = 3, .radius = 0}, 1);
   EXPECT_EQ(rest.vertices.rows(), cloud.vertices.rows() - 3);
 }
@@ -263,11 +258,7 @@ TEST(PunchHoles, RefusesToLeaveNothingAndOptionsOutOfRange) {
   EXPECT_THROW(punched(box, {.number = -1}, 1), InputError);
   EXPECT_THROW(punched(box, {.radius = -1}, 1), InputError);
   EXPECT_THROW(punched(Shape{}, {}, 1), InputError);
-  Shape needle;
-  needle.vertices.resize(2, 3);
-  needle.vertices << 0, 0, 0, 1, 0, 0;
-  needle.triangles.resize(1, 3);
-  needle.triangles << 0, 1, 1;
+  const Shape needle{.vertices = Points{{0, 0, 0}, {1, 0, 0}}, .triangles = Triangles{{0, 1, 1}}};
   EXPECT_THROW(punched(needle, {}, 1), InputError);
 }
 
@@ -277,9 +268,7 @@ Shape moved(const Shape& shape, double scale, std::uint64_t seed) {
 }
 
 TEST(RandomMotion, IsASimilarityThatKeepsHandedness) {
-  Shape corner;
-  corner.vertices.resize(4, 3);
-  corner.vertices << 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3;
+  const Shape corner{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, .triangles = {}};
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Shape other = moved(corner, 10, seed);
     Eigen::Matrix3d before;
@@ -324,8 +313,7 @@ TEST(RandomMotion, WithoutScalingMovesByAtMostTheDiagonal) {
 }
 
 TEST(RandomMotion, RotatesTheNormalsOfACloud) {
-  Shape cloud;
-  cloud.vertices = test::sphere(1, 2).vertices;
+  Shape cloud{.vertices = test::sphere(1, 2).vertices, .triangles = {}};
   cloud.normals = cloud.vertices;
   const Shape other = moved(cloud, 3, 1);
   const Eigen::RowVector3d centre = bounding_box(other).center().transpose();

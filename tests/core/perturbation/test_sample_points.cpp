@@ -76,8 +76,7 @@ TEST(SampleSurface, SkipsDegenerateTriangles) {
 }
 
 TEST(SampleSurface, SelectsPointsOfACloud) {
-  Shape cloud;
-  cloud.vertices = test::sphere(1, 3).vertices;
+  Shape cloud{.vertices = test::sphere(1, 3).vertices, .triangles = {}};
   cloud.normals = cloud.vertices;
   const Shape fewer = sampled(cloud, {.points = 101, .with_normals = true}, 1);
   EXPECT_EQ(fewer.vertices.rows(), 101);

@@ -20,11 +20,8 @@ using testing::IsEmpty;
 VertexNeighbours vertex_neighbours(const Shape& shape) { return vertex_neighbours(shape, welding_of(shape)); }
 
 TEST(VertexNeighbours, OfTwoTrianglesAndAVertexOfNone) {
-  Shape shape;
-  shape.vertices.resize(5, 3);
-  shape.vertices << 0, 0, 0, 1, 0, 0, 9, 9, 9, 1, 1, 0, 0, 1, 0;
-  shape.triangles.resize(2, 3);
-  shape.triangles << 0, 1, 3, 4, 3, 0;
+  const Shape shape{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {9, 9, 9}, {1, 1, 0}, {0, 1, 0}},
+                    .triangles = Triangles{{0, 1, 3}, {4, 3, 0}}};
   const VertexNeighbours neighbours = vertex_neighbours(shape);
   EXPECT_THAT(neighbours.of(0), ElementsAre(1, 3, 4));
   EXPECT_THAT(neighbours.of(1), ElementsAre(0, 3));

@@ -12,40 +12,25 @@ namespace {
 
 /// The cube of edge 1 with eight vertices and twelve triangles.
 Shape cube() {
-  Shape shape;
-  shape.vertices = Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-  shape.triangles = Triangles{{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
-                              {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
-  return shape;
+  return {.vertices = Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+          .triangles = Triangles{{0, 2, 1},
+                                 {0, 3, 2},
+                                 {4, 5, 6},
+                                 {4, 6, 7},
+                                 {0, 1, 5},
+                                 {0, 5, 4},
+                                 {1, 2, 6},
+                                 {1, 6, 5},
+                                 {2, 3, 7},
+                                 {2, 7, 6},
+                                 {3, 0, 4},
+                                 {3, 4, 7}}};
 }
 
 Shape with_triangle(Shape shape, int a, int b, int c) {
   shape.triangles.conservativeResize(shape.triangles.rows() + 1, Eigen::NoChange);
   shape.triangles.bottomRows(1) << a, b, c;
   return shape;
-}
-
-/// A band of n quads that is closed into a ring after half a turn.
-Shape moebius_strip(int n) {
-  Shape strip;
-  strip.vertices.resize(2 * n, 3);
-  strip.triangles.resize(2 * n, 3);
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * std::acos(-1.0) * i / n;
-    for (const int side : {0, 1}) {
-      const double across = side == 0 ? -0.3 : 0.3;
-      const double radius = 1 + across * std::cos(angle / 2);
-      strip.vertices.row(2 * i + side) << radius * std::cos(angle), radius * std::sin(angle),
-          across * std::sin(angle / 2);
-    }
-    const int a = 2 * i;
-    const int b = 2 * i + 1;
-    const int c = i + 1 < n ? a + 2 : 1;
-    const int d = i + 1 < n ? b + 2 : 0;
-    strip.triangles.row(2 * i) << a, c, b;
-    strip.triangles.row(2 * i + 1) << b, c, d;
-  }
-  return strip;
 }
 
 TEST(Diagnose, ACubeHasNoDefects) {
@@ -98,9 +83,8 @@ TEST(Diagnose, ConnectsComponentsAtCoincidentVertices) {
 }
 
 TEST(Diagnose, ThreeTrianglesAtAnEdgeAreNonManifold) {
-  Shape book;
-  book.vertices = Points{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
-  book.triangles = Triangles{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+  const Shape book{.vertices = Points{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}},
+                   .triangles = Triangles{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
   const ShapeDiagnostics found = diagnose(book);
   EXPECT_EQ(found.edges, 7U);
   EXPECT_EQ(found.non_manifold_edges, 1U);
@@ -110,7 +94,7 @@ TEST(Diagnose, ThreeTrianglesAtAnEdgeAreNonManifold) {
 }
 
 TEST(Diagnose, AMoebiusStripCannotBeOriented) {
-  const ShapeDiagnostics found = diagnose(moebius_strip(20));
+  const ShapeDiagnostics found = diagnose(test::twisted_band(20, 1));
   EXPECT_EQ(found.boundary_edges, 40U);
   EXPECT_EQ(found.inconsistent_edges, 1U);
   EXPECT_EQ(found.non_manifold_edges, 0U);
@@ -119,9 +103,8 @@ TEST(Diagnose, AMoebiusStripCannotBeOriented) {
 
 TEST(Diagnose, AnInnerWallLeavesAMeshClosedButNonManifold) {
   // Two tetrahedra glued at a face; with that face kept, its edges have three triangles each.
-  Shape pair;
-  pair.vertices = Points{{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  pair.triangles = Triangles{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
+  const Shape pair{.vertices = Points{{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                   .triangles = Triangles{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}}};
   EXPECT_TRUE(diagnose(pair).closed);
   EXPECT_TRUE(is_closed(pair));
   const Shape walled = with_triangle(pair, 0, 1, 2);
@@ -151,7 +134,8 @@ TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
 
 TEST(Diagnose, IsInvariantToOrderAndSize) {
   const Shape broken = with_triangle(
-      with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), moebius_strip(9)}), 0, 1, 2), 5, 5, 9);
+      with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), test::twisted_band(9, 1)}), 0, 1, 2), 5,
+      5, 9);
   const ShapeDiagnostics found = diagnose(broken);
   EXPECT_EQ(found.closed, is_closed(broken));
   for (unsigned seed = 0; seed < 10; ++seed) {
@@ -171,8 +155,7 @@ TEST(Diagnose, IsInvariantToOrderAndSize) {
 }
 
 TEST(Diagnose, ACloudHasPointsOnly) {
-  Shape cloud;
-  cloud.vertices = Points{{0, 0, 0}, {3, 4, 0}, {0, 0, 0}};
+  const Shape cloud{.vertices = Points{{0, 0, 0}, {3, 4, 0}, {0, 0, 0}}, .triangles = {}};
   const ShapeDiagnostics found = diagnose(cloud);
   EXPECT_EQ(found.vertices, 3U);
   EXPECT_EQ(found.coincident_vertices, 1U);

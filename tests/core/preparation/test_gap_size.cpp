@@ -158,8 +158,7 @@ TEST(GapSize, OfASheetOfPointsIsTheDistanceToTheSixthNeighbour) {
 }
 
 TEST(GapSize, OfFewPointsReachesTheLast) {
-  Points points(3, 3);
-  points << 0, 0, 0, 1, 0, 0, 3, 0, 0;
+  const Points points{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
   EXPECT_EQ(gap_sizes({points, {}}).closable, 3);
   EXPECT_EQ(gap_sizes({points.topRows(2), {}}).closable, 1);
   EXPECT_EQ(gap_sizes({points.topRows(1), {}}).closable, 0);

@@ -38,8 +38,7 @@ TEST(Outliers, AreAbsentInCleanCloudsAndMeshes) {
   EXPECT_EQ(outlier_count(test::sphere(1, 2)), 0U);
   EXPECT_EQ(outlier_count({}), 0U);
   EXPECT_EQ(outlier_count({Points::Zero(1, 3), {}}), 0U);
-  Shape repeated;
-  repeated.vertices = Points::Zero(1000, 3);
+  Shape repeated{.vertices = Points::Zero(1000, 3), .triangles = {}};
   for (Eigen::Index i = 0; i < 994; ++i) repeated.vertices(i, 0) = static_cast<double>(i / 7);
   repeated.vertices.bottomRows(6).col(1).setLinSpaced(1, 6);
   EXPECT_EQ(outlier_count(repeated), 0U) << "a spacing of 0";

@@ -56,8 +56,7 @@ TEST(LocalConnectivity, ConnectsCornersAcrossVerticesOnly) {
 TEST(LocalConnectivity, VisitsAFanOnce) {
   // Triangles that share the origin only: n^2 pairs of neighbours.
   constexpr int count = 20'000;
-  Shape fan;
-  fan.vertices = Points::Zero(2 * count + 1, 3);
+  Shape fan{.vertices = Points::Zero(2 * count + 1, 3), .triangles = {}};
   fan.triangles.resize(count, 3);
   for (int i = 0; i < count; ++i) {
     for (int k = 0; k < 2; ++k) {

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
-#include <png.h>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -13,10 +12,13 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/render/image.h"
+#include "tests/support/decoded_png.h"
 
 namespace shapegauge {
 
 namespace {
+
+using test::decoded;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -65,17 +67,6 @@ TEST(ColourMap, OfARangeWithoutWidth) {
 Image gradient(int width, int height, int seed) {
   Image image{.width = width, .height = height, .pixels = {}};
   for (int i = 0; i < 4 * width * height; ++i) image.pixels.push_back(static_cast<std::uint8_t>(seed + 37 * i));
-  return image;
-}
-
-Image decoded(const std::string& png) {
-  png_image header = {};
-  header.version = PNG_IMAGE_VERSION;
-  EXPECT_NE(png_image_begin_read_from_memory(&header, png.data(), png.size()), 0);
-  header.format = PNG_FORMAT_RGBA;
-  Image image{.width = static_cast<int>(header.width), .height = static_cast<int>(header.height), .pixels = {}};
-  image.pixels.resize(PNG_IMAGE_SIZE(header));
-  EXPECT_NE(png_image_finish_read(&header, nullptr, image.pixels.data(), 0, nullptr), 0);
   return image;
 }
 

@@ -253,8 +253,7 @@ Shape tetrahedron_with_edge_through(const Eigen::RowVector3d& point, const std::
   }
   shape.vertices.row(2) = -shape.vertices.row(0) - shape.vertices.row(1);
   shape.vertices.row(3) = shape.vertices.row(0) + any(1.1, 3) * (point - shape.vertices.row(0));
-  shape.triangles.resize(4, 3);
-  shape.triangles << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3;
+  shape.triangles = Triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   return shape;
 }
 

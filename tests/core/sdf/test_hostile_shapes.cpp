@@ -24,23 +24,10 @@ using testing::ThrowsMessage;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Shape triangles_of(const std::vector<Eigen::RowVector3d>& corners) {
-  Shape shape;
-  shape.vertices.resize(std::ssize(corners), 3);
-  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) shape.vertices.row(i) = corners[static_cast<std::size_t>(i)];
-  shape.triangles.resize(std::ssize(corners) / 3, 3);
-  for (Eigen::Index i = 0; i < shape.triangles.size(); ++i) shape.triangles.data()[i] = static_cast<std::int32_t>(i);
-  return shape;
-}
-
 Shape tetrahedron_at(const Eigen::RowVector3d& place, double size) {
-  Shape shape;
-  shape.vertices.resize(4, 3);
-  shape.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
-  shape.vertices = (size * shape.vertices).rowwise() + place;
-  shape.triangles.resize(4, 3);
-  shape.triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
-  return shape;
+  const Points corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  return {.vertices = (size * corners).rowwise() + place,
+          .triangles = Triangles{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
 Eigen::RowVector3d random_place(RandomNumbers& random) {
@@ -76,7 +63,7 @@ Eigen::VectorXd values_of(const Shape& shape, double offset) {
 }
 
 TEST(HostileShapes, ASheetHasNoThickness) {
-  const Shape triangle = triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  const Shape triangle = test::soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   const Shape plane = test::box({1, 1, 0}, 3);  // top and bottom at the same place, and sides of no area
   for (const double offset : {0.01, 0.1, 1.0}) {
     const double r = offset * std::sqrt(2.0);
@@ -93,11 +80,11 @@ TEST(HostileShapes, ASheetHasNoThickness) {
 
 TEST(HostileShapes, ANeedleIsMeasuredAlongItsLengthOrNotAtAll) {
   // Of no area: p + r n is not to be had, and any direction across the needle is as good as another.
-  const Shape needle = triangles_of({{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}});
+  const Shape needle = test::soup_of({{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}});
   for (const double offset : {0.01, 0.3, 1.0}) {
     EXPECT_LE(values_of(needle, offset).maxCoeff(), 1 + 1e-2 * offset) << offset;
   }
-  const Shape thin = triangles_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}});
+  const Shape thin = test::soup_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}});
   for (const double offset : {0.01, 0.3, 1.0}) EXPECT_LE(values_of(thin, offset).maxCoeff(), 2e-3 * offset) << offset;
 }
 
@@ -132,14 +119,14 @@ TEST(HostileShapes, HugeAndTinyCoordinates) {
     EXPECT_LE(values.maxCoeff(), 2.01) << scale;
   }
   // Parts of size 1 and 1e-30 at a corner of a triangle of size 1e30: no value exceeds the extent, and rounding.
-  const Shape mixed = test::joined({test::sphere(1, 1), triangles_of({{0, 0, 0}, {1e30, 0, 0}, {0, 1e30, 0}}),
-                                    triangles_of({{0, 0, 1e-30}, {1e-30, 0, 1e-30}, {0, 1e-30, 1e-30}})});
+  const Shape mixed = test::joined({test::sphere(1, 1), test::soup_of({{0, 0, 0}, {1e30, 0, 0}, {0, 1e30, 0}}),
+                                    test::soup_of({{0, 0, 1e-30}, {1e-30, 0, 1e-30}, {0, 1e-30, 1e-30}})});
   for (const double offset : {0.02, 1.0}) {
     const double diagonal = bounding_box_diagonal(mixed);
     EXPECT_LE(values_of(mixed, offset).maxCoeff(), (1 + 2e-3 * offset) * diagonal) << offset;
   }
   const double largest = std::numeric_limits<double>::max();
-  const Shape too_large = triangles_of({{-largest, 0, 0}, {largest, 0, 0}, {0, largest, 0}});
+  const Shape too_large = test::soup_of({{-largest, 0, 0}, {largest, 0, 0}, {0, largest, 0}});
   EXPECT_THAT([&] { offset_sdf(too_large, sample_shape(too_large, SampleSite::vertices), {}); },
               ThrowsMessage<InputError>(HasSubstr("no usable extent")));
 }

@@ -124,18 +124,17 @@ TEST(OffsetSdf, IgnoresAVoidInsideTheShape) {
 /// A closed box with a cavity that a square shaft of the given width joins to the outside: an outer box whose top has a
 /// hole, the shaft's four walls, and an inner box whose top has the same hole.
 Shape box_with_cavity(double outer, double inner, double shaft) {
-  Shape shape;
-  std::vector<Eigen::RowVector3d> vertices;
-  std::vector<Eigen::RowVector3i> triangles;
-  const auto quad = [&](const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c,
-                        const Eigen::RowVector3d& d) {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<Eigen::Vector3i> triangles;
+  const auto quad = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                        const Eigen::Vector3d& d) {
     const int first = static_cast<int>(vertices.size());
     vertices.insert(vertices.end(), {a, b, c, d});
     triangles.emplace_back(first, first + 1, first + 2);
     triangles.emplace_back(first, first + 2, first + 3);
   };
   const auto corner = [](double half, int i, double z) {
-    return Eigen::RowVector3d(i == 0 || i == 3 ? -half : half, i < 2 ? -half : half, z);
+    return Eigen::Vector3d(i == 0 || i == 3 ? -half : half, i < 2 ? -half : half, z);
   };
   for (int i = 0; i < 4; ++i) {
     const int j = (i + 1) % 4;
@@ -148,20 +147,14 @@ Shape box_with_cavity(double outer, double inner, double shaft) {
   for (const double half : {outer, inner}) {
     quad(corner(half, 0, -half), corner(half, 1, -half), corner(half, 2, -half), corner(half, 3, -half));
   }
-  shape.vertices.resize(static_cast<Eigen::Index>(vertices.size()), 3);
-  shape.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t i = 0; i < vertices.size(); ++i) shape.vertices.row(static_cast<Eigen::Index>(i)) = vertices[i];
-  for (std::size_t i = 0; i < triangles.size(); ++i) shape.triangles.row(static_cast<Eigen::Index>(i)) = triangles[i];
-  return shape;
+  return test::mesh_of(vertices, triangles);
 }
 
 /// The offset SDF in the middle of the cavity's floor.
 OffsetSdfResult on_the_floor(const Shape& box, double offset) {
   Samples samples;
-  samples.points.resize(1, 3);
-  samples.points << 0.1, 0.05, -0.7;
-  samples.normals.resize(1, 3);
-  samples.normals << 0, 0, 1;
+  samples.points = Points{{0.1, 0.05, -0.7}};
+  samples.normals = Points{{0, 0, 1}};
   samples.weights = Eigen::VectorXd::Ones(1);
   return offset_sdf(box, samples, {.offset = offset});
 }

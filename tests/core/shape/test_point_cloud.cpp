@@ -52,8 +52,7 @@ TEST(PointNeighbours, IncludeCoincidentPoints) {
 }
 
 TEST(PointNeighbours, AreAtMostAllOtherPoints) {
-  Points points(3, 3);
-  points << 0, 0, 0, 1, 0, 0, 5, 0, 0;
+  const Points points{{0, 0, 0}, {1, 0, 0}, {5, 0, 0}};
   const PointNeighbours found = nearest_neighbours(points, 8);
   EXPECT_EQ(found.indices.cols(), 2);
   EXPECT_EQ(found.distances, (Eigen::Matrix<double, 3, 2>() << 1, 5, 1, 4, 4, 5).finished());
@@ -278,8 +277,7 @@ TEST(PointWeights, OfFewPoints) {
   EXPECT_EQ(point_weights(Points(0, 3)).size(), 0);
   EXPECT_EQ(point_weights(Points::Ones(1, 3)), Eigen::VectorXd::Zero(1));
   EXPECT_EQ(point_weights(Points::Ones(50, 3)), Eigen::VectorXd::Zero(50));
-  Points two(2, 3);
-  two << 0, 0, 0, 2, 0, 0;
+  const Points two{{0, 0, 0}, {2, 0, 0}};
   EXPECT_TRUE(point_weights(two).isApprox(Eigen::Vector2d::Constant(4 * std::numbers::pi), 1e-14));
 }
 

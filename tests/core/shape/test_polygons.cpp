@@ -16,11 +16,8 @@ using Labels = std::vector<std::int32_t>;
 
 /// Polygon 0 has triangles of area 0.5, 1 and 0.5; polygon 1 has none; polygon 2 has one.
 Shape mesh_of_three_polygons() {
-  Shape shape;
-  shape.vertices.resize(5, 3);
-  shape.vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 2, 0, -1, 0, 0;
-  shape.triangles.resize(4, 3);
-  shape.triangles << 0, 1, 2, 0, 2, 3, 0, 1, 2, 0, 3, 4;
+  Shape shape{.vertices = Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 2, 0}, {-1, 0, 0}},
+              .triangles = Triangles{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 3, 4}}};
   shape.polygons = {.of_triangle = {0, 0, 0, 2}, .count = 3};
   return shape;
 }

@@ -16,15 +16,6 @@ namespace {
 
 using test::Permuted;
 
-Shape triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  Shape shape;
-  shape.vertices.resize(3, 3);
-  shape.vertices << a.transpose(), b.transpose(), c.transpose();
-  shape.triangles.resize(1, 3);
-  shape.triangles << 0, 1, 2;
-  return shape;
-}
-
 class SampleSites : public testing::TestWithParam<SampleSite> {};
 INSTANTIATE_TEST_SUITE_P(Both, SampleSites, testing::Values(SampleSite::faces, SampleSite::vertices),
                          [](const auto& site) { return site.param == SampleSite::faces ? "faces" : "vertices"; });
@@ -77,8 +68,8 @@ TEST_P(SampleSites, DegenerateTrianglesHaveNoWeight) {
   const Eigen::Vector3d a(1, 2, 3);
   const Eigen::Vector3d b(2, -1, 0.7);
   const Eigen::Vector3d on_the_line = a + (b - a) / 3;
-  for (const Shape& shape : {triangle(a, a, a), triangle(a, a, b), triangle(a, b, on_the_line),
-                             triangle(1e-200 * a, 1e-200 * b, 1e-200 * on_the_line)}) {
+  for (const Shape& shape : {test::soup_of({a, a, a}), test::soup_of({a, a, b}), test::soup_of({a, b, on_the_line}),
+                             test::soup_of({1e-200 * a, 1e-200 * b, 1e-200 * on_the_line})}) {
     const Samples samples = sample_shape(shape, GetParam());
     EXPECT_TRUE(samples.weights.isZero(0));
     EXPECT_TRUE(samples.normals.isZero(0));
@@ -88,28 +79,28 @@ TEST_P(SampleSites, DegenerateTrianglesHaveNoWeight) {
 
 TEST_P(SampleSites, TinyAndHugeTrianglesHaveNormals) {
   for (const double size : {1e-160, 1e150}) {
-    const Samples samples = sample_shape(triangle({0, 0, 0}, {size, 0, 0}, {0, size, 0}), GetParam());
+    const Samples samples = sample_shape(test::soup_of({{0, 0, 0}, {size, 0, 0}, {0, size, 0}}), GetParam());
     EXPECT_TRUE(samples.normals.row(0).isApprox(Eigen::RowVector3d(0, 0, 1), 1e-14));
     EXPECT_TRUE(samples.weights.allFinite());
   }
 }
 
 TEST(SampleFaces, CentroidAndArea) {
-  const Samples samples = sample_shape(triangle({0, 0, 0}, {3, 0, 0}, {0, 6, 0}), SampleSite::faces);
+  const Samples samples = sample_shape(test::soup_of({{0, 0, 0}, {3, 0, 0}, {0, 6, 0}}), SampleSite::faces);
   EXPECT_TRUE(samples.points.row(0).isApprox(Eigen::RowVector3d(1, 2, 0), 1e-14));
   EXPECT_DOUBLE_EQ(samples.weights[0], 9);
 }
 
 TEST(SampleVertices, AcuteTrianglesGiveVoronoiAreas) {
   // The circumcentre of this triangle is (2, 1.5): each corner's region is two right-angled triangles around it.
-  const Samples samples = sample_shape(triangle({0, 0, 0}, {4, 0, 0}, {2, 4, 0}), SampleSite::vertices);
+  const Samples samples = sample_shape(test::soup_of({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}}), SampleSite::vertices);
   EXPECT_NEAR(samples.weights[0], 1.5 + 1.25, 1e-14);
   EXPECT_NEAR(samples.weights[1], 1.5 + 1.25, 1e-14);
   EXPECT_NEAR(samples.weights[2], 2.5, 1e-14);
 }
 
 TEST(SampleVertices, ObtuseTrianglesGiveHalfToTheObtuseCorner) {
-  const Samples samples = sample_shape(triangle({0, 0, 0}, {1, 0, 0}, {-1, 1, 0}), SampleSite::vertices);
+  const Samples samples = sample_shape(test::soup_of({{0, 0, 0}, {1, 0, 0}, {-1, 1, 0}}), SampleSite::vertices);
   EXPECT_NEAR(samples.weights[0], 0.25, 1e-15);
   EXPECT_NEAR(samples.weights[1], 0.125, 1e-15);
   EXPECT_NEAR(samples.weights[2], 0.125, 1e-15);
@@ -124,7 +115,7 @@ TEST(SampleVertices, CornerNormalDoesNotDependOnHowTheSidesAreCut) {
 }
 
 TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
-  Shape fan = triangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
+  Shape fan = test::soup_of({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}});
   fan.vertices.conservativeResize(5, 3);
   fan.vertices.bottomRows<2>() << 0, 1, 0, -1, -1, 0;
   fan.triangles.conservativeResize(3, 3);
@@ -134,8 +125,7 @@ TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
 
 TEST(SampleVertices, NormalFollowsTheMajorityOfOrientations) {
   // Six equal triangles around a vertex, two of them flipped: the sum of normals is a third.
-  Shape fan;
-  fan.vertices = Points::Zero(7, 3);
+  Shape fan{.vertices = Points::Zero(7, 3), .triangles = {}};
   fan.triangles.resize(6, 3);
   for (int k = 0; k < 6; ++k) {
     const double angle = k * std::numbers::pi / 3;
@@ -161,7 +151,7 @@ TEST(SampleVertices, HaveNoNormalIfUnusedOrIfNormalsCancel) {
 }
 
 TEST(SampleVertices, OfADoubledSheetHaveTheNormalsOfTheFirst) {
-  Shape sheet = triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  Shape sheet = test::soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   sheet.triangles.conservativeResize(2, 3);
   sheet.triangles.bottomRows<1>() << 2, 1, 0;
   const Samples samples = sample_shape(sheet, SampleSite::vertices);
@@ -185,11 +175,9 @@ TEST_P(SampleSites, OfACloudAreItsPoints) {
 
 TEST(SamplesOfTheSurface, AreUniformByAreaAndOnTheirTriangles) {
   // Two squares, one of nine times the other's area.
-  Shape sheet;
-  sheet.vertices.resize(8, 3);
-  sheet.vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 0, 0, 8, 0, 0, 8, 3, 0, 5, 3, 0;
-  sheet.triangles.resize(4, 3);
-  sheet.triangles << 0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6;
+  const Shape sheet{
+      .vertices = Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {8, 0, 0}, {8, 3, 0}, {5, 3, 0}},
+      .triangles = Triangles{{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}}};
   const Samples samples = sample_surface(sheet, 1000);
   EXPECT_EQ(samples.site, SampleSite::surface);
   EXPECT_NEAR(samples.weights.sum(), 10, 1e-9);
@@ -207,7 +195,7 @@ TEST(SamplesOfTheSurface, AreUniformByAreaAndOnTheirTriangles) {
 
 TEST(SamplesOfTheSurface, AreUniformWithinATriangle) {
   constexpr Eigen::Index count = 20000;
-  const Samples samples = sample_surface(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), count);
+  const Samples samples = sample_surface(test::soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), count);
   // Means of uniform points: 1/3 of each coordinate, 1/6 of its square, 1/12 of the product.
   const Eigen::ArrayXd x = samples.points.col(0).array();
   const Eigen::ArrayXd y = samples.points.col(1).array();

@@ -23,11 +23,8 @@ TEST(Shape, MeasuresOfABox) {
 }
 
 TEST(TriangleNormal, FollowsTheOrderOfCornersAndIsZeroIfDegenerate) {
-  Shape mesh;
-  mesh.vertices.resize(5, 3);
-  mesh.vertices << 0, 0, 0, 3, 0, 0, 0, 1e-200, 0, 1e200, 0, 0, 0, 1e200, 0;
-  mesh.triangles.resize(4, 3);
-  mesh.triangles << 0, 1, 2, 0, 2, 1, 0, 1, 1, 0, 3, 4;
+  const Shape mesh{.vertices = Points{{0, 0, 0}, {3, 0, 0}, {0, 1e-200, 0}, {1e200, 0, 0}, {0, 1e200, 0}},
+                   .triangles = Triangles{{0, 1, 2}, {0, 2, 1}, {0, 1, 1}, {0, 3, 4}}};
   EXPECT_EQ(triangle_normal(mesh, 0), Eigen::RowVector3d(0, 0, 1));
   EXPECT_EQ(triangle_normal(mesh, 1), Eigen::RowVector3d(0, 0, -1));
   EXPECT_EQ(triangle_normal(mesh, 2), Eigen::RowVector3d::Zero());

@@ -10,23 +10,16 @@
 
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/closest_point.h"
+#include "tests/support/test_shapes.h"
 
 /// Triangle soups that are difficult for spatial searches.
 namespace shapegauge {
 
 /// Shape whose triangles share no vertices.
 inline Shape soup_of(const std::vector<Triangle>& triangles) {
-  Shape shape;
-  shape.vertices.resize(3 * std::ssize(triangles), 3);
-  shape.triangles.resize(std::ssize(triangles), 3);
-  for (Eigen::Index f = 0; f < std::ssize(triangles); ++f) {
-    const Triangle& t = triangles[static_cast<std::size_t>(f)];
-    shape.vertices.row(3 * f) = t.a.transpose();
-    shape.vertices.row(3 * f + 1) = t.b.transpose();
-    shape.vertices.row(3 * f + 2) = t.c.transpose();
-    for (int k = 0; k < 3; ++k) shape.triangles(f, k) = static_cast<std::int32_t>(3 * f + k);
-  }
-  return shape;
+  std::vector<Eigen::Vector3d> corners;
+  for (const Triangle& t : triangles) corners.insert(corners.end(), {t.a, t.b, t.c});
+  return test::soup_of(corners);
 }
 
 enum class Soup {

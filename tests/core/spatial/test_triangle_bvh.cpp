@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
-#include <optional>
 #include <rapidcheck/gtest.h>
 #include <vector>
 
@@ -127,8 +126,7 @@ TEST(TriangleBVH, CopesWithManyTrianglesInOnePlace) {
 
 /// Points of a cloud are treated as degenerate triangles.
 RC_GTEST_PROP(TriangleBVH, FindsTheClosestPointOfACloud, ()) {
-  Shape cloud;
-  cloud.vertices = any_soup(100).vertices;
+  Shape cloud{.vertices = any_soup(100).vertices, .triangles = {}};
   const TriangleBVH tree(cloud);
   const Eigen::Vector3d x = any_query(cloud);
   const double expected = std::sqrt((cloud.vertices.rowwise() - x.transpose()).rowwise().squaredNorm().minCoeff());

@@ -38,44 +38,42 @@ class MatFile {
   mat_t* file_;
 };
 
-TEST(MatFile, ReadsASingleMatrixByColumns) {
-  const test::TemporaryFolder folder;
+using MatFileTest = test::FolderTest;
+
+TEST_F(MatFileTest, ReadsASingleMatrixByColumns) {
   const DistanceMatrix expected{{1, 3, 5}, {2, 4, 6}};
-  MatFile(folder.path() / "a.mat").add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
-  MatFile(folder.path() / "b.mat").add<float>("D", MAT_C_SINGLE, MAT_T_SINGLE, {1, 2, 3, 4, 5, 6});
-  MatFile(folder.path() / "c.mat").add<mat_uint8_t>("D", MAT_C_UINT8, MAT_T_UINT8, {1, 2, 3, 4, 5, 6});
+  MatFile(at("a.mat")).add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
+  MatFile(at("b.mat")).add<float>("D", MAT_C_SINGLE, MAT_T_SINGLE, {1, 2, 3, 4, 5, 6});
+  MatFile(at("c.mat")).add<mat_uint8_t>("D", MAT_C_UINT8, MAT_T_UINT8, {1, 2, 3, 4, 5, 6});
   for (const char* name : {"a.mat", "b.mat", "c.mat"}) {
-    EXPECT_EQ(read_mat(folder.path() / name), expected) << name;
-    EXPECT_EQ(read_matrix(folder.path() / name, TableShape::any).numbers, expected) << name;
+    EXPECT_EQ(read_mat(folder_.path() / name), expected) << name;
+    EXPECT_EQ(read_matrix(folder_.path() / name, TableShape::any).numbers, expected) << name;
   }
-  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "a.mat", TableShape::square); }),
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(at("a.mat"), TableShape::square); }),
               AllOf(HasSubstr("a.mat"), HasSubstr("square"), HasSubstr("2 x 3")));
 }
 
-TEST(MatFile, RejectsImpossibleSizes) {
-  const test::TemporaryFolder folder;
-  MatFile(folder.path() / "a.mat")
-      .add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6}, MAT_COMPRESSION_NONE);
-  std::string bytes = test::bytes_of(folder.path() / "a.mat");
+TEST_F(MatFileTest, RejectsImpossibleSizes) {
+  MatFile(at("a.mat")).add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6}, MAT_COMPRESSION_NONE);
+  std::string bytes = test::bytes_of(at("a.mat"));
   const std::string size("\x02\0\0\0\x03\0\0\0", 8);
   ASSERT_NE(bytes.find(size), std::string::npos);
   bytes.replace(bytes.find(size), size.size(), std::string("\0\0\x01\0\0\0\x01\0", 8));
-  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.file("large.mat", bytes)); }),
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder_.file("large.mat", bytes)); }),
               AllOf(HasSubstr("large.mat"), HasSubstr("256 MiB")));
 }
 
-TEST(MatFile, RejectsOtherFiles) {
-  const test::TemporaryFolder folder;
+TEST_F(MatFileTest, RejectsOtherFiles) {
   {
-    MatFile two(folder.path() / "two.mat");
+    MatFile two(at("two.mat"));
     two.add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
     two.add<double>("E", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
   }
-  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "two.mat"); }), HasSubstr("several matrices: D, E"));
-  EXPECT_EQ(read_mat(folder.path() / "two.mat", "E")(0, 0), 1);
-  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "two.mat", "F"); }), HasSubstr("no matrix \"F\""));
-  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.file("x.mat", "no such file")); }), HasSubstr("x.mat"));
-  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "none.mat"); }), HasSubstr("none.mat"));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(at("two.mat")); }), HasSubstr("several matrices: D, E"));
+  EXPECT_EQ(read_mat(at("two.mat"), "E")(0, 0), 1);
+  EXPECT_THAT(test::input_error_of([&] { read_mat(at("two.mat"), "F"); }), HasSubstr("no matrix \"F\""));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder_.file("x.mat", "no such file")); }), HasSubstr("x.mat"));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(at("none.mat")); }), HasSubstr("none.mat"));
 }
 
 }  // namespace

@@ -25,11 +25,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-DistanceMatrix example() {
-  DistanceMatrix matrix(2, 2);
-  matrix << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
-  return matrix;
-}
+DistanceMatrix example() { return DistanceMatrix{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}}; }
 
 TEST(NumberTable, NumericIdsMayHaveAnEmptyCorner) {
   const test::TemporaryFolder folder;
@@ -50,35 +46,33 @@ TEST(CsvMatrix, ReadsTsvFiles) {
   EXPECT_EQ(read_matrix(folder.path() / "m.tsv", TableShape::square).numbers, example());
 }
 
-TEST(PsbMatrix, IsLittleEndianFloat32RowByRow) {
+using PsbMatrixTest = test::FolderTest;
+
+TEST_F(PsbMatrixTest, IsLittleEndianFloat32RowByRow) {
   using namespace std::string_literals;
-  const TemporaryFolder folder;
   const auto bytes = "\0\0\0\0"s + "\0\0\xC0\x3F"s + "\0\0\x10\xC0"s + "\0\0\x80\x7F"s;
-  const DistanceMatrix matrix = read_matrix(folder.file("m.matrix", bytes), TableShape::square).numbers;
-  DistanceMatrix expected(2, 2);
-  expected << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
+  const DistanceMatrix matrix = read_matrix(folder_.file("m.matrix", bytes), TableShape::square).numbers;
+  const DistanceMatrix expected{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}};
   EXPECT_EQ(matrix, expected);
 }
 
-TEST(PsbMatrix, RejectsOtherSizesAndSuggestsFloat64) {
-  const TemporaryFolder folder;
+TEST_F(PsbMatrixTest, RejectsOtherSizesAndSuggestsFloat64) {
   const auto error_for = [&](std::size_t bytes) {
     return test::input_error_of(
-        [&] { read_matrix(folder.file("m.matrix", std::string(bytes, '\0')), TableShape::square); });
+        [&] { read_matrix(folder_.file("m.matrix", std::string(bytes, '\0')), TableShape::square); });
   };
   EXPECT_THAT(error_for(8 * 9), AllOf(HasSubstr("m.matrix: 72 bytes"), HasSubstr("float64 (3 x 3)")));
   EXPECT_THAT(error_for(4 * 9 - 1), AllOf(HasSubstr("m.matrix: 35 bytes"), HasSubstr("truncated")));
   EXPECT_THAT(error_for(4 * 10), HasSubstr("square matrix"));
   EXPECT_THAT(error_for(3), HasSubstr("square matrix"));
   EXPECT_THAT(error_for(0), HasSubstr("empty"));
-  EXPECT_THAT(test::input_error_of([&] { read_matrix(folder.path() / "none.matrix", TableShape::square); }),
+  EXPECT_THAT(test::input_error_of([&] { read_matrix(at("none.matrix"), TableShape::square); }),
               HasSubstr("none.matrix"));
 }
 
-TEST(PsbMatrix, EverySizeOfFileReadsOrIsAnError) {
-  const TemporaryFolder folder;
+TEST_F(PsbMatrixTest, EverySizeOfFileReadsOrIsAnError) {
   for (std::size_t bytes = 1; bytes <= 400; ++bytes) {
-    const auto path = folder.file("m.matrix", std::string(bytes, '\0'));
+    const auto path = folder_.file("m.matrix", std::string(bytes, '\0'));
     std::size_t size = 1;
     while (4 * size * size < bytes) ++size;
     const std::string error = test::input_error_of([&] {

@@ -104,11 +104,7 @@ const std::string float32_big_endian_fortran_version_1 =
     "\x93NUMPY\x01\x00v\x00{'descr': '>f4', 'fortran_order': True, 'shape': (2, 2), }"s + std::string(59, ' ') +
     "\n\x00\x00\x00\x00\xc0\x10\x00\x00?\xc0\x00\x00\x7f\x80\x00\x00"s;
 
-DistanceMatrix npy_example() {
-  DistanceMatrix matrix(2, 2);
-  matrix << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
-  return matrix;
-}
+DistanceMatrix npy_example() { return DistanceMatrix{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}}; }
 
 std::string npy_replaced(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
@@ -118,8 +114,9 @@ std::string npy_error_of(const std::string& bytes) {
   return test::input_error_of([&] { parse_npy(bytes, "x.npy", TableShape::square); });
 }
 
-TEST(Npy, ReadsWhatNumpyWrites) {
-  const TemporaryFolder folder;
+using NpyTest = test::FolderTest;
+
+TEST_F(NpyTest, ReadsWhatNumpyWrites) {
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2, float64_big_endian_version_3,
                                    float32_big_endian_fortran_version_1}) {
     EXPECT_EQ(parse_npy(bytes, "x.npy", TableShape::square), npy_example());
@@ -133,7 +130,7 @@ DistanceMatrix row_of(const std::string& type, const std::string& bytes, std::si
                    "x", TableShape::any);
 }
 
-TEST(Npy, ReadsIntegersAndBooleans) {
+TEST_F(NpyTest, ReadsIntegersAndBooleans) {
   EXPECT_EQ(row_of("|i1", "\x05\xFF\x80"s, 3), (DistanceMatrix{{5, -1, -128}}));
   EXPECT_EQ(row_of("|u1", "\x05\xFF"s, 2), (DistanceMatrix{{5, 255}}));
   EXPECT_EQ(row_of("|b1", "\x00\x01"s, 2), (DistanceMatrix{{0, 1}}));
@@ -153,7 +150,7 @@ TEST(Npy, ReadsIntegersAndBooleans) {
 }
 
 // Values of IEEE 754 binary16: 1, -2, 65504 (the largest), 2^-24 (the smallest), 1/3 rounded, infinity.
-TEST(Npy, ReadsFloat16) {
+TEST_F(NpyTest, ReadsFloat16) {
   const DistanceMatrix expected{
       {1, -2, 65504, std::ldexp(1, -24), 0.333251953125, std::numeric_limits<double>::infinity()}};
   EXPECT_EQ(row_of("<f2", "\x00\x3C\x00\xC0\xFF\x7B\x01\x00\x55\x35\x00\x7C"s, 6), expected);
@@ -161,21 +158,19 @@ TEST(Npy, ReadsFloat16) {
   EXPECT_TRUE(std::isnan(row_of("<f2", "\x01\x7E"s, 1)(0, 0)));
 }
 
-TEST(Npy, WritesWhatNumpyWrites) {
-  const TemporaryFolder folder;
-  write_npy(folder.path() / "x.npy", npy_example());
-  EXPECT_EQ(test::bytes_of(folder.path() / "x.npy"), float64_version_1);
+TEST_F(NpyTest, WritesWhatNumpyWrites) {
+  write_npy(at("x.npy"), npy_example());
+  EXPECT_EQ(test::bytes_of(at("x.npy")), float64_version_1);
 }
 
-TEST(Npy, WritesVectorsAsNumpyDoes) {
-  const TemporaryFolder folder;
-  write_npy_vector(folder.path() / "v.npy", Eigen::Vector2d(0, 1.5));
-  EXPECT_EQ(test::bytes_of(folder.path() / "v.npy"),
+TEST_F(NpyTest, WritesVectorsAsNumpyDoes) {
+  write_npy_vector(at("v.npy"), Eigen::Vector2d(0, 1.5));
+  EXPECT_EQ(test::bytes_of(at("v.npy")),
             "\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2,), }"s + std::string(60, ' ') +
                 "\n\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\xf8?"s);
 }
 
-TEST(Npy, OtherTypesAndShapesAreErrors) {
+TEST_F(NpyTest, OtherTypesAndShapesAreErrors) {
   for (const char* const type : {"<c8", "<f1", "f8 ", "|O8", "<U3"}) {
     EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "<f8", type)),
                 AllOf(HasSubstr("x.npy: numbers of type \""s + type), HasSubstr("float64")));
@@ -185,7 +180,7 @@ TEST(Npy, OtherTypesAndShapesAreErrors) {
   }
 }
 
-TEST(Npy, DataOfAnotherLengthIsAnError) {
+TEST_F(NpyTest, DataOfAnotherLengthIsAnError) {
   EXPECT_THAT(npy_error_of(float64_version_1 + "x"), HasSubstr("33 bytes of data"));
   EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2)", "(3, 3)")),
               HasSubstr("shape (3, 3) and type <f8"));
@@ -199,8 +194,7 @@ TEST(Npy, DataOfAnotherLengthIsAnError) {
               HasSubstr("do not match an array of shape"));
 }
 
-TEST(Npy, EveryPrefixIsAnInputError) {
-  const TemporaryFolder folder;
+TEST_F(NpyTest, EveryPrefixIsAnInputError) {
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2}) {
     for (std::size_t length = 0; length < bytes.size(); ++length) {
       EXPECT_THAT(npy_error_of(bytes.substr(0, length)), HasSubstr("x.npy")) << length;

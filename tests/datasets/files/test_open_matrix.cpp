@@ -47,39 +47,37 @@ RC_GTEST_PROP(OpenMatrix, BlocksMatchTheWholeMatrix, ()) {
   }
 }
 
-TEST(OpenMatrix, RejectsNanInItsBlock) {
-  const TemporaryFolder folder;
+using OpenMatrixTest = test::FolderTest;
+
+TEST_F(OpenMatrixTest, RejectsNanInItsBlock) {
   DistanceMatrix matrix = DistanceMatrix::Zero(5, 5);
   matrix(3, 1) = std::numeric_limits<double>::quiet_NaN();
-  write_npy(folder.path() / "m.npy", matrix);
-  const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::square);
+  write_npy(at("m.npy"), matrix);
+  const OpenMatrix opened = open_matrix(at("m.npy"), TableShape::square);
   EXPECT_EQ(opened.read({.first_row = 0, .rows = 3, .first_column = 0, .columns = 5}).rows(), 3);
   EXPECT_THAT(test::input_error_of([&] { opened.read({.first_row = 2, .rows = 3, .first_column = 1, .columns = 2}); }),
               AllOf(HasSubstr("m.npy"), HasSubstr("row 3, column 1")));
 }
 
-TEST(OpenMatrix, NanOnTheDiagonalIsMissingInEveryBlock) {
-  const TemporaryFolder folder;
+TEST_F(OpenMatrixTest, NanOnTheDiagonalIsMissingInEveryBlock) {
   DistanceMatrix matrix = DistanceMatrix::Ones(5, 5);
   matrix.diagonal().setConstant(std::numeric_limits<double>::quiet_NaN());
-  write_npy(folder.path() / "m.npy", matrix);
-  const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::square);
+  write_npy(at("m.npy"), matrix);
+  const OpenMatrix opened = open_matrix(at("m.npy"), TableShape::square);
   EXPECT_EQ(opened.read({.first_row = 2, .rows = 2, .first_column = 1, .columns = 2}),
             (DistanceMatrix{{1, 0}, {1, 1}}));
 }
 
-TEST(OpenMatrix, RefusesFilesOfAnotherSizeAndFilesThatShrink) {
-  const TemporaryFolder folder;
-  write_npy(folder.path() / "m.npy", DistanceMatrix::Ones(40, 40));
-  const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::square);
-  std::filesystem::resize_file(folder.path() / "m.npy", 5000);
+TEST_F(OpenMatrixTest, RefusesFilesOfAnotherSizeAndFilesThatShrink) {
+  write_npy(at("m.npy"), DistanceMatrix::Ones(40, 40));
+  const OpenMatrix opened = open_matrix(at("m.npy"), TableShape::square);
+  std::filesystem::resize_file(at("m.npy"), 5000);
   EXPECT_THAT(test::input_error_of([&] { whole_matrix(opened); }), HasSubstr("truncated"));
-  EXPECT_THAT(test::input_error_of([&] { open_matrix(folder.path() / "m.npy", TableShape::square); }),
+  EXPECT_THAT(test::input_error_of([&] { open_matrix(at("m.npy"), TableShape::square); }),
               HasSubstr("truncated or damaged"));
-  write_npy(folder.path() / "n.npy", DistanceMatrix::Ones(2, 3));
-  EXPECT_EQ(open_matrix(folder.path() / "n.npy", TableShape::any).columns, 3);
-  EXPECT_THAT(test::input_error_of([&] { open_matrix(folder.path() / "n.npy", TableShape::square); }),
-              HasSubstr("square"));
+  write_npy(at("n.npy"), DistanceMatrix::Ones(2, 3));
+  EXPECT_EQ(open_matrix(at("n.npy"), TableShape::any).columns, 3);
+  EXPECT_THAT(test::input_error_of([&] { open_matrix(at("n.npy"), TableShape::square); }), HasSubstr("square"));
 }
 
 /// Entry (i, j) is 1000 i + j.
@@ -91,16 +89,15 @@ DistanceMatrix numbered_matrix(Eigen::Index rows, Eigen::Index columns) {
   return matrix;
 }
 
-TEST(OpenMatrix, ReadsBlocksOfTablesOfAnyShapeAndNumberType) {
-  const TemporaryFolder folder;
+TEST_F(OpenMatrixTest, ReadsBlocksOfTablesOfAnyShapeAndNumberType) {
   const DistanceMatrix matrix = numbered_matrix(5, 3);
-  write_npy(folder.path() / "c.npy", matrix);
+  write_npy(at("c.npy"), matrix);
   // The same as float32 and as int16 column by column, as NumPy writes them.
   const auto npy = [&](const char* name, const std::string& type, const char* order, const std::string& data) {
     std::string header = "{'descr': '" + type + "', 'fortran_order': " + order + ", 'shape': (5, 3), }";
     header.resize(117, ' ');
     header += '\n';
-    static_cast<void>(folder.file(name, std::string("\x93NUMPY\x01\x00\x76\x00", 10) + header + data));
+    static_cast<void>(folder_.file(name, std::string("\x93NUMPY\x01\x00\x76\x00", 10) + header + data));
   };
   std::string floats;
   std::string integers;
@@ -113,7 +110,7 @@ TEST(OpenMatrix, ReadsBlocksOfTablesOfAnyShapeAndNumberType) {
   npy("f.npy", "<f4", "False", floats);
   npy("i.npy", "<i2", "True", integers);
   for (const char* name : {"c.npy", "f.npy", "i.npy"}) {
-    const OpenMatrix opened = open_matrix(folder.path() / name, TableShape::any);
+    const OpenMatrix opened = open_matrix(folder_.path() / name, TableShape::any);
     EXPECT_EQ(opened.rows, 5) << name;
     EXPECT_EQ(opened.columns, 3) << name;
     EXPECT_EQ(whole_matrix(opened), matrix) << name;
@@ -122,17 +119,16 @@ TEST(OpenMatrix, ReadsBlocksOfTablesOfAnyShapeAndNumberType) {
   }
 }
 
-TEST(OpenMatrix, KeepsTheIdsOfATable) {
-  const TemporaryFolder folder;
-  const OpenMatrix table = open_matrix(folder.file("t.csv", "id,x,y,z\na,0,1,2\nb,3,4,5\n"), TableShape::any);
+TEST_F(OpenMatrixTest, KeepsTheIdsOfATable) {
+  const OpenMatrix table = open_matrix(folder_.file("t.csv", "id,x,y,z\na,0,1,2\nb,3,4,5\n"), TableShape::any);
   EXPECT_THAT(table.row_ids, ElementsAre("a", "b"));
   EXPECT_THAT(table.column_ids, ElementsAre("x", "y", "z"));
-  const OpenMatrix square = open_matrix(folder.file("s.csv", "id,a,b\na,0,1\nb,1,0\n"), TableShape::square);
+  const OpenMatrix square = open_matrix(folder_.file("s.csv", "id,a,b\na,0,1\nb,1,0\n"), TableShape::square);
   EXPECT_THAT(square.row_ids, ElementsAre("a", "b"));
   EXPECT_THAT(square.column_ids, ElementsAre("a", "b"));
 }
 
-TEST(OpenMatrix, OutlivesTheTableItWasMadeFrom) {
+TEST_F(OpenMatrixTest, OutlivesTheTableItWasMadeFrom) {
   OpenMatrix opened;
   {
     LabelledTable table{.numbers = numbered_matrix(4, 6), .row_ids = {"a", "b", "c", "d"}, .column_ids = {}};
@@ -145,11 +141,10 @@ TEST(OpenMatrix, OutlivesTheTableItWasMadeFrom) {
   EXPECT_EQ(whole_matrix(opened), numbered_matrix(4, 6));
 }
 
-TEST(OpenMatrix, BlocksAreTheSameOnAnyNumberOfThreads) {
-  const TemporaryFolder folder;
+TEST_F(OpenMatrixTest, BlocksAreTheSameOnAnyNumberOfThreads) {
   const DistanceMatrix matrix = numbered_matrix(300, 40);
-  write_npy(folder.path() / "m.npy", matrix);
-  const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::any);
+  write_npy(at("m.npy"), matrix);
+  const OpenMatrix opened = open_matrix(at("m.npy"), TableShape::any);
   const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
   for (const int threads : {1, 5}) {
     EXPECT_EQ(tbb::task_arena(threads).execute([&] { return whole_matrix(opened); }), matrix) << threads;

@@ -34,11 +34,7 @@ std::string csv_error(const std::string& text) {
   return test::input_error_of([&] { read_csv(text); });
 }
 
-DistanceMatrix text_example() {
-  DistanceMatrix matrix(2, 2);
-  matrix << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
-  return matrix;
-}
+DistanceMatrix text_example() { return DistanceMatrix{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}}; }
 
 TEST(CsvMatrix, ReadsIdsOfTheHeaderRowAndTheFirstColumn) {
   for (const char* const text :
@@ -159,8 +155,7 @@ TEST(TextMatrix, MayHaveSemicolonsOrCommasBetweenTheNumbers) {
 }
 
 TEST(TextMatrix, ReadsOneRowPerLine) {
-  DistanceMatrix expected(2, 2);
-  expected << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
+  const DistanceMatrix expected{{0, 1.5}, {-2.25, std::numeric_limits<double>::infinity()}};
   EXPECT_EQ(read_text("0 1.5\n-2.25 inf\n"), expected);
   EXPECT_EQ(read_text("\xEF\xBB\xBF# distances\r\n\r\n\t0.0  1.50 \r\n  # more\r\n-225e-2\tInf"), expected);
 }

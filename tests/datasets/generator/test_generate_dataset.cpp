@@ -118,10 +118,6 @@ TEST(DrawModel, ReportsWhenNoPoseIsValid) {
   EXPECT_THROW(draw_model(body, random), std::runtime_error);
 }
 
-}  // namespace
-
-namespace {
-
 using test::bytes_of;
 using test::TemporaryFolder;
 using testing::HasSubstr;

@@ -61,10 +61,6 @@ TEST(MeshImplicitSurface, RingsAndThinPartsKeepTheirTopology) {
   EXPECT_EQ(2 * mesh.vertices.rows(), mesh.triangles.rows());
 }
 
-}  // namespace
-
-namespace {
-
 TEST(SelfIntersections, AreFoundWhereTwoSpheresCross) {
   const Shape sphere = test::sphere(1, 2);
   const auto moved = [&](double x) {

@@ -44,23 +44,15 @@ TEST_F(BoneWeights, LabelsAreLimbsNotBones) {
 }
 
 TEST(LimbLabels, AreTheLimbsWithMostWeight) {
-  Shape mesh;
-  mesh.vertices = Points::Zero(4, 3);
-  mesh.triangles.resize(2, 3);
-  mesh.triangles << 0, 1, 2, 1, 2, 3;
+  const Shape mesh{.vertices = Points::Zero(4, 3), .triangles = Triangles{{0, 1, 2}, {1, 2, 3}}};
   BoneTree tree;
   tree.bones.resize(3);
   tree.bones[1].limb = 1;
   tree.bones[2].limb = 1;
   tree.bone_of_segment = {{0}, {1, 2}};
-  Eigen::MatrixXd weights(4, 3);
-  weights << 1, 0, 0, 0.5, 0.25, 0.25, 0.6, 0.1, 0.3, 0, 0.5, 0.5;
+  const Eigen::MatrixXd weights{{1, 0, 0}, {0.5, 0.25, 0.25}, {0.6, 0.1, 0.3}, {0, 0.5, 0.5}};
   EXPECT_EQ(limb_labels(mesh, weights, tree), Eigen::Vector2i(0, 1));
 }
-
-}  // namespace
-
-namespace {
 
 Skeleton rod(bool curls) {
   return {"",
@@ -118,17 +110,12 @@ TEST(Skinned, HalfwayBetweenTwoRotationsAboutAJointIsTheMiddleRotation) {
   const Eigen::Vector3d joint(1, 2, 0);
   bent.rotation = Eigen::AngleAxisd(1.6, Eigen::Vector3d::UnitZ());
   bent.translation = joint - bent.rotation * joint;
-  Points point(1, 3);
-  point << 1, 2.5, 0.3;
+  const Points point{{1, 2.5, 0.3}};
   const Points moved = skinned(point, Eigen::MatrixXd::Constant(1, 2, 0.5), {RigidMotion(), bent});
   const Eigen::Vector3d expected =
       joint + Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0, 0.5, 0.3);
   EXPECT_LT((moved.row(0).transpose() - expected).norm(), 1e-14);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(Proportions, StretchEachKindOfLimbByAFewPercentAndKeepTheJointsTogether) {
   Skeleton s;
@@ -138,8 +125,7 @@ TEST(Proportions, StretchEachKindOfLimbByAFewPercentAndKeepTheJointsTogether) {
   }
   RestPose rest;
   rest.tree = bones_of(s);
-  rest.points.resize(4, 3);
-  rest.points << 2, 0, 0, 0, 0.5, 0, 0.5, 0, -1, 1.5, 0, -1;
+  rest.points = Points{{2, 0, 0}, {0, 0.5, 0}, {0.5, 0, -1}, {1.5, 0, -1}};
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(4, 3);
   weights(0, 0) = weights(1, 0) = weights(2, 1) = weights(3, 2) = 1;
   RandomNumbers random(9);

@@ -59,10 +59,6 @@ TEST(Skeleton, TurnedLimbMovesWithItsHinges) {
   EXPECT_LT((limb.joints[0].hinges[0].axis - axis).norm(), 1e-15);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(Bones, SplitLimbsAtJointsAndAttachToTheClosestBone) {
   Skeleton s;
   const int spine = add_limb(s, {.kind = "spine",

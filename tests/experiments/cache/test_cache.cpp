@@ -55,10 +55,6 @@ TEST(CacheEntry, IsNotConfusedWithAnother) {
   EXPECT_EQ(decode_entry(EntryKind::shape, std::string(64, 'b'), bytes), std::nullopt);
 }
 
-}  // namespace
-
-namespace {
-
 namespace fs = std::filesystem;
 using test::text_of;
 using test::write_text;

@@ -80,13 +80,8 @@ TEST(CacheFolder, ReadsTheLimitFromTheEnvironment) {
   EXPECT_EQ(cache_limit(), 1'000'000U);
 }
 
-}  // namespace
-
-namespace {
-
 namespace fs = std::filesystem;
 using test::write_text;
-using testing::HasSubstr;
 
 class CacheContentsTest : public test::FolderTest {
  protected:

@@ -7,9 +7,9 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
+#include "shapegauge/core/base/members.h"
 #include "shapegauge/experiments/cache/codec.h"
 
 namespace shapegauge {
@@ -33,15 +33,9 @@ struct Outer {
   Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> points;
 };
 
-auto members(Inner& inner) {
-  auto& [number, text] = inner;
-  return std::tie(number, text);
-}
+SHAPEGAUGE_MEMBERS(Inner, number, text)
 
-auto members(Outer& outer) {
-  auto& [kind, inner, list, counts, numbers, matrix, points] = outer;
-  return std::tie(kind, inner, list, counts, numbers, matrix, points);
-}
+SHAPEGAUGE_MEMBERS(Outer, kind, inner, list, counts, numbers, matrix, points)
 
 Outer sample() {
   return {

@@ -30,10 +30,12 @@ std::string refusal_of(const SmallBoard& small) {
   return board.refused.size() == 1 ? board.refused[0].reason : "not one refusal";
 }
 
-using JudgeSubmissions = test::FolderTest;
+class JudgeSubmissions : public test::FolderTest {
+ protected:
+  const SmallBoard small;
+};
 
 TEST_F(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
-  const SmallBoard small;
   const Leaderboard board = small.judged();
   EXPECT_THAT(names_of(board), ElementsAre("good", "poor"));
   EvaluationFiles files = small.options().files;
@@ -48,7 +50,6 @@ TEST_F(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
 }
 
 TEST_F(JudgeSubmissions, ReadsSimilaritiesAsDescribed) {
-  const SmallBoard small;
   small.add("alike.csv", small_matrix(0, -1));
   small.add("alike.json", R"({"name": "Alike", "similarity": true})");
   const Leaderboard board = small.judged();
@@ -58,7 +59,6 @@ TEST_F(JudgeSubmissions, ReadsSimilaritiesAsDescribed) {
 }
 
 TEST_F(JudgeSubmissions, RejectsApparentSimilaritiesUnlessDescribed) {
-  const SmallBoard small;
   small.add("alike.csv", small_matrix(0, -1));
   EXPECT_THAT(refusal_of(small), HasSubstr("similarities given as distances"));
   small.add("alike.json", R"({"similarity": false})");
@@ -74,14 +74,13 @@ TEST_F(JudgeSubmissions, RejectsUnusableFilesAndEvaluatesTheOthers) {
                                          {"three.csv", "0,1,2\n1,0,2\n2,2,0\n", "12"},
                                          {"ids.lists", "m0 m3 m6\nm1 stranger\n", "stranger"},
                                          {"broken.npy", "no numbers", ".npy"}}) {
-    const SmallBoard small;
-    small.add(name, text);
-    EXPECT_THAT(refusal_of(small), HasSubstr(word));
+    const SmallBoard fresh;
+    fresh.add(name, text);
+    EXPECT_THAT(refusal_of(fresh), HasSubstr(word));
   }
 }
 
 TEST_F(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
-  const SmallBoard small;
   std::string lists;  // three queries, each with the three others of its class
   for (const int query : {0, 1, 2}) {
     lists += fmt::format("m{}", query);
@@ -99,7 +98,6 @@ TEST_F(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
 }
 
 TEST_F(JudgeSubmissions, MatchesModelsByIds) {
-  const SmallBoard small;
   std::string matrix = "id";  // models in reverse order
   for (int i = 11; i >= 0; --i) matrix += fmt::format(",m{}", i);
   matrix += "\n";
@@ -116,7 +114,6 @@ TEST_F(JudgeSubmissions, MatchesModelsByIds) {
 }
 
 TEST_F(JudgeSubmissions, GivesSubmissionsUniqueNames) {
-  const SmallBoard small;
   small.add("again.csv", small_matrix(0));
   small.add("again.json", R"({"name": "good"})");
   const Leaderboard board = small.judged();
@@ -126,7 +123,6 @@ TEST_F(JudgeSubmissions, GivesSubmissionsUniqueNames) {
 }
 
 TEST_F(JudgeSubmissions, RanksOneSubmissionAlone) {
-  const SmallBoard small;
   std::filesystem::remove(small.submissions() / "poor.csv");
   const Leaderboard board = small.judged();
   ASSERT_EQ(board.submissions.size(), 1U);
@@ -135,7 +131,6 @@ TEST_F(JudgeSubmissions, RanksOneSubmissionAlone) {
 }
 
 TEST_F(JudgeSubmissions, RejectsEmptySetsWithTheReason) {
-  const SmallBoard small;
   small.add("good.csv", "0,1\n1,0\n");
   small.add("poor.csv", "0,1\n1,0\n");
   EXPECT_THAT(test::input_error_of([&] { std::ignore = small.judged(); }),
@@ -143,7 +138,6 @@ TEST_F(JudgeSubmissions, RejectsEmptySetsWithTheReason) {
 }
 
 TEST_F(JudgeSubmissions, RejectsUnknownRankingMeasuresFirst) {
-  const SmallBoard small;
   JudgingOptions options = small.options();
   options.rank_by = "P@10";
   Cache none;
@@ -154,7 +148,6 @@ TEST_F(JudgeSubmissions, RejectsUnknownRankingMeasuresFirst) {
 }
 
 TEST_F(JudgeSubmissions, ReevaluatesOnlyChangedSubmissions) {
-  const SmallBoard small;
   const auto used = [&](const JudgingOptions& options) {
     Cache cache(at("cache"));
     const Leaderboard board = judge_submissions(small.found(), options, cache);
@@ -186,7 +179,6 @@ std::string labels_with(const std::string& header, const std::string& of_m1, con
 }
 
 TEST_F(JudgeSubmissions, CacheKeyContainsEveryInput) {
-  const SmallBoard small;
   const auto computed = [&](const JudgingOptions& options) {
     Cache cache(at("cache"));
     judge_submissions(small.found(), options, cache);
@@ -270,7 +262,6 @@ TEST_F(JudgeSubmissions, CacheKeyContainsEveryInput) {
 }
 
 TEST_F(JudgeSubmissions, CacheKeyContainsTheDistanceOfFeatures) {
-  const SmallBoard small;
   std::filesystem::remove(small.submissions() / "good.csv");  // a matrix of distances
   for (const char* distance : {"l1", "l2"}) {
     JudgingOptions options = small.options();
@@ -312,7 +303,6 @@ TEST_F(JudgeSubmissions, EqualScoresHaveOneRank) {
 }
 
 TEST_F(JudgeSubmissions, ResultsDoNotDependOnTheCache) {
-  const SmallBoard small;
   Cache first(at("cache"));
   Cache second(at("cache"));
   const Leaderboard computed = small.judged(first);

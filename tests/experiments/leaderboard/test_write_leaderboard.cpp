@@ -16,15 +16,25 @@ namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
-/// The leaderboard's files, and those changed.
-SiteUpdate update(const test_board::SmallBoard& small, const fs::path& site) {
-  return write_site(site, "Title", small.judged(), small.options());
-}
+class WriteSite : public testing::Test {
+ protected:
+  SiteUpdate update(const fs::path& folder) const {
+    return write_site(folder, "Title", small.judged(), small.options());
+  }
+  void rename_class(const std::string& name) const {
+    std::string labels = test_board::small_labels();
+    for (std::size_t at = labels.find(",b\n"); at != std::string::npos; at = labels.find(",b\n")) {
+      labels.replace(at, 3, "," + name + "\n");
+    }
+    test::write_text(small.labels(), labels);
+  }
 
-TEST(WriteSite, HasThePageTheTablesAndAPageOfEachMethod) {
   const test_board::SmallBoard small;
   const fs::path site = small.folder.path() / "site";
-  const SiteUpdate first = update(small, site);
+};
+
+TEST_F(WriteSite, HasThePageTheTablesAndAPageOfEachMethod) {
+  const SiteUpdate first = update(site);
   EXPECT_EQ(first.written, 2U);
   for (const char* name : {"index.html", "leaderboard.csv", "leaderboard.tex", "leaderboard.json", "methods/good.html",
                            "methods/poor.html"}) {
@@ -34,71 +44,59 @@ TEST(WriteSite, HasThePageTheTablesAndAPageOfEachMethod) {
   EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("shapegauge report"));
 }
 
-TEST(WriteSite, WritesOnlyPagesOfSubmissionsThatChanged) {
-  const test_board::SmallBoard small;
-  const fs::path site = small.folder.path() / "site";
-  update(small, site);
+TEST_F(WriteSite, WritesOnlyPagesOfSubmissionsThatChanged) {
+  update(site);
   test::write_text(site / "methods/good.html", "as it was");
   small.add("third.csv", test_board::small_matrix(1));
-  const SiteUpdate second = update(small, site);
+  const SiteUpdate second = update(site);
   EXPECT_EQ(second.written, 1U);
   EXPECT_EQ(second.unchanged, 2U);
   EXPECT_EQ(test::text_of(site / "methods/good.html"), "as it was");
 
   fs::remove(small.submissions() / "poor.csv");
   small.add("good.csv", test_board::small_matrix(0.1));
-  const SiteUpdate third = update(small, site);
+  const SiteUpdate third = update(site);
   EXPECT_EQ(third.written, 1U);
   EXPECT_EQ(third.removed, 1U);
   EXPECT_FALSE(fs::exists(site / "methods/poor.html"));
   EXPECT_NE(test::text_of(site / "methods/good.html"), "as it was");
 }
 
-TEST(WriteSite, RewritesPagesWhenClassesAreRenamed) {
-  const test_board::SmallBoard small;
-  const fs::path site = small.folder.path() / "site";
-  update(small, site);
-  std::string labels = test_board::small_labels();
-  for (std::size_t at = labels.find(",b\n"); at != std::string::npos; at = labels.find(",b\n")) {
-    labels.replace(at, 3, ",renamed\n");
-  }
-  test::write_text(small.labels(), labels);
-  EXPECT_EQ(update(small, site).written, 2U);
+TEST_F(WriteSite, RewritesPagesWhenClassesAreRenamed) {
+  update(site);
+  rename_class("renamed");
+  EXPECT_EQ(update(site).written, 2U);
   EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("renamed"));
 }
 
-TEST(WriteSite, CompletesAnInterruptedSite) {
-  const test_board::SmallBoard small;
-  const fs::path site = small.folder.path() / "site";
+TEST_F(WriteSite, CompletesAnInterruptedSite) {
   // A page that cannot be written: its place is taken by a folder.
   fs::create_directories(site / "methods" / "good.html" / "in the way");
   EXPECT_ANY_THROW(check_site_folder(site)) << "no site yet";
   fs::rename(site / "methods", small.folder.path() / "aside");
   test::write_text(site / ".shapegauge-lock", "");
-  update(small, site);
+  update(site);
 
   const std::string whole = test::text_of(site / "methods/good.html");
   small.add("good.csv", test_board::small_matrix(0.1));
   fs::remove(site / "methods/good.html");
   fs::rename(small.folder.path() / "aside" / "good.html", site / "methods" / "good.html");
-  EXPECT_ANY_THROW(update(small, site));
+  EXPECT_ANY_THROW(update(site));
   fs::remove_all(site / "methods" / "good.html");
   test::write_text(site / "methods/good.html", "half");
-  update(small, site);
+  update(site);
   EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("shapegauge report"));
 
   // The earlier submission again: its page is not taken for the one of before the interruption.
   small.add("good.csv", test_board::small_matrix(0));
-  update(small, site);
+  update(site);
   EXPECT_EQ(test::text_of(site / "methods/good.html"), whole);
 }
 
-TEST(WriteSite, ShowsNoFolders) {
-  const test_board::SmallBoard small;
+TEST_F(WriteSite, ShowsNoFolders) {
   small.add("broken.npy", "no numbers");
   small.add("few.lists", "m0 m3 m6\n");
-  const fs::path site = small.folder.path() / "site";
-  update(small, site);
+  update(site);
   for (const char* name : {"index.html", "leaderboard.json", "leaderboard.csv", "methods/good.html"}) {
     EXPECT_THAT(test::text_of(site / name), testing::Not(HasSubstr(small.folder.path().string()))) << name;
   }
@@ -107,16 +105,10 @@ TEST(WriteSite, ShowsNoFolders) {
             "m.npy: row 3 of labels.csv");
 }
 
-TEST(WriteSite, HidesClassesOnRequest) {
-  const test_board::SmallBoard small;
-  const fs::path site = small.folder.path() / "site";
-  update(small, site);
+TEST_F(WriteSite, HidesClassesOnRequest) {
+  update(site);
   JudgingOptions options = small.options();
-  std::string labels = test_board::small_labels();
-  for (std::size_t at = labels.find(",b\n"); at != std::string::npos; at = labels.find(",b\n")) {
-    labels.replace(at, 3, ",secret\n");
-  }
-  test::write_text(small.labels(), labels);
+  rename_class("secret");
   options.hide_classes = true;
   EXPECT_EQ(write_site(site, "Title", small.judged(), options).removed, 2U);
   EXPECT_TRUE(fs::is_empty(site / "methods"));
@@ -126,43 +118,36 @@ TEST(WriteSite, HidesClassesOnRequest) {
   EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("\"per_class\":[]"));
 }
 
-TEST(WriteSite, IsIndependentOfTheFolder) {
-  const test_board::SmallBoard small;
-  update(small, small.folder.path() / "grown");
+TEST_F(WriteSite, IsIndependentOfTheFolder) {
+  update(small.folder.path() / "grown");
   small.add("third.csv", test_board::small_matrix(1));
-  update(small, small.folder.path() / "grown");
-  update(small, small.folder.path() / "fresh");
+  update(small.folder.path() / "grown");
+  update(small.folder.path() / "fresh");
   for (const char* name : {"index.html", "leaderboard.json", "methods/third.html", "methods/good.html"}) {
     EXPECT_EQ(test::text_of(small.folder.path() / "grown" / name), test::text_of(small.folder.path() / "fresh" / name))
         << name;
   }
 }
 
-TEST(WriteSite, RanksSubmissionsWithoutReportWithoutAPage) {
-  const test_board::SmallBoard small;
+TEST_F(WriteSite, RanksSubmissionsWithoutReportWithoutAPage) {
   small.add("lists.lists", "m0 m3 m6\nm1 m4\n");
-  const fs::path site = small.folder.path() / "site";
-  const SiteUpdate written = update(small, site);
+  const SiteUpdate written = update(site);
   EXPECT_EQ(written.written, 2U);
   EXPECT_THAT(test::text_of(site / "leaderboard.csv"), HasSubstr("lists.lists"));
   EXPECT_FALSE(fs::exists(site / "methods/lists.html"));
 }
 
-TEST(WriteSite, RejectsFoldersWithOtherFiles) {
-  const test_board::SmallBoard small;
-  const fs::path site = small.folder.path() / "site";
+TEST_F(WriteSite, RejectsFoldersWithOtherFiles) {
   test::write_text(site / "thesis.txt", "mine");
-  EXPECT_THAT(test::input_error_of([&] { update(small, site); }), HasSubstr(site.string()));
+  EXPECT_THAT(test::input_error_of([&] { update(site); }), HasSubstr(site.string()));
   test::write_text(site / "leaderboard.json", "{}");
-  EXPECT_THAT(test::input_error_of([&] { update(small, site); }), HasSubstr(site.string()));
+  EXPECT_THAT(test::input_error_of([&] { update(site); }), HasSubstr(site.string()));
   EXPECT_FALSE(fs::exists(site / "index.html"));
-  EXPECT_THAT(test::input_error_of([&] { update(small, small.labels()); }), HasSubstr("file"));
+  EXPECT_THAT(test::input_error_of([&] { update(small.labels()); }), HasSubstr("file"));
 }
 
-TEST(WriteSite, RemovesNothingOutsideItsFolder) {
-  const test_board::SmallBoard small;
-  const fs::path site = small.folder.path() / "site";
-  update(small, site);
+TEST_F(WriteSite, RemovesNothingOutsideItsFolder) {
+  update(site);
   auto json = nlohmann::ordered_json::parse(test::text_of(site / "leaderboard.json"));
   test::write_text(small.folder.path() / "victim.html", "stays");
   test::write_text(site / "other.html", "stays");
@@ -170,7 +155,7 @@ TEST(WriteSite, RemovesNothingOutsideItsFolder) {
   json["pages"]["../victim.html"] = "x";
   json["pages"]["other.html"] = "x";
   test::write_text(site / "leaderboard.json", json.dump());
-  EXPECT_EQ(update(small, site).removed, 0U);
+  EXPECT_EQ(update(site).removed, 0U);
   EXPECT_TRUE(fs::exists(small.folder.path() / "victim.html"));
   EXPECT_TRUE(fs::exists(site / "other.html"));
 }

@@ -13,24 +13,20 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 std::vector<ModelFailure> second_of_three() { return {{.model = 1, .message = "no triangles"}}; }
 
 DistanceMatrix with_infinite_second() {
-  DistanceMatrix expected(3, 3);
-  expected << 0, infinite, 5, infinite, 0, infinite, 7, infinite, 0;
-  return expected;
+  return DistanceMatrix{{0, infinite, 5}, {infinite, 0, infinite}, {7, infinite, 0}};
 }
 
 TEST(ModelsWithSignature, OtherModelsAreInfinitelyFar) {
   const ModelsWithSignature models(second_of_three(), 3);
   EXPECT_FALSE(models.are_all());
   EXPECT_THAT(models.places(), testing::ElementsAre(0, 2));
-  DistanceMatrix between(2, 2);
-  between << 0, 5, 7, 0;
+  const DistanceMatrix between{{0, 5}, {7, 0}};
   EXPECT_EQ(models.spread(between), with_infinite_second());
 }
 
 TEST(ModelsWithSignature, ExpandsRowsToTheWholeMatrix) {
   const ModelsWithSignature models(second_of_three(), 3);
-  DistanceMatrix whole(3, 3);
-  whole << 0, 1, 5, 2, 0, 3, 7, 4, 0;
+  const DistanceMatrix whole{{0, 1, 5}, {2, 0, 3}, {7, 4, 0}};
   DistanceMatrix first = whole.topRows(1);
   DistanceMatrix others = whole.bottomRows(2);
   models.set_infinite(first, 0);
@@ -47,11 +43,9 @@ TEST(ModelsWithSignature, WithAllModelsDistancesAreUnchanged) {
 }
 
 TEST(ModelsWithSignature, FirstSignatureReplacesMissingOnes) {
-  Signatures all(4, 2);
-  all << 1, 2, 3, 4, 5, 6, 7, 8;
+  const Signatures all{{1, 2}, {3, 4}, {5, 6}, {7, 8}};
   const std::vector<ModelFailure> without{{.model = 0, .message = ""}, {.model = 3, .message = ""}};
-  Signatures expected(4, 2);
-  expected << 3, 4, 3, 4, 5, 6, 3, 4;
+  const Signatures expected{{3, 4}, {3, 4}, {5, 6}, {3, 4}};
   EXPECT_EQ(ModelsWithSignature(without, 4).with_stand_ins(all), expected);
 }
 

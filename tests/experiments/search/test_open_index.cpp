@@ -35,8 +35,12 @@ void make_old(const SearchedFolder& folder) {
   }
 }
 
-TEST(OpenIndex, IsDescribedOnceAndThenRead) {
+class OpenIndexTest : public testing::Test {
+ protected:
   const SearchedFolder folder;
+};
+
+TEST_F(OpenIndexTest, IsDescribedOnceAndThenRead) {
   make_old(folder);
   IndexUpdate first;
   const OpenIndex index = folder.open(first);
@@ -51,8 +55,7 @@ TEST(OpenIndex, IsDescribedOnceAndThenRead) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes);
 }
 
-TEST(OpenIndex, ExcludesShapesWithoutASignature) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, ExcludesShapesWithoutASignature) {
   test::make_cloud(folder.models() / "T4.off");  // it has D2, but no conventional SDF
   IndexUpdate update;
   OpenIndex index = folder.open(update);
@@ -70,8 +73,7 @@ TEST(OpenIndex, ExcludesShapesWithoutASignature) {
   EXPECT_THAT(search(index, queries, {}, {}, none, notes)[0].failure, HasSubstr("needs triangles"));
 }
 
-TEST(OpenIndex, UpdatesForAddedChangedAndRemovedFiles) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, UpdatesForAddedChangedAndRemovedFiles) {
   folder.open();
   folder.add("T9.off", "box", 9);
   make_old(folder);
@@ -93,8 +95,7 @@ TEST(OpenIndex, UpdatesForAddedChangedAndRemovedFiles) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 }
 
-TEST(OpenIndex, ANewModificationTimeAloneRecomputesNothing) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, ANewModificationTimeAloneRecomputesNothing) {
   folder.open();
   make_old(folder);
   IndexUpdate update;
@@ -103,8 +104,7 @@ TEST(OpenIndex, ANewModificationTimeAloneRecomputesNothing) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 }
 
-TEST(OpenIndex, ExcludesUnusableModelsAndReportsThemOnce) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, ExcludesUnusableModelsAndReportsThemOnce) {
   test::write_text(folder.models() / "T5.off", "OFF\n3 1 0\n0 0 0\n");
   IndexUpdate first;
   const OpenIndex index = folder.open(first);
@@ -121,15 +121,13 @@ TEST(OpenIndex, ExcludesUnusableModelsAndReportsThemOnce) {
   EXPECT_EQ(folder.open().contents.models.size(), 9U);
 }
 
-TEST(OpenIndex, NoUsableModelIsAnError) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, NoUsableModelIsAnError) {
   for (int i = 0; i < 9; ++i) test::write_text(folder.models() / ("T" + std::to_string(i) + ".off"), "OFF\n");
   EXPECT_THAT(input_error_of([&] { folder.open(); }), HasSubstr("none of 9 models can be used; the first is T0.off"));
   EXPECT_FALSE(std::filesystem::exists(folder.index()));
 }
 
-TEST(OpenIndex, RebuildsDamagedIndexesAndThoseOfOtherMethods) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, RebuildsDamagedIndexesAndThoseOfOtherMethods) {
   folder.open();
   const std::string bytes = test::bytes_of(folder.index());
   std::string damaged = bytes;
@@ -148,8 +146,7 @@ TEST(OpenIndex, RebuildsDamagedIndexesAndThoseOfOtherMethods) {
   EXPECT_THAT(update.notes, ElementsAre(HasSubstr("of another method or program")));
 }
 
-TEST(OpenIndex, DoesNotOverwriteOtherFiles) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, DoesNotOverwriteOtherFiles) {
   Cache cache(folder.at("cache"));
   test::write_text(folder.at("notes.txt"), "index");
   for (const std::filesystem::path& file : {folder.at("notes.txt"), folder.models() / "T1.off"}) {
@@ -161,8 +158,7 @@ TEST(OpenIndex, DoesNotOverwriteOtherFiles) {
   }
 }
 
-TEST(OpenIndex, BelongsToOneCollectionThatMayMove) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, BelongsToOneCollectionThatMayMove) {
   Cache cache(folder.at("cache"));
   folder.open();
   const std::string bytes = test::bytes_of(folder.index());
@@ -186,8 +182,7 @@ TEST(OpenIndex, BelongsToOneCollectionThatMayMove) {
   EXPECT_TRUE(update.rebuilt);
 }
 
-TEST(OpenIndex, WithoutUpdateNeedsNoModels) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, WithoutUpdateNeedsNoModels) {
   folder.open();
   std::filesystem::remove_all(folder.models());
   EXPECT_EQ(open_index_as_it_is(folder.method(), folder.models(), folder.index()).contents.models.size(), 9U);
@@ -198,8 +193,7 @@ TEST(OpenIndex, WithoutUpdateNeedsNoModels) {
               HasSubstr("is damaged"));
 }
 
-TEST(OpenIndex, AnInterruptedUpdateKeepsTheIndexAndContinuesFromTheCache) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, AnInterruptedUpdateKeepsTheIndexAndContinuesFromTheCache) {
   Cache cache(folder.at("cache"));
   std::atomic<int> asked = 0;
   const RunControl stops{.threads = 1, .interrupted = [&] { return ++asked > 6; }};
@@ -214,8 +208,7 @@ TEST(OpenIndex, AnInterruptedUpdateKeepsTheIndexAndContinuesFromTheCache) {
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 }
 
-TEST(OpenIndex, ConcurrentUpdatesLeaveAValidIndex) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, ConcurrentUpdatesLeaveAValidIndex) {
   std::vector<std::thread> writers;
   for (int i = 0; i < 3; ++i) writers.emplace_back([&] { folder.open(); });
   for (std::thread& writer : writers) writer.join();
@@ -225,8 +218,7 @@ TEST(OpenIndex, ConcurrentUpdatesLeaveAValidIndex) {
   EXPECT_THAT(update.notes, IsEmpty());
 }
 
-TEST(OpenIndex, AnswersWithoutAnIndexThatCannotBeWritten) {
-  const SearchedFolder folder;
+TEST_F(OpenIndexTest, AnswersWithoutAnIndexThatCannotBeWritten) {
   Cache none;
   IndexUpdate update;
   const OpenIndex index = open_index(folder.method(), folder.models(), folder.at("absent") / "index", {}, none, update);

@@ -34,8 +34,12 @@ void expect_same_order(const SearchAnswer& answer, const Eigen::RowVectorXd& row
   }
 }
 
-TEST(Search, AMemberHasTheDistancesOfARun) {
+class Search : public testing::Test {
+ protected:
   const SearchedFolder folder;
+};
+
+TEST_F(Search, AMemberHasTheDistancesOfARun) {
   const std::map<std::string, DistanceMatrix> runs = distances_of_run(folder, folder.configuration());
   for (const char* signature : {"own range", "range of all", "both", "bag", "d2", "median", "local"}) {
     SCOPED_TRACE(signature);
@@ -50,8 +54,7 @@ TEST(Search, AMemberHasTheDistancesOfARun) {
   }
 }
 
-TEST(Search, AReRankedMemberHasTheDistancesOfARun) {
-  const SearchedFolder folder;
+TEST_F(Search, AReRankedMemberHasTheDistancesOfARun) {
   const std::map<std::string, DistanceMatrix> runs = distances_of_run(folder, folder.configuration());
   OpenIndex index = folder.open();
   for (Eigen::Index i = 0; i < 9; ++i) {
@@ -60,8 +63,7 @@ TEST(Search, AReRankedMemberHasTheDistancesOfARun) {
   }
 }
 
-TEST(Search, ACopyOfAMemberFindsItFirst) {
-  const SearchedFolder folder;
+TEST_F(Search, ACopyOfAMemberFindsItFirst) {
   OpenIndex index = folder.open();
   std::filesystem::copy_file(folder.models() / "T4.off", folder.at("copy.off"));
   const SearchAnswer member = folder.answer(index, folder.models() / "T4.off");
@@ -76,8 +78,7 @@ TEST(Search, ACopyOfAMemberFindsItFirst) {
   }
 }
 
-TEST(Search, AnExternalQueryHasTheDistancesOfARun) {
-  const SearchedFolder folder;
+TEST_F(Search, AnExternalQueryHasTheDistancesOfARun) {
   OpenIndex index = folder.open("d2");  // features independent of other shapes
   write_off(folder.at("query.off"), test::small_shape("box", 7));
   const SearchAnswer answer = folder.answer(index, folder.at("query.off"));
@@ -92,8 +93,7 @@ TEST(Search, AnExternalQueryHasTheDistancesOfARun) {
   }
 }
 
-TEST(Search, AnExternalQueryIsDiffusedWithTheCollection) {
-  const SearchedFolder folder;
+TEST_F(Search, AnExternalQueryIsDiffusedWithTheCollection) {
   OpenIndex index = folder.open();
   write_off(folder.at("query.off"), test::small_shape("box", 7));
   // Input of diffusion: the index' sum between models, and the query's distances without re-ranking.
@@ -112,8 +112,7 @@ TEST(Search, AnExternalQueryIsDiffusedWithTheCollection) {
   for (const RankedModel& one : answer.nearest) EXPECT_NEAR(one.distance, expected(9, one.model), 1e-5);
 }
 
-TEST(Search, FindsTheClassOfTheQueryFirst) {
-  const SearchedFolder folder;
+TEST_F(Search, FindsTheClassOfTheQueryFirst) {
   OpenIndex index = folder.open();
   const Shape shape = test::small_shape("sphere", 8);
   write_off(folder.at("query.off"), shape);
@@ -133,8 +132,7 @@ TEST(Search, FindsTheClassOfTheQueryFirst) {
   for (const RankedModel& one : of_file.nearest) EXPECT_THAT(kind, testing::Contains(one.model));
 }
 
-TEST(Search, AnswersOtherQueriesIfOneIsUnusable) {
-  const SearchedFolder folder;
+TEST_F(Search, AnswersOtherQueriesIfOneIsUnusable) {
   OpenIndex index = folder.open();
   test::write_text(folder.at("broken.off"), "OFF\n3 1 0\n0 0 0\n");
   Cache none;
@@ -149,8 +147,7 @@ TEST(Search, AnswersOtherQueriesIfOneIsUnusable) {
   EXPECT_EQ(answers[2].nearest.size(), 8U);
 }
 
-TEST(Search, GivesTheSameAnswersOnAnyNumberOfThreads) {
-  const SearchedFolder folder;
+TEST_F(Search, GivesTheSameAnswersOnAnyNumberOfThreads) {
   write_off(folder.at("query.off"), test::small_shape("capsule", 6));
   std::vector<std::vector<std::pair<Eigen::Index, double>>> found;
   for (const int threads : {1, 3}) {

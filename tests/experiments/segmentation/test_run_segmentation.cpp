@@ -42,11 +42,6 @@ Shape two_balls(int subdivisions = 2) {
   return test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
 }
 
-SegmentationResults cut(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
-                        const RunControl& control, Cache& cache) {
-  return run_segmentation(experiment, {.control = control, .cache = cache, .generated = generated});
-}
-
 class SegmentationRun : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -63,18 +58,26 @@ class SegmentationRun : public test::FolderTest {
 
   [[nodiscard]] std::filesystem::path root() const { return at("psb"); }
 
-  [[nodiscard]] SegmentationExperiment experiment() const {
+  [[nodiscard]] SegmentationExperiment experiment(
+      const nlohmann::json& methods =
+          nlohmann::json::parse(R"([{"name": "best"}, {"name": "the paper", "method": "paper"}])")) const {
     return segmentation_from_json(
-        {{"name", "balls"},
-         {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
-         {"segmentation", {{{"name", "best"}}, {{"name", "the paper"}, {"method", "paper"}}}}},
+        {{"name", "balls"}, {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}}, {"segmentation", methods}},
         "x.json", folder_.path());
+  }
+
+  [[nodiscard]] SegmentationResults cut(const SegmentationExperiment& run, Cache& cache,
+                                        const RunControl& control = {}) const {
+    return run_segmentation(run, {.control = control, .cache = cache, .generated = at("none")});
+  }
+  [[nodiscard]] SegmentationResults cut(const SegmentationExperiment& run) const {
+    Cache none;
+    return cut(run, none);
   }
 };
 
 TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
-  Cache cache;
-  const SegmentationResults results = cut(experiment(), at("none"), {}, cache);
+  const SegmentationResults results = cut(experiment());
   EXPECT_THAT(results.scores.methods, testing::ElementsAre("best", "the paper", "people"));
   EXPECT_THAT(results.scores.classes, testing::ElementsAre("human", "cup"));
   // Of 640 triangles in two halves, pairs across are 320 * 320.
@@ -92,7 +95,7 @@ TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
   const std::filesystem::path place = at("cache");
   const auto use_of = [&](const SegmentationExperiment& run) {
     Cache cache(place);
-    const auto results = cut(run, at("none"), {.threads = 1}, cache);
+    const auto results = cut(run, cache, {.threads = 1});
     return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation));
   };
   EXPECT_EQ(use_of(same).computed, 1U);  // the three files have equal contents, described once
@@ -123,7 +126,7 @@ TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
   for (const int threads : {1, 2}) {
     Cache cache;
     const std::filesystem::path place = folder_.path() / "results" / std::to_string(threads);
-    test::publish(place, cut(experiment(), place / "dataset", {.threads = threads}, cache));
+    test::publish(place, cut(experiment(), cache, {.threads = threads}));
     const nlohmann::json manifest = read_json(place / manifest_name);
     EXPECT_EQ(manifest.at("inputs").at("models").size(), 9U);
     std::map<std::string, std::string> files;
@@ -140,17 +143,12 @@ TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
 TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
   const nlohmann::json removed{{"type", "remove_faces"}, {"fraction", 0.8}};
   const nlohmann::json turned{{"type", "motion"}, {"scale", 3}};
-  SegmentationExperiment run = segmentation_from_json(
-      {{"name", "balls"},
-       {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
-       {"segmentation",
-        {{{"name", "as it is"}},
-         {{"name", "removed"}, {"perturbations", {removed}}},
-         {{"name", "turned"}, {"perturbations", {turned}}},
-         {{"name", "points"}, {"perturbations", {{{"type", "sample_points"}, {"points", 500}}}}}}}},
-      "x.json", folder_.path());
-  Cache cache;
-  const SegmentationResults results = cut(run, at("none"), {}, cache);
+  SegmentationExperiment run =
+      experiment({{{"name", "as it is"}},
+                  {{"name", "removed"}, {"perturbations", {removed}}},
+                  {{"name", "turned"}, {"perturbations", {turned}}},
+                  {{"name", "points"}, {"perturbations", {{{"type", "sample_points"}, {"points", 500}}}}}});
+  const SegmentationResults results = cut(run);
   const SegmentedShape& shape = results.shapes[0];
   for (const auto& labels : shape.labels) ASSERT_EQ(labels.size(), 640U);
   EXPECT_TRUE(std::isnan(shape.moved[0]));
@@ -164,18 +162,15 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
   EXPECT_EQ(table.rows[1][0], "turned");
 
   run.seed = 2;
-  EXPECT_NE(cut(run, at("none"), {}, cache).shapes[0].labels[1], shape.labels[1]);
+  EXPECT_NE(cut(run).shapes[0].labels[1], shape.labels[1]);
 }
 
 TEST_F(SegmentationRun, TakesDamagedShapesFromTheCacheWhereNothingOfTheDamageHasChanged) {
-  SegmentationExperiment run = segmentation_from_json(
-      {{"name", "balls"},
-       {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
-       {"segmentation", {{{"name", "noise"}, {"perturbations", {{{"type", "vertex_noise"}, {"amplitude", 0.01}}}}}}}},
-      "x.json", folder_.path());
+  SegmentationExperiment run =
+      experiment({{{"name", "noise"}, {"perturbations", {{{"type", "vertex_noise"}, {"amplitude", 0.01}}}}}});
   const auto computed = [&] {
     Cache cache(at("cache"));
-    const auto results = cut(run, at("none"), {.threads = 1}, cache);
+    const auto results = cut(run, cache, {.threads = 1});
     return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation)).computed;
   };
   EXPECT_EQ(computed(),
@@ -195,8 +190,7 @@ TEST_F(SegmentationRun, OfShapesThatNobodyCutSaysHowAlikeTheirPartsAre) {
                                                              {"dataset", {{"layout", "folders"}, {"root", "shapes"}}},
                                                              {"segmentation", {{{"name", "best"}}}}},
                                                             "x.json", folder_.path());
-  Cache cache;
-  const SegmentationResults results = cut(run, at("none"), {}, cache);
+  const SegmentationResults results = cut(run);
   using Row = std::vector<std::string>;
   EXPECT_THAT(consistency_table(results).rows,
               testing::ElementsAre(Row{"best", "ball", "1.000", "1.000", "0.000", "0.500"},
@@ -219,8 +213,7 @@ TEST_F(SegmentationRun, HasARowForEachPolygonOfTheFile) {
   for (const char* const person : {"a", "b"}) {
     test::write_text(root() / "seg/22" / (std::string(person) + ".seg"), "0\n0\n0\n0\n0\n1\n");
   }
-  Cache cache;
-  const SegmentationResults results = cut(experiment(), at("none"), {}, cache);
+  const SegmentationResults results = cut(experiment());
   EXPECT_EQ(results.shapes[0].labels[0].size(), 640U);
   EXPECT_FALSE(results.shapes[0].has_polygons);
   EXPECT_EQ(results.shapes[2].labels[0].size(), 6U);
@@ -229,11 +222,10 @@ TEST_F(SegmentationRun, HasARowForEachPolygonOfTheFile) {
 
 TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {
   write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(7, 0));
-  Cache cache;
   SegmentationExperiment run = experiment();
-  EXPECT_THAT(test::input_error_of([&] { cut(run, at("none"), {}, cache); }), HasSubstr("shape 21: "));
+  EXPECT_THAT(test::input_error_of([&] { (void)cut(run); }), HasSubstr("shape 21: "));
   run.on_error = OnError::skip;
-  const SegmentationResults results = cut(run, at("none"), {}, cache);
+  const SegmentationResults results = cut(run);
   ASSERT_EQ(results.failures.size(), 1U);
   EXPECT_EQ(results.failures[0].id, "21");
   EXPECT_THAT(results.scores.ids, testing::ElementsAre("1", "22"));
@@ -253,7 +245,7 @@ TEST_F(SegmentationRun, SegmentsPreparedShapesAndCarriesThePartsBackToTheFile) {
   const auto labels_with = [&](const nlohmann::json& preparation, Cache& cache) {
     if (!preparation.is_null()) document["preparation"] = preparation;
     const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder_.path());
-    return cut(experiment, at("none"), {}, cache).shapes.at(0).labels;
+    return cut(experiment, cache).shapes.at(0).labels;
   };
   Cache cache(at("cache"));
   const Shape mesh = read_shape(at("shapes/ball/a.off"));
@@ -269,14 +261,11 @@ TEST_F(SegmentationRun, SegmentsPreparedShapesAndCarriesThePartsBackToTheFile) {
 }
 
 TEST_F(SegmentationRun, NotesShapesThatAreNotPerturbedAsRequestedFromTheCacheToo) {
-  const SegmentationExperiment run = segmentation_from_json(
-      {{"name", "balls"},
-       {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
-       {"segmentation", {{{"name", "coarse"}, {"perturbations", {{{"type", "decimate"}, {"faces", 1}}}}}}}},
-      "x.json", folder_.path());
+  const SegmentationExperiment run =
+      experiment({{{"name", "coarse"}, {"perturbations", {{{"type", "decimate"}, {"faces", 1}}}}}});
   for (const char* const again : {"computed", "cached"}) {
     Cache cache(at("cache"));
-    const SegmentationResults results = cut(run, at("none"), {.threads = 1}, cache);
+    const SegmentationResults results = cut(run, cache, {.threads = 1});
     EXPECT_THAT(test::publish(at("results"), results).notes,
                 testing::ElementsAre(testing::StartsWith(
                     "3 of 3 shapes were not perturbed as requested; the first, 1: coarse: decimated to ")))
@@ -363,7 +352,8 @@ TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
   document["dataset"]["generate"] = {{"classes", 2}, {"models_per_class", 1}, {"faces", 1000}};
   const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder.path());
   Cache cache;
-  const SegmentationResults results = cut(experiment, folder.path() / "dataset", {}, cache);
+  const SegmentationResults results =
+      run_segmentation(experiment, {.control = {}, .cache = cache, .generated = folder.path() / "dataset"});
   EXPECT_EQ(results.scores.methods.size(), 3U);  // one ground truth, hence no human scores
   EXPECT_LT(results.scores.mean(0, &SegmentationErrors::rand_index), 0.1);
   EXPECT_LT(results.scores.mean(0, &SegmentationErrors::rand_index),

@@ -36,37 +36,36 @@ SegmentationResults found() {
   return results;
 }
 
-TEST(WriteSegmentation, HasAFolderOfPartsForEachMethod) {
-  const test::TemporaryFolder folder;
-  test::publish(folder.path() / "out", found());
+using WriteSegmentation = test::FolderTest;
+
+TEST_F(WriteSegmentation, HasAFolderOfPartsForEachMethod) {
+  test::publish(at("out"), found());
   for (const char* const id : {"1", "two"}) {
-    EXPECT_EQ(bytes_of(folder.path() / "out/parts/best" / (std::string(id) + ".seg")), "0\n1\n1\n");
+    EXPECT_EQ(bytes_of(folder_.path() / "out/parts/best" / (std::string(id) + ".seg")), "0\n1\n1\n");
   }
   std::set<std::string> methods;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out/parts")) {
+  for (const auto& entry : std::filesystem::directory_iterator(at("out/parts"))) {
     methods.insert(entry.path().filename().string());
     EXPECT_TRUE(std::filesystem::exists(entry.path() / "two.seg"));
   }
   EXPECT_EQ(methods.size(), 2U);
 }
 
-TEST(WriteSegmentation, TheManifestListsWhatWasWrittenAndWhatWasRead) {
-  const test::TemporaryFolder folder;
-  test::publish(folder.path() / "out", found());
-  const nlohmann::json manifest = nlohmann::json::parse(bytes_of(folder.path() / "out" / manifest_name));
+TEST_F(WriteSegmentation, TheManifestListsWhatWasWrittenAndWhatWasRead) {
+  test::publish(at("out"), found());
+  const nlohmann::json manifest = nlohmann::json::parse(bytes_of(folder_.path() / "out" / manifest_name));
   EXPECT_EQ(manifest.at("inputs").at("models").at("two"), "hash of two");
   EXPECT_EQ(manifest.at("failed_models").at(0).at("model"), "three");
   EXPECT_EQ(manifest.at("shapes"), 2);
   for (const auto& [file, hash] : manifest.at("outputs").at("files").items()) {
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / file)) << file;
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / file)) << file;
   }
   EXPECT_TRUE(manifest.at("outputs").at("files").contains("consistency.csv"));
   EXPECT_FALSE(manifest.at("outputs").at("files").contains("errors.csv")) << "nobody cut the shapes";
 }
 
-TEST(WriteSegmentation, TheSummaryHasARowForEachMethodAndClass) {
-  const test::TemporaryFolder folder;
-  const std::string summary = test::publish(folder.path(), found()).summary;
+TEST_F(WriteSegmentation, TheSummaryHasARowForEachMethodAndClass) {
+  const std::string summary = test::publish(folder_.path(), found()).summary;
   for (const char* const word : {"best", "of/the paper", "2.000", "3.000"}) {
     EXPECT_THAT(summary, testing::HasSubstr(word));
   }

@@ -29,10 +29,6 @@ TEST(WeightedQuantile, OfNothingIsNotANumber) {
   EXPECT_THROW(weighted_quantile(Eigen::Vector2d(1, 2), Eigen::VectorXd::Ones(3), 0.5), ArgumentError);
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double rounding = 1e-5;  // degrees; the cross product of unit vectors is accurate to 1e-15
 
 TEST(NormalErrors, AreNoneForTheTrianglesOwnNormals) {
@@ -78,10 +74,6 @@ TEST(NormalErrors, IgnoresMissingNormalsAndWeights) {
 }
 
 TEST(TrueNormals, ACloudHasNone) { EXPECT_THROW(TrueNormals({test::sphere(1, 1).vertices, {}, {}}), ArgumentError); }
-
-}  // namespace
-
-namespace {
 
 /// Ten places on a line with the values 1 to 10.
 PlacedValues line() {

@@ -47,10 +47,8 @@ class WriteShapeComparison : public test::FolderTest {
     for (auto* field : {&results_.shapes[0].fields[0], &results_.shapes[0].fields[1], &results_.shapes[1].fields[1]}) {
       field->samples = 10;
     }
-    Signatures first(2, 2);
-    first << 0.25, 0.75, 1, 0;
-    Signatures second(2, 4);
-    second << 0, 0, 0, 1, 0.5, 0.5, 0, 0;
+    const Signatures first{{0.25, 0.75}, {1, 0}};
+    const Signatures second{{0, 0, 0, 1}, {0.5, 0.5, 0, 0}};
     // The second signature is of the first field, so that indices of signatures and of fields differ.
     results_.signatures = {{.field = 1, .histograms = first, .ranges = {{1, 3}, {2, 6}}, .distances = {0, 1.5}},
                            {.field = 0, .histograms = second, .ranges = {{0, 1}, {0, 8}}, .distances = {0, 2.25}}};

@@ -104,11 +104,9 @@ TEST(CacheKeys, APictureDependsOnItsFieldAndOnHowItIsDrawn) {
 }
 
 TEST(CacheKeys, DistancesDependOnTheSignaturesAndTheirSize) {
-  Signatures signatures(2, 3);
-  signatures << 0, 1, 2, 3, 4, 5;
+  Signatures signatures{{0, 1, 2}, {3, 4, 5}};
   std::set<std::string> keys{distances_key(signatures, "l1"), distances_key(signatures, "l2")};
-  Signatures other_size(3, 2);
-  other_size << 0, 1, 2, 3, 4, 5;
+  const Signatures other_size{{0, 1}, {2, 3}, {4, 5}};
   keys.insert(distances_key(other_size, "l1"));
   signatures(1, 2) = std::nextafter(5.0F, 6.0F);
   keys.insert(distances_key(signatures, "l1"));

@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 #include <limits>
-#include <png.h>
 
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/experiments/signatures/model_picture.h"
+#include "tests/support/decoded_png.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
-Image decoded(const std::string& png) {
-  png_image header = {};
-  header.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_memory(&header, png.data(), png.size()) == 0) return {};
-  header.format = PNG_FORMAT_RGBA;
-  Image image{.width = static_cast<int>(header.width), .height = static_cast<int>(header.height), .pixels = {}};
-  image.pixels.resize(PNG_IMAGE_SIZE(header));
-  png_image_finish_read(&header, nullptr, image.pixels.data(), 0, nullptr);
-  return image;
-}
+using test::decoded;
 
 /// Mean of a channel over the pixels fully covered by the shape.
 double mean_channel(const Image& image, std::size_t channel) {

@@ -100,8 +100,7 @@ TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
 }
 
 TEST(DescriptorDistances, MatchEachPair) {
-  Signatures features(3, 2);
-  features << 0, 0, 1, 2, 4, 0;
+  Signatures features{{0, 0}, {1, 2}, {4, 0}};
   const DistanceMatrix matrix = descriptor_distances(descriptors().at("d2"), features);
   EXPECT_EQ(matrix, (DistanceMatrix{{0, 3, 4}, {3, 0, 5}, {4, 5, 0}}));
   features(1, 1) = std::numeric_limits<float>::infinity();

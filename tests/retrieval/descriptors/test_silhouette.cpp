@@ -52,11 +52,8 @@ TEST(Silhouette, OfASphereIsADisc) {
 }
 
 TEST(Silhouette, ShowsThinParts) {
-  Shape needle;
-  needle.vertices.resize(3, 3);
-  needle.vertices << 0.111, 0.2, 0, 0.1111, 0.2, 0, 0.111, 0.2001, 0;
-  needle.triangles.resize(1, 3);
-  needle.triangles << 0, 1, 2;
+  const Shape needle{.vertices = Points{{0.111, 0.2, 0}, {0.1111, 0.2, 0}, {0.111, 0.2001, 0}},
+                     .triangles = Triangles{{0, 1, 2}}};
   EXPECT_EQ(covered(silhouette_of(needle, Eigen::Matrix3d::Identity())), 1U);
 }
 
