@@ -120,8 +120,7 @@ int run(const PerturbArguments& arguments) {
 }  // namespace
 
 void add_perturb_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "perturb", "Perturb shapes at random (noise, holes, decimation, sampling), in the order of the options below");
+  CLI::App* command = app.add_subcommand("perturb", "Perturb shapes at random, in the order of the options below");
   command->footer("Example: shapegauge perturb bunny.off -o worse.off --noise 0.005 --remove-faces 0.15 --seed 7");
   const auto arguments = std::make_shared<PerturbArguments>();
   add_shape_inputs(*command, arguments->files);

@@ -243,9 +243,8 @@ void add_run_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge run configs/quickstart.json\n"
       "         shapegauge run methods.json --set signatures.0.histogram.bins=40\n"
-      "An interrupted run continues from the cache (shapegauge cache --help).\n"
-      "After the parts of --part, which may run at the same time, the run without it writes the results.\n"
-      "--replay repeats a run without the cache, into results/NAME-replay or --output, and compares each output.");
+      "An interrupted run continues from the cache. After all parts of --part, a run without it writes the "
+      "results.\n--replay writes to results/NAME-replay or --output, without the cache, and compares the outputs.");
   const auto arguments = std::make_shared<RunArguments>();
   begin_option_group(*command, input_options);
   CLI::Option* configuration =
@@ -256,8 +255,8 @@ void add_run_command(CLI::App& app, int& status) {
   begin_option_group(*command, input_options);
   command
       ->add_option("--set", arguments->source.overrides,
-                   "Override a value of the configuration: dotted.key=value. signatures[Sum] selects an element by "
-                   "name; paths are relative to the working directory")
+                   "Override a value: dotted.key=value, such as signatures[Sum].scale=ranks; paths are relative to the "
+                   "working directory")
       ->allow_extra_args(false);
   begin_option_group(*command, output_options);
   CLI::Option* const plot = command->add_option("--plot", arguments->plot,

@@ -121,7 +121,7 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Evaluation");
   command
       ->add_option("--by", arguments->weights,
-                   "Weight of a triangle in the errors: 1 (faces), as in the benchmark's tables, or its area")
+                   "Weight of a triangle: 1 (faces), as in the benchmark's tables, or its area")
       ->check(one_of(list_of_words<TriangleWeights>()))
       ->capture_default_str();
   command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, which takes the longest");

@@ -27,9 +27,8 @@ constexpr std::array diffusion_table = {
                                              automatic_neighbours),
     option_of<&DiffusionOptions::damping>("damping", {.low = 0, .high = 1, .high_open = true},
                                           "Probability that a random walk continues."),
-    option_of<&DiffusionOptions::tie>(
-        "tie", {.low = 0, .high = 1},
-        "Weight of the original distance, which orders models that the walks do not separate."),
+    option_of<&DiffusionOptions::tie>("tie", {.low = 0, .high = 1},
+                                      "Weight of the original distance, which breaks ties."),
     option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep the nearest model of each model the nearest."),
 };
 constexpr auto diffusion_parameters = parameters_of(diffusion_table);

@@ -289,7 +289,7 @@ OrderedJson multi_dataset_schema() {
   dataset["properties"]["name"] = {{"$ref", "#/definitions/plain_name"}};
   OrderedJson schema = definitions.at("retrieval_experiment");
   schema["title"] = "retrieval experiment on several data sets";
-  schema["description"] = "Several data sets, the signatures to compare, and how to judge them.";
+  schema["description"] = "Data sets, signatures to compare, and settings of the evaluation.";
   schema["required"] = {"name", "datasets", "signatures"};
   schema["properties"].erase("dataset");
   schema["properties"]["datasets"] = {
