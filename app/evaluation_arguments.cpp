@@ -30,7 +30,7 @@ void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
                   "Level of the .cla hierarchy: 1: roots, 2: their children, 0: the classes themselves")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command.add_option("--variable", files.variable, "Array to read from an .npz or .mat file with several");
+  command.add_option("--variable", files.variable, "Name of the array to read from an .npz or .mat file");
   command.add_option("--ids", files.ids, "File with the ids of the rows, one per line");
   command
       .add_option("--order", arguments.order,

@@ -29,7 +29,7 @@ constexpr std::array diffusion_table = {
                                           "Probability that a random walk continues."),
     option_of<&DiffusionOptions::tie>("tie", {.low = 0, .high = 1},
                                       "Weight of the original distance, which breaks ties."),
-    option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep the nearest model of each model the nearest."),
+    option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep the original nearest neighbour of each model."),
 };
 constexpr auto diffusion_parameters = parameters_of(diffusion_table);
 

@@ -34,8 +34,7 @@ struct SegmentationOptions {
 
 /// Parameters of SegmentationOptions.
 inline constexpr std::array segmentation_table = {
-    option_of<&SegmentationOptions::method>(
-        "method", "best: parts as people choose them; paper: clusters of patches by their SDF, as in the paper."),
+    option_of<&SegmentationOptions::method>("method", "best: semantic parts; paper: clusters of patches by their SDF."),
     with_description("Number of parts (paper: of clusters); 0 for automatic (paper: 5 clusters).",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 0>()),
     with_description("best: number of initial patches.",

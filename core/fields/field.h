@@ -30,7 +30,7 @@ struct Spectrum;
 /// Shape for which several fields are computed, with the data they share. Keeps a reference to the shape.
 class FieldSource {
  public:
-  /// `known` are diagnostics of the shape, at this scale or another one.
+  /// Refers to a shape, whose diagnostics may be passed if they are known, at this scale or another one.
   explicit FieldSource(const Shape& shape, std::optional<ShapeDiagnostics> known = {});
   ~FieldSource();
   FieldSource(const FieldSource&) = delete;
