@@ -361,7 +361,7 @@ void add_evaluate_command(CLI::App& app, int& status) {
   begin_option_group(*command, input_options);
   command
       ->add_option("--input-format", arguments->input_format,
-                   "Format of standard input, as an extension without the dot (default: by contents, otherwise csv)")
+                   "Format of standard input, as an extension (default: by contents, otherwise csv)")
       ->check(one_of(input_formats()));
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);

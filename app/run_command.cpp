@@ -262,7 +262,7 @@ void add_run_command(CLI::App& app, int& status) {
   CLI::Option* const plot = command->add_option("--plot", arguments->plot,
                                                 "File for a chart of the precision-recall curves: .svg, .pdf or .png");
   command->add_flag("--replace", arguments->replace, "Overwrite results of another configuration");
-  command->add_flag("--force", arguments->force, "Like --replace, and ignore the contents of the cache");
+  command->add_flag("--force", arguments->force, "Like --replace, and compute everything again");
   add_cache_option(*command, arguments->cache);
   CLI::Option* const no_cache = command->add_flag("--no-cache", arguments->cache.none, "Do not use a cache")
                                     ->excludes("--cache")
@@ -273,10 +273,9 @@ void add_run_command(CLI::App& app, int& status) {
                                 ->excludes(no_cache)
                                 ->excludes(plot);
   begin_option_group(*command, "Without a run");
-  command->add_flag("--dry-run", arguments->dry_run,
-                    "Check the configuration and read all inputs, but compute nothing");
+  command->add_flag("--dry-run", arguments->dry_run, "Check the configuration and read all inputs only");
   command->add_flag("--print-config", arguments->print_configuration,
-                    "Print the configuration with all defaults and the changes of --set");
+                    "Print the configuration with all defaults and --set");
   begin_option_group(*command, "Replay");
   command->add_option("--replay", arguments->source.replay, "Manifest of a run to repeat (manifest.json)")
       ->excludes(configuration)

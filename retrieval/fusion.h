@@ -61,8 +61,7 @@ inline constexpr std::array sum_table = {
         "scale",
         "With sum: normalisation of each signature's distances. median, mean: divided by that of all pairs of models; "
         "local: divided by the two models' mean distances to their ten nearest neighbours; ranks: as local, then "
-        "replaced by "
-        "log(1 + mean of the two models' ranks among each other's neighbours); local_spread: as ranks."),
+        "replaced by log(1 + mean of the two models' ranks among each other's neighbours); local_spread: as ranks."),
     option_of<&SumOptions::weights>("weights",
                                     "With sum: factor of the given weights. given: 1; agreement: estimated from how "
                                     "far neighbourhoods agree between signatures and cohere within one."),

@@ -300,8 +300,7 @@ EvaluationData open_judged(const EvaluationFiles& files) {
   if (judgements.graded) {
     data.task.warnings.emplace_back(
         "the judgements have grades above 1, which only nDCG and nDCG@N use; for all other measures, every positive "
-        "grade means "
-        "relevant");
+        "grade means relevant");
   }
   return data;
 }

@@ -71,11 +71,9 @@ class LabelledModels {
   [[nodiscard]] const Known& at(const std::string& id) const {
     const auto found = known_.find(keys_.of(id));
     if (found != known_.end()) return found->second;
-    throw InputError(fmt::format("{}: model {} is in no class; add it to the file or leave the model out{}", source_,
-                                 quoted_word(id),
-                                 is_one_of_two_ ? "; if the ids of both files of labels name the same models, use "
-                                                  "`shared_ids`"
-                                                : ""));
+    throw InputError(fmt::format(
+        "{}: model {} is in no class; add it to the file or leave the model out{}", source_, quoted_word(id),
+        is_one_of_two_ ? "; if the ids of both files of labels name the same models, use `shared_ids`" : ""));
   }
 
  private:

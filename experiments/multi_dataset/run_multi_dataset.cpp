@@ -66,8 +66,7 @@ std::vector<std::string> folders_of_datasets(const std::vector<std::string>& nam
     if (folder == manifest_name || std::ranges::find(result_files, folder) != result_files.end()) {
       throw InputError(
           fmt::format("{}: datasets.{}.name: the data set {} would have its results in the folder {}, which is the "
-                      "name of a result "
-                      "file; choose another name",
+                      "name of a result file; choose another name",
                       source, i, quoted_word(names[i]), folders[i]));
     }
   }
