@@ -114,7 +114,11 @@ OrderedJson info_of(const Shape& shape) {
   OrderedJson json = diagnostics_json(found);
   if (has_polygons(shape)) json["polygons"] = polygon_count(shape);
   json.update(geometry_json(shape, found));
-  if (is_cloud(shape)) json["normals"] = shape.normals.rows() > 0 ? "from the file" : "none";
+  if (is_cloud(shape)) {
+    json["normals"] = shape.normals.rows() == 0 ? "none"
+                      : found.stray_normals     ? "from the file, not of the surface: ignored"
+                                                : "from the file";
+  }
   return json;
 }
 

@@ -18,6 +18,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/outliers.h"
+#include "shapegauge/core/preparation/stray_normals.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/datasets/files/table.h"
@@ -231,6 +232,7 @@ Shape cleaned(Shape shape, const CleaningArguments& arguments, bool automatic, R
   } else if (const auto warning = outlier_warning(shape)) {
     remarks.warnings.push_back(*warning);
   }
+  if (remove_stray_normals(shape)) remarks.warnings.emplace_back(stray_normals_warning);
   if (!arguments.denoise) return shape;
   DenoisedShape result = denoised(std::move(shape));
   remarks.notes.push_back(result.pass_band > 0

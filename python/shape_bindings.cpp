@@ -2,6 +2,7 @@
 // Shapes and what is computed from one: fields, parts, features.
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/core/preparation/stray_normals.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
@@ -46,7 +48,7 @@ bool chooses_offset(const Field& field) {
 struct CleanedShape {
   Shape shape;
   std::vector<bool> removed;  ///< per vertex
-  std::optional<std::string> warning = {};
+  std::vector<std::string> warnings = {};
 
   /// Returns the rows of all vertices: those of the remaining ones, and others that are filled.
   template <typename Rows>
@@ -61,17 +63,19 @@ struct CleanedShape {
   }
 };
 
-/// Removes outliers as requested, or warns of them.
+/// Removes outliers as requested, or warns of them, and removes stray normals.
 CleanedShape cleaned(Shape shape, bool remove) {
   CleanedShape result{.shape = {}, .removed = std::vector<bool>(static_cast<std::size_t>(shape.vertices.rows()))};
+  if (remove_stray_normals(shape)) result.warnings.emplace_back(stray_normals_warning);
   if (!remove) {
-    result.warning = outlier_warning(shape);
+    if (auto warning = outlier_warning(shape)) result.warnings.push_back(std::move(*warning));
     result.shape = std::move(shape);
     return result;
   }
   result.removed = outliers(shape);
   if (const auto count = std::ranges::count(result.removed, true); count > 0) {
-    result.warning = outlier_text(static_cast<std::size_t>(count), shape.vertices.rows()) + "; they have no results";
+    result.warnings.push_back(outlier_text(static_cast<std::size_t>(count), shape.vertices.rows()) +
+                              "; they have no results");
   }
   result.shape = without_outliers(std::move(shape));
   return result;
@@ -114,9 +118,8 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   });
   py::dict result;
   std::vector<std::string> without_value = outcome_warnings(computed.values.outcomes);
-  for (const auto& warning : {computed.cleaned.warning, computed.weights}) {
-    if (warning) without_value.push_back(*warning);
-  }
+  std::ranges::move(computed.cleaned.warnings, std::back_inserter(without_value));
+  if (computed.weights) without_value.push_back(*computed.weights);
   result["values"] = array_of(std::move(computed.values.values));
   result["weights"] = array_of(std::move(computed.samples.weights));
   result["points"] = array_of(std::move(computed.samples.points));
@@ -153,7 +156,7 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
         Eigen::Map<const Eigen::VectorX<std::int32_t>>(parts.data(), static_cast<Eigen::Index>(parts.size()));
     result.labels = clean.spread(result.labels, -1);
     result.warnings = outcome_warnings(field_outcomes(outcomes));
-    if (clean.warning) result.warnings.push_back(*clean.warning);
+    std::ranges::copy(clean.warnings, std::back_inserter(result.warnings));
     const SegmentationOptions& options = method.options;
     if (options.method == SegmentationAlgorithm::paper && options.field == SegmentedSdf::offset) {
       const auto leak = leak_warning(choose_offset(options.offset, shape));
@@ -184,7 +187,7 @@ py::tuple describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
     const Shape shape = prepare_shape(std::move(clean.shape), {}).shape;
     FieldSource source(shape);
     DescriptorFields computed = compute_fields(choice, source);
-    if (clean.warning) computed.warnings.push_back(*clean.warning);
+    std::ranges::copy(clean.warnings, std::back_inserter(computed.warnings));
     return Computed{.features = compute_features(choice.descriptor,
                                                  {.shape = shape, .fields = computed.fields, .proxy = &source.proxy()},
                                                  {}, choice.values),

@@ -11,6 +11,7 @@
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/core/preparation/outliers.h"
+#include "shapegauge/core/preparation/stray_normals.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 
@@ -85,6 +86,7 @@ void diagnose_gaps_and_noise(const Shape& shape, const Welding& welding, ShapeDi
     found.closable_gap = gaps.closable;
   }
   found.outliers = outlier_count(shape);
+  found.stray_normals = has_stray_normals(shape);
   found.point_spacing = point_spacing(shape);
   const VertexNeighbours neighbours = vertex_neighbours(shape, welding);
   const NoiseLevel noise = noise_level(shape, neighbours, welding);

@@ -8,7 +8,7 @@
 namespace shapegauge {
 
 /// Cache version of diagnose(); see docs/manual/cache.md.
-inline constexpr int diagnostics_version = 6;
+inline constexpr int diagnostics_version = 7;
 
 /// Defects and properties of a shape before it is measured. Edges and components are those of the welded mesh; a
 /// triangle with fewer than three distinct corners has no edges. Duplicate triangles are counted and otherwise ignored
@@ -35,6 +35,7 @@ struct ShapeDiagnostics {
   double gap_size = 0;         ///< radius of the widest gap (gap_sizes()), in the shape's units
   double closable_gap = 0;     ///< radius of the widest that an automatic offset closes
   std::size_t outliers = 0;    ///< of a cloud (outliers())
+  bool stray_normals = false;  ///< of a cloud (has_stray_normals())
   double point_spacing = 0;    ///< of a cloud (point_spacing()), in the shape's units
   double noise_deviation = 0;  ///< of a mesh: standard deviation of the noise (NoiseLevel), in the shape's units
   bool noisy = false;          ///< the mesh is clearly noisy (is_noisy())

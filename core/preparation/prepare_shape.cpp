@@ -7,6 +7,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/preparation/outliers.h"
+#include "shapegauge/core/preparation/stray_normals.h"
 #include "shapegauge/core/preparation/tube_area.h"
 #include "shapegauge/core/shape/point_cloud.h"
 
@@ -42,6 +43,7 @@ double positive_tube_area(const Shape& shape) {
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options) {
   PreparedShape result;
   if (options.remove_outliers) shape = without_outliers(std::move(shape));
+  remove_stray_normals(shape);
   if (options.denoise) {
     DenoisedShape clean = denoised(std::move(shape));
     shape = std::move(clean.shape);

@@ -15,7 +15,7 @@ namespace shapegauge {
 double positive_area(const Shape& shape);
 
 /// Cache version of prepare_shape(); see docs/manual/cache.md.
-inline constexpr int preparation_version = 3;
+inline constexpr int preparation_version = 4;
 
 /// Quantity that normalises the scale of a shape.
 enum class ScaleEstimate {
@@ -55,7 +55,8 @@ struct PreparedShape {
   double area = 0;       ///< the area that was scaled to 1, in the input's units squared
 };
 
-/// Removes outliers and noise if requested, and scales it about the origin to unit area. Throws InputError as
+/// Removes outliers and noise if requested, and normals that are not those of the surface (remove_stray_normals()), and
+/// scales the shape about the origin to unit area. Throws InputError as
 /// positive_area() and tube_area() do, and for an unusable shape (require_usable()).
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options);
 

@@ -50,13 +50,16 @@ std::vector<std::string> incomplete_methods(const ExperimentResults& results) {
 
 std::vector<std::string> run_warnings(const ExperimentResults& results) {
   std::vector<std::string> warnings = field_warnings(results.fields);
-  const auto has_outliers = [](const ModelDescription& shape) { return shape.diagnostics.outliers > 0; };
-  const auto count = std::ranges::count_if(results.shapes, has_outliers);
-  if (count > 0 && !results.configuration.preparation.remove_outliers) {
-    warnings.push_back(fmt::format(
-        "{} of {} shapes are clouds with outliers, which enlarge them: use `preparation.remove_outliers=true`", count,
-        results.shapes.size()));
+  const auto warn_of = [&](auto affected, std::string_view text) {
+    const auto count = std::ranges::count_if(results.shapes, affected);
+    if (count > 0) warnings.push_back(fmt::format("{} of {} shapes are clouds {}", count, results.shapes.size(), text));
+  };
+  if (!results.configuration.preparation.remove_outliers) {
+    warn_of([](const ModelDescription& shape) { return shape.diagnostics.outliers > 0; },
+            "with outliers, which enlarge them: use `preparation.remove_outliers=true`");
   }
+  warn_of([](const ModelDescription& shape) { return shape.diagnostics.stray_normals; },
+          "whose normals are not those of the surface: the normals are ignored");
   for (const MethodResults& method : results.methods) {
     if (!method.remark.empty()) warnings.push_back(fmt::format("method \"{}\": {}", method.name, method.remark));
     // Without external ranked lists, all protocols have the same tied queries.

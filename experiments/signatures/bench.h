@@ -49,8 +49,8 @@ struct FeatureDescription {
 };
 
 inline auto members(ShapeDiagnostics& diagnostics) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = diagnostics;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
+  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v] = diagnostics;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v);
 }
 inline auto members(ShapeFacts& facts) {
   auto& [diagnostics, chosen, remarks, area, noise, pass_band] = facts;

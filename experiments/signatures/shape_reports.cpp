@@ -84,6 +84,7 @@ nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics) {
           {"gap_size", diagnostics.gap_size},
           {"gap_fraction", fraction(diagnostics.gap_size)},
           {"outliers", diagnostics.outliers},
+          {"stray_normals", diagnostics.stray_normals},
           {"point_spacing", diagnostics.point_spacing},
           {"noisy", diagnostics.noisy},
           {"noise_fraction", fraction(diagnostics.noise_deviation)}};

@@ -146,6 +146,21 @@ def test_outliers_have_neither_part_nor_features():
     assert any("outliers" in sentence for sentence in told)
 
 
+def test_normals_of_another_surface_are_ignored(tmp_path):
+    points = ball_with_outliers(0)
+    others = points[::-1]
+    for measure in (lambda normals: sg.sdf(points, offset=0.05, normals=normals).values,
+                    lambda normals: sg.segment(points, normals=normals),
+                    lambda normals: sg.describe(points, "sdf", normals=normals)):
+        found, told = warned(lambda: measure(others))
+        assert (found == warned(lambda: measure(None))[0]).all()
+        assert sum("normals of the points are ignored" in sentence for sentence in told) == 1
+        assert not any("normals" in sentence for sentence in warned(lambda: measure(points))[1])
+    np.savetxt(tmp_path / "cloud.xyz", np.hstack([points, others]))
+    lines = program("sdf", tmp_path / "cloud.xyz", "-o", tmp_path / "x.csv")
+    assert sum("normals of the points are ignored" in line for line in commands_warnings(lines)) == 1
+
+
 def test_zero_normals_are_missing():
     points = ball_with_outliers(0)
     zero = np.zeros_like(points)

@@ -104,14 +104,15 @@ inline Triangle triangle_of(const Shape& shape, Eigen::Index f) {
 
 /// Relation of a ray to a triangle.
 struct RayMeeting {
-  bool sure = true;  ///< false where the ray passes so close to a side, or begins so close to the plane, that rounding
-                     ///< may decide
+  bool sure = true;  ///< false where the ray passes so close to a side, begins so close to the plane, or grazes it so
+                     ///< flatly that rounding may decide
   bool crosses = false;
   bool along_normal = false;
   double distance = 0;
 };
 
-/// Classifies by the signs of the volumes spanned by ray and sides; `unsure` is a tolerance, as a distance.
+/// Classifies by the signs of the volumes spanned by ray and sides; `unsure` is a tolerance, as a distance. Coordinates
+/// of a unit cube in single precision may displace the plane by 2^-22.
 inline RayMeeting meeting_of(const Triangle& t, const Eigen::Vector3d& x, const Eigen::Vector3d& direction,
                              double unsure) {
   for (const auto& [p, q] : {std::pair(t.a, t.b), {t.b, t.c}, {t.c, t.a}}) {
@@ -130,7 +131,8 @@ inline RayMeeting meeting_of(const Triangle& t, const Eigen::Vector3d& x, const 
   if (!((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0))) return {};
   const Eigen::Vector3d normal = (t.b - t.a).cross(t.c - t.a);
   const double distance = normal.dot(t.a - x) / normal.dot(direction);
-  if (!(std::abs(distance) > unsure)) return {.sure = false};
+  const double displaced = 0x1p-22 / std::abs(normal.normalized().dot(direction));  // along the ray
+  if (!(std::abs(distance) > unsure && displaced < unsure)) return {.sure = false};
   return {.crosses = distance > 0, .along_normal = u > 0, .distance = distance};
 }
 

@@ -58,6 +58,13 @@ TEST(RunWarnings, OutliersAreReportedUnlessTheyAreRemoved) {
   EXPECT_THAT(run_warnings(results), IsEmpty());
 }
 
+TEST(RunWarnings, NormalsThatAreNotThoseOfTheSurfaceAreReported) {
+  ExperimentResults results = two_methods();
+  results.shapes.resize(5);
+  results.shapes[1].diagnostics.stray_normals = true;
+  EXPECT_THAT(run_warnings(results), ElementsAre(testing::StartsWith("1 of 5 shapes are clouds whose normals")));
+}
+
 TEST(RunWarnings, TiesAreReportedWithTheirEffectUnderEachProtocol) {
   ExperimentResults results = two_methods();
   EXPECT_THAT(run_warnings(results), IsEmpty());
