@@ -148,7 +148,7 @@ TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
   EXPECT_EQ(parts, renumber_labels(parts));
 }
 
-TEST(PartSegmentation, OfOneTriangle) {
+TEST(PartSegmentation, AcceptsOneTriangle) {
   Shape shape;
   shape.vertices = Points::Identity(3, 3);
   shape.triangles.resize(1, 3);
