@@ -18,7 +18,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
+constexpr Eigen::Index columns_at_once = 16;  // two cache lines per row
 
 constexpr std::array diffusion_table = {
     option_of<&DiffusionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},

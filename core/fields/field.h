@@ -87,8 +87,8 @@ std::optional<std::string> weights_warning(const Samples& samples);
 
 /// Values of a field on one shape.
 struct FieldValues {
-  Eigen::VectorXd values;       ///< one a sample; NaN if missing
-  Points normals = {};          ///< outward unit normals, one a sample, of fields that estimate them; otherwise empty
+  Eigen::VectorXd values;       ///< one per sample; NaN if missing
+  Points normals = {};          ///< outward unit normals, one per sample, of fields that estimate them; otherwise empty
   FieldOutcomes outcomes = {};  ///< if a field returns none: "total" and "missing", counted from the values
   std::optional<double> offset = {};  ///< r as a fraction of the diagonal, if the field chose it for the shape
   double build_seconds =

@@ -135,7 +135,7 @@ class RayGrid {
     }
     Eigen::Vector3d start, along;
     double sign;
-    double slope;  ///< columns a row
+    double slope;  ///< columns per row
   };
 
   void rasterise(const Corners& corners, std::int32_t triangle) {
