@@ -72,7 +72,7 @@ struct Seen {
   double depth = std::numeric_limits<double>::infinity();
 };
 
-/// Rays of some rows of the image, `per_side` by `per_side` a pixel, with their results.
+/// Rays of some rows of the image, `per_side` by `per_side` per pixel, with their results.
 class RayGrid {
  public:
   RayGrid(const Camera& camera, int columns, int per_side)
