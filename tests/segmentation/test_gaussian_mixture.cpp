@@ -47,7 +47,7 @@ TEST(GaussianMixture, DensityOfOneComponentIsThatOfTheNormalDistribution) {
   EXPECT_NEAR(std::exp(log_densities(mixture, Eigen::MatrixXd::Constant(1, 1, 5))(0, 0)), expected, 1e-15);
 }
 
-TEST(GaussianMixture, OneComponentHasMeanAndVarianceOfThePoints) {
+TEST(GaussianMixture, OfOneComponentHasTheMeanAndTheVarianceOfThePoints) {
   Eigen::MatrixXd points(4, 2);
   points << 1, 5, 2, 5, 4, 5, 5, 5;  // the second coordinate is constant
   const GaussianMixture mixture = fit_gaussian_mixture(points, 1);
@@ -78,7 +78,7 @@ TEST(GaussianMixture, ProbabilitiesOfAPointSumToOneHoweverFar) {
   EXPECT_GE(probabilities.minCoeff(), 0);
 }
 
-TEST(GaussianMixture, AcceptsEqualPoints) {
+TEST(GaussianMixture, OfPointsThatAreAllTheSame) {
   const GaussianMixture mixture = fit_gaussian_mixture(Eigen::MatrixXd::Constant(5, 2, 3), 3);
   EXPECT_TRUE(mixture.means.allFinite());
   EXPECT_TRUE(component_probabilities(mixture, Eigen::MatrixXd::Constant(1, 2, 3)).allFinite());

@@ -148,7 +148,7 @@ TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
   EXPECT_EQ(parts, renumber_labels(parts));
 }
 
-TEST(PartSegmentation, AcceptsOneTriangle) {
+TEST(PartSegmentation, OfOneTriangle) {
   Shape shape;
   shape.vertices = Points::Identity(3, 3);
   shape.triangles.resize(1, 3);
