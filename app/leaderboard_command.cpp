@@ -213,8 +213,7 @@ void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments)
 }  // namespace
 
 void add_leaderboard_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "leaderboard", "Check, evaluate and rank submissions: matrices and ranked lists of any methods");
+  CLI::App* command = app.add_subcommand("leaderboard", "Check, evaluate and rank submissions");
   command->footer(
       "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n"
       "         shapegauge leaderboard submissions/ --labels test.cla -o site\n"

@@ -126,7 +126,7 @@ void add_rerank_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("rerank", "Re-rank distances, unsupervised, using the whole collection");
   command->footer(
       "Example: shapegauge rerank distances.npy -o better.npy --neighbours 10\n         shapegauge rerank "
-      "distances.npy -o better.npy --neighbours auto      (mean over 4, 5, 7, 10, 14, 20)\nDiffusion of more than "
+      "distances.npy -o better.npy --neighbours auto\nDiffusion of more than "
       "5,000 models uses the sparse solver; .npy (C order) and .matrix files then need not fit into memory.");
   const auto arguments = std::make_shared<RerankArguments>();
   command

@@ -243,9 +243,8 @@ void add_search_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Index and method");
   command->add_option("--index", arguments->index, "Index file (default: NAME.search-index next to the collection)");
   command->add_flag("--no-update", arguments->no_update, "Use the index without checking the files");
-  CLI::Option* articulated =
-      command->add_flag("--articulated", arguments->articulated,
-                        "Use the method of configs/recommended_articulated.json, for shapes whose pose does not count");
+  CLI::Option* articulated = command->add_flag("--articulated", arguments->articulated,
+                                               "Use the recommended method for shapes whose pose does not count");
   for (CLI::Option* option :
        {command->add_option("--method", arguments->method)->group(""),  // the older name
         command->add_option("--configuration", arguments->method,
