@@ -62,8 +62,8 @@ void add_audit_command(CLI::App& app, int& status) {
       app.add_subcommand("audit", "Evaluate the same files as several evaluation programs do, and compare the ranks");
   command->footer(
       "Example: shapegauge audit ours.npy theirs.npy --labels test.cla\n"
-      "         shapegauge audit *.txt --labels queries.cla --targets targets.cla\n"
-      "'shapegauge measures' and 'evaluate --evaluator' explain and apply one program.");
+      "         shapegauge audit *.txt --labels queries.cla --targets targets.cla\n'evaluate --evaluator' applies one "
+      "program.");
   const auto arguments = std::make_shared<AuditArguments>();
   command->add_option("matrices", arguments->matrices, "Files that 'evaluate' reads, of the same queries")->required();
   add_file_options(*command, arguments->evaluation);

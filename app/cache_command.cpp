@@ -58,7 +58,6 @@ int clear(const CacheOption& option) {
 
 void add_action(CLI::App& cache, const char* name, const char* what, int (*action)(const CacheOption&), int& status) {
   CLI::App* command = cache.add_subcommand(name, what);
-  command->footer(fmt::format("Example: shapegauge cache {}", name));
   const auto option = std::make_shared<CacheOption>();
   add_cache_option(*command, *option);
   command->callback([option, action, &status] { status = action(*option); });
@@ -70,8 +69,7 @@ void add_cache_command(CLI::App& app, int& status) {
   CLI::App* cache = app.add_subcommand("cache", "Inspect or clear the cache of runs");
   cache->require_subcommand(1);
   cache->footer(
-      "'shapegauge run' caches the results for each shape and reuses them. The cache can be cleared at any time: later "
-      "runs take longer and have the same results.\n"
+      "Without cached results, runs take longer and have the same results.\n"
       "Example: shapegauge cache info");
   add_action(*cache, "info", "Print the folder and contents of the cache", show_cache, status);
   add_action(*cache, "clear", "Remove all cached results", clear, status);

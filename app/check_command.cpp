@@ -116,8 +116,7 @@ void add_check_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge check part.stl --unit mm --min-wall 1.2 --min-gap 0.5\n"
       "         shapegauge check parts/*.stl --unit mm --min-wall 0.05in --format csv > regions.csv\n"
-      "Each side of a wall or gap is a region. Sharp edges are listed, but are no violation.\n"
-      "Exit status: 0 passes; 3 does not pass; 1 and 2 as for all commands.");
+      "Sharp edges are listed, but are no violation. The exit status is 3 if a shape does not pass.");
   const auto arguments = std::make_shared<CheckArguments>();
   add_shape_inputs(*command, arguments->files);
   add_unit_option(*command, arguments->unit);
@@ -126,10 +125,9 @@ void add_check_command(CLI::App& app, int& status) {
       ->type_name("LENGTH");
   command->add_option("--min-gap", arguments->min_gap, "Minimum width of gaps")->type_name("LENGTH");
   command
-      ->add_option(
-          "--min-area", arguments->min_area,
-          "Minimum area of listed regions, in squared units of the file; smaller ones are counted only. At least the "
-          "square of an eighth of the limit")
+      ->add_option("--min-area", arguments->min_area,
+                   "Minimum area of listed regions, in squared units of the file, at least (limit / 8)²; smaller ones "
+                   "are only counted")
       ->type_name("AREA")
       ->capture_default_str();
   static constexpr auto parameters = parameters_of(inscribed_ball_table);
@@ -137,8 +135,8 @@ void add_check_command(CLI::App& app, int& status) {
     add_parameter_option(*command, parameter, arguments->ball[std::string(parameter.name)]);
   }
   add_shape_outputs(*command, arguments->files,
-                    ".html (interactive page with a list of regions), .ply (surface, divided along regions, with the "
-                    "diameters as fractions of the limit), .png (picture), .csv or .npy (fractions)")
+                    ".html (interactive page), .ply (surface divided along regions, with diameters as fractions of the "
+                    "limit), .png (picture), .csv or .npy (fractions)")
       ->required(false);
   command->add_option("--format", arguments->format, "Format of the report; json lists the faces of each region")
       ->check(one_of({"text", "json", "csv"}))

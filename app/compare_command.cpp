@@ -330,11 +330,13 @@ void add_compare_command(CLI::App& app, int& status) {
       app.add_subcommand("compare", "Compare methods on the same queries with intervals and significance tests");
   command->footer(
       "Example: shapegauge compare results/shrec11-table2 --measures FT,DCG\n"
-      "         shapegauge compare mine.npy theirs.npy --labels test.cla\n"
-      "An input is the folder of a run (all its methods), a table of 'evaluate --per-query' or, with --labels or "
-      "--qrels, any input of 'evaluate'.");
+      "         shapegauge compare mine.npy theirs.npy --labels test.cla");
   const auto arguments = std::make_shared<CompareArguments>();
-  command->add_option("inputs", arguments->inputs, "Results or, with --labels or --qrels, distances")->required();
+  command
+      ->add_option(
+          "inputs", arguments->inputs,
+          "Folders of runs, tables of 'evaluate --per-query' or, with --labels or --qrels, inputs of 'evaluate'")
+      ->required();
   add_evaluation_options(*command, arguments->evaluation);
   add_comparison_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);

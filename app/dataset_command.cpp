@@ -189,7 +189,7 @@ std::shared_ptr<LookArguments> add_look_arguments(CLI::App* command) {
                       "Classification (.cla) or CSV table, if not in the folder");
   command->add_option("--layout", arguments->layout, "Layout of the data set (default: detected)")
       ->check(one_of(layout_names()));
-  command->add_option("--split", arguments->split, "Part of the data set, for layouts that have splits")
+  command->add_option("--split", arguments->split, "Split of the data set, for layouts that have splits")
       ->check(one_of(std::vector<std::string>(dataset_splits.begin(), dataset_splits.end())))
       ->capture_default_str();
   return arguments;

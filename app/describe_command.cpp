@@ -176,11 +176,11 @@ int run(DescribeArguments& arguments) {
 void add_describe_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("describe", "Compute features of shapes, one row per shape");
   command->footer(
-      "Example: shapegauge describe models/*.off --descriptor light_field -o features.npy\n         shapegauge "
-      "describe a.off b.off --descriptor joint_histogram -o features.csv \\\n           --set 'fields=[{\"type\": "
-      "\"cone_sdf\"}, {\"type\": \"centricity\"}]' --set 'axes=[{\"high\": 0.65}]'\nShapes are scaled to unit area "
-      "first. Descriptors with a codebook learn it from all given shapes.\n'shapegauge distances' and 'shapegauge "
-      "evaluate --distance' read the features.");
+      "Example: shapegauge describe models/*.off --descriptor light_field -o features.npy\n"
+      "         shapegauge describe a.off b.off --descriptor bag_of_features \\\n"
+      "           --set 'fields=[{\"type\": \"cone_sdf\"}]' -o features.csv\n"
+      "Shapes are scaled to unit area first. Codebooks are learnt from all inputs.\n"
+      "'distances' and 'evaluate --distance' read the features.");
   const auto arguments = std::make_shared<DescribeArguments>();
   add_shape_inputs(*command, arguments->files);
   command->get_option("input")->required(false);

@@ -48,8 +48,7 @@ void add_distances_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("distances", "Compute the distance matrix of features");
   command->footer(
       "Example: shapegauge describe models/*.off --descriptor light_field -o features.csv\n         shapegauge "
-      "distances features.csv -o distances.csv --distance light_field\nCSV keeps the ids of the "
-      "rows.\n'shapegauge rerank' and 'shapegauge evaluate' read the matrix.");
+      "distances features.csv -o distances.csv --distance light_field\nCSV keeps the ids of the rows.");
   const auto arguments = std::make_shared<DistancesArguments>();
   command
       ->add_option("features", arguments->features,
@@ -62,7 +61,7 @@ void add_distances_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Method");
   command
       ->add_option("--distance", arguments->distance,
-                   "Read features, one row per model, and compare them by this distance or by that of a descriptor")
+                   "Compare rows of features by this distance, or that of a descriptor")
       ->check(one_of(feature_distance_names()))
       ->required();
   add_threads_option(*command, arguments->threads);

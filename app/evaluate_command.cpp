@@ -349,10 +349,8 @@ void add_evaluate_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge evaluate distances.npy --labels test.cla\n"
       "         shapegauge evaluate results.run --qrels judgements.txt --format json\n"
-      "Rows without ids (CSV, --ids) are in the order of the labels' file if it is a list (a table, one class per "
-      "line, .npy), and in natural order (2 before 10) for a .cla file or a folder. Princeton's own tools use the "
-      "order of the .cla file: --order file.\n"
-      "Tables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
+      "Princeton's tools write rows in the order of the .cla file: --order file.\n'shapegauge measures' explains the "
+      "measures.");
   const auto arguments = std::make_shared<EvaluateCommandArguments>();
   command
       ->add_option("distances", arguments->distances,
@@ -363,7 +361,7 @@ void add_evaluate_command(CLI::App& app, int& status) {
   begin_option_group(*command, input_options);
   command
       ->add_option("--input-format", arguments->input_format,
-                   "Format of standard input, as an extension without the dot (default: by contents, otherwise csv)")
+                   "Format of standard input, as an extension (default: by contents, otherwise csv)")
       ->check(one_of(input_formats()));
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);

@@ -17,31 +17,29 @@ namespace shapegauge {
 void add_file_options(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationFiles& files = arguments.files;
   begin_option_group(command, input_options);
-  command.add_option(
-      "--labels", files.labels,
-      "Classes of the models: .cla, a table (id, class and optionally subclass and split), a list of classes, one per "
-      "line, an integer .npy, or a folder of class folders");
+  command.add_option("--labels", files.labels,
+                     "Classes of the models: .cla, a table (id, class, optionally subclass, split), a list (one class "
+                     "per line, or .npy), or a folder of class folders");
   command.add_option("--targets", files.targets, "Classes of the targets, if --labels are those of the queries");
   command.add_flag("--shared-ids", files.shared_ids,
-                   "Take equal ids of --labels and --targets for the same model, which does not find itself");
+                   "Treat equal ids of --labels and --targets as one model, excluded from its own list");
   command.add_option("--qrels", files.qrels, "TREC relevance judgements, instead of --labels");
   command
       .add_option("--level", files.level,
-                  "Level of the .cla hierarchy: 1 for the roots, 2 for their children, 0 for the classes themselves")
+                  "Level of the .cla hierarchy: 1: roots, 2: their children, 0: the classes themselves")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command.add_option("--variable", files.variable, "Array to read from an .npz or .mat file with several");
+  command.add_option("--variable", files.variable, "Name of the array to read from an .npz or .mat file");
   command.add_option("--ids", files.ids, "File with the ids of the rows, one per line");
   command
       .add_option("--order", arguments.order,
-                  "Order of rows without ids: natural order of the labels' ids, or order of the labels' file (default: "
-                  "file for lists, otherwise natural)")
+                  "Order of rows without ids: natural (2 before 10), or that of the labels' file (default: file for "
+                  "lists, otherwise natural)")
       ->check(one_of({"natural", "file"}))
       ->transform([](const std::string& word) { return word == "classification" ? "file" : word; });  // the older word
   CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "Read the matrix as similarities");
   command
-      .add_option("--distance", files.distance,
-                  "Read features, one row per model, and compare them by this distance or by that of a descriptor")
+      .add_option("--distance", files.distance, "Compare rows of features by this distance, or that of a descriptor")
       ->check(one_of(feature_distance_names()))
       ->excludes(similarity);
 }
@@ -60,7 +58,7 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
       ->excludes(evaluator);
   CLI::Option* missing = command
                              .add_option("--missing-queries", arguments.missing_queries,
-                                         "Treatment of queries without a ranked list; zero: they have scores of 0")
+                                         "Treatment of queries without a ranked list; zero: scores of 0")
                              ->check(one_of(missing_queries))
                              ->capture_default_str();
   command
@@ -69,8 +67,7 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
           "Like --missing-queries zero, as trec_eval -c")
       ->excludes(missing)
       ->group("");
-  command
-      .add_option("--ties", arguments.ties, "Order of models at equal distance; expected for the mean over all orders")
+  command.add_option("--ties", arguments.ties, "Order of models at equal distance; expected: mean over all orders")
       ->check(one_of(list_of_words<Ties>()))
       ->capture_default_str()
       ->excludes(evaluator);
@@ -94,8 +91,7 @@ std::vector<std::string> given_options(const CLI::App& command, std::span<const 
 
 void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description) {
   add_format_option(command, arguments.format, description);
-  command.add_flag("--fractions", arguments.fractions,
-                   "Print scores in tables as fractions, not in percent, as JSON does");
+  command.add_flag("--fractions", arguments.fractions, "Print scores as fractions instead of percent, as in JSON");
   const auto set_unit = [&arguments](const std::string& unit) { arguments.fractions = unit == "fraction"; };
   command.add_option_function<std::string>("--unit", set_unit)->check(one_of({"percent", "fraction"}))->group("");
   command

@@ -204,7 +204,7 @@ void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments)
   command.add_option("--rank-by", arguments.rank_by,
                      "Measure that determines the ranks (default: mAP, or the first measure)");
   command.add_flag("--hide-classes", arguments.hide_classes,
-                   "Omit classes, scores per class and pages of methods, for a challenge that is still running");
+                   "Omit classes, scores per class and pages of methods, for a running challenge");
   add_score_format_options(command, arguments.printed, "Format of the printed result");
   add_cache_option(command, arguments.cache);
   add_replace_option(command, arguments.replace);
@@ -213,19 +213,18 @@ void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments)
 }  // namespace
 
 void add_leaderboard_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "leaderboard", "Check, evaluate and rank submissions: matrices and ranked lists of any methods");
+  CLI::App* command = app.add_subcommand("leaderboard", "Check, evaluate and rank submissions");
   command->footer(
       "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n"
       "         shapegauge leaderboard submissions/ --labels test.cla -o site\n"
       "         shapegauge leaderboard shrec11/ psb/ tosca/ -o all.html\n"
-      "A submission is any file that 'evaluate' reads. foo.json next to foo.npy may have name, authors, paper, url, "
-      "similarity, distance and ids. foo.seed1.npy, foo.seed2.npy, ... (or fold1, ...) are repetitions of foo. Invalid "
-      "submissions are "
-      "refused with the reason (exit status 1). Without --labels and --qrels, each argument is the folder of a data "
-      "set with its own labels.* or qrels.*, and methods are compared by their ranks on all data sets.");
+      "foo.json describes foo.npy: name, authors, paper, url, similarity, distance, ids. foo.seed1.npy, foo.seed2.npy, "
+      "... (or fold1, ...) are repetitions of foo.");
   const auto arguments = std::make_shared<LeaderboardArguments>();
-  command->add_option("submissions", arguments->submissions, "Files, or folders of files; without --labels, data sets")
+  command
+      ->add_option("submissions", arguments->submissions,
+                   "Files that 'evaluate' reads, or folders of them; without --labels and --qrels, folders of data "
+                   "sets with labels.* or qrels.*")
       ->required();
   add_evaluation_options(*command, arguments->evaluation, {std::string(word_of(Unanswered::count))});
   add_resampling_options(*command, arguments->resampling);

@@ -48,7 +48,7 @@ void add_format_option(CLI::App& command, std::string& format, const std::string
 }
 
 void add_site_option(CLI::App& command, std::string& site) {
-  command.add_option("--at", site, "Sampling sites on a mesh; point clouds are sampled at their points")
+  command.add_option("--at", site, "Samples of a mesh; a cloud is sampled at its points")
       ->check(one_of({std::string(word_of(SampleSite::faces)), std::string(word_of(SampleSite::vertices))}))
       ->capture_default_str();
 }
@@ -83,9 +83,8 @@ CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
   add_unit_option(command, arguments.unit);
   return command
       .add_option("--offset", arguments.offset,
-                  "Offset distance: a fraction of the bounding-box diagonal such as 0.03 or 3%, a length such as 0.5mm "
-                  "(requires --unit), "
-                  "or auto, chosen from gaps and noise")
+                  "Offset distance: a fraction of the bounding-box diagonal (0.03 or 3%), a length (0.5mm; requires "
+                  "--unit), or auto (from gaps and noise)")
       ->capture_default_str();
 }
 

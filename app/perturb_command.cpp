@@ -120,8 +120,7 @@ int run(const PerturbArguments& arguments) {
 }  // namespace
 
 void add_perturb_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "perturb", "Perturb shapes at random (noise, holes, decimation, sampling), in the order of the options below");
+  CLI::App* command = app.add_subcommand("perturb", "Perturb shapes at random, in the order of the options below");
   command->footer("Example: shapegauge perturb bunny.off -o worse.off --noise 0.005 --remove-faces 0.15 --seed 7");
   const auto arguments = std::make_shared<PerturbArguments>();
   add_shape_inputs(*command, arguments->files);
@@ -139,7 +138,7 @@ void add_convert_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("convert", "Convert shapes to another format");
   command->footer(
       "Example: shapegauge convert bunny.stl -o bunny.off\n         shapegauge convert scans/*.obj --output-format ply "
-      "-o ply/\nPolygons become triangles. Normals of point clouds are kept; colours and textures are dropped.");
+      "-o ply/\nPolygons become triangles; colours and textures are dropped.");
   const auto files = std::make_shared<ShapeFiles>(ShapeFiles{.output_format = "off"});
   add_shape_inputs(*command, *files);
   add_shape_outputs(*command, *files, fmt::format("{}", fmt::join(written_shape_extensions(), ", ")));

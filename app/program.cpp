@@ -42,7 +42,7 @@ void add_program_options(CLI::App& app) {
       "Example: shapegauge run configs/quickstart.json\n"
       "Help on a command: shapegauge help COMMAND\n"
       "Exit status: 0 success; 1 completed with reported failures; 2 unusable input or arguments, or results that "
-      "could not be written; 3 a part does not pass 'check'; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).\n"
+      "could not be written; 3 a part did not pass 'check'; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).\n"
       "NO_COLOR=1 switches colours off.");
 }
 

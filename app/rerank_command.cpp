@@ -126,9 +126,8 @@ void add_rerank_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("rerank", "Re-rank distances, unsupervised, using the whole collection");
   command->footer(
       "Example: shapegauge rerank distances.npy -o better.npy --neighbours 10\n         shapegauge rerank "
-      "distances.npy -o better.npy --neighbours auto      (mean over 4, 5, 7, 10, 14, 20)\nDiffusion of more than "
-      "5,000 models uses the sparse solver, for which the matrix need not fit into memory\n(.npy in C order and "
-      ".matrix).");
+      "distances.npy -o better.npy --neighbours auto\nDiffusion of more than "
+      "5,000 models uses the sparse solver; .npy (C order) and .matrix files then need not fit into memory.");
   const auto arguments = std::make_shared<RerankArguments>();
   command
       ->add_option("distances", arguments->distances,
@@ -142,7 +141,7 @@ void add_rerank_command(CLI::App& app, int& status) {
       ->check(one_of(rerank_methods().names()))
       ->capture_default_str();
   add_settings(*command, *arguments);
-  command->add_flag("--sparse", arguments->sparse, "Use the sparse solver of diffusion for any number of models");
+  command->add_flag("--sparse", arguments->sparse, "Use the sparse solver for any number of models");
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { with_threads(arguments->threads, [&] { status = run(*arguments); }); });
 }

@@ -242,9 +242,8 @@ void add_run_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge run configs/quickstart.json\n"
       "         shapegauge run methods.json --set signatures.0.histogram.bins=40\n"
-      "An interrupted run continues from the cache (shapegauge cache --help).\n"
-      "After the parts of --part, which may run at the same time, the run without it writes the results.\n"
-      "--replay repeats a run without the cache, into results/NAME-replay or --output, and compares each output.");
+      "An interrupted run continues from the cache. After all parts of --part, a run without it writes the "
+      "results.\n--replay writes to results/NAME-replay or --output, without the cache, and compares the outputs.");
   const auto arguments = std::make_shared<RunArguments>();
   begin_option_group(*command, input_options);
   CLI::Option* configuration =
@@ -255,14 +254,14 @@ void add_run_command(CLI::App& app, int& status) {
   begin_option_group(*command, input_options);
   command
       ->add_option("--set", arguments->source.overrides,
-                   "Override a value of the configuration: dotted.key=value. signatures[Sum] selects an element by "
-                   "name; paths are relative to the working directory")
+                   "Override a value: dotted.key=value, such as signatures[Sum].scale=ranks; paths are relative to the "
+                   "working directory")
       ->allow_extra_args(false);
   begin_option_group(*command, output_options);
   CLI::Option* const plot = command->add_option("--plot", arguments->plot,
                                                 "File for a chart of the precision-recall curves: .svg, .pdf or .png");
   command->add_flag("--replace", arguments->replace, "Overwrite results of another configuration");
-  command->add_flag("--force", arguments->force, "Like --replace, and ignore the contents of the cache");
+  command->add_flag("--force", arguments->force, "Like --replace, and compute everything again");
   add_cache_option(*command, arguments->cache);
   CLI::Option* const no_cache = command->add_flag("--no-cache", arguments->cache.none, "Do not use a cache")
                                     ->excludes("--cache")
@@ -273,10 +272,9 @@ void add_run_command(CLI::App& app, int& status) {
                                 ->excludes(no_cache)
                                 ->excludes(plot);
   begin_option_group(*command, "Without a run");
-  command->add_flag("--dry-run", arguments->dry_run,
-                    "Check the configuration and read all inputs, but compute nothing");
+  command->add_flag("--dry-run", arguments->dry_run, "Check the configuration and read all inputs only");
   command->add_flag("--print-config", arguments->print_configuration,
-                    "Print the configuration with all defaults and the changes of --set");
+                    "Print the configuration with all defaults and --set");
   begin_option_group(*command, "Replay");
   command->add_option("--replay", arguments->source.replay, "Manifest of a run to repeat (manifest.json)")
       ->excludes(configuration)

@@ -184,9 +184,9 @@ void add_outputs(CLI::App& command, SdfArguments& arguments) {
   add_shape_outputs(command, arguments.files,
                     ".csv (index, value, weight), .npy, .ply (coloured mesh or points) or .png (picture)")
       ->required(false);
-  command.add_flag("--summary", arguments.summary,
-                   "Print minimum, percentiles, maximum and mean of the thickness, and the area below --below; done "
-                   "anyway without -o and --plot");
+  command.add_flag(
+      "--summary", arguments.summary,
+      "Print minimum, percentiles, maximum, mean, and the area below --below; implied without -o and --plot");
   add_format_option(command, arguments.format, "Format of the printed result");
   command.add_option("--plot", arguments.plot, "File for a histogram of the values: .svg, .pdf or .png");
 }
@@ -336,7 +336,7 @@ void add_sdf_command(CLI::App& app, int& status) {
   add_picture_options(*command, *arguments);
   begin_option_group(*command, output_options);
   command->add_option("--timings", arguments->timings,
-                      "JSON file for run times, outcomes of samples and the diagnostics of 'info'");
+                      "JSON file for run times, sample outcomes and the diagnostics of 'info'");
   command->callback([arguments, &status, offset] {
     if (!is_offset_sdf(*arguments) && offset->count() > 0) {
       throw InputError("--offset does not apply to --method " + arguments->method);

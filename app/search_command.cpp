@@ -225,8 +225,7 @@ void add_search_command(CLI::App& app, int& status) {
       "Example: shapegauge search chair.obj models/\n"
       "         shapegauge search models/ant_*.off models/ -k 5 --format csv\n"
       "         shapegauge search models/                (only builds the index)\n"
-      "The first search writes an index of the collection; later ones update it. Distances are comparable only within "
-      "one collection and method.");
+      "Distances are comparable only within one collection and method.");
   const auto arguments = std::make_shared<SearchArguments>();
   command
       ->add_option(
@@ -243,15 +242,13 @@ void add_search_command(CLI::App& app, int& status) {
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Index and method");
   command->add_option("--index", arguments->index, "Index file (default: NAME.search-index next to the collection)");
-  command->add_flag("--no-update", arguments->no_update, "Use the index as it is, without checking the files");
-  CLI::Option* articulated =
-      command->add_flag("--articulated", arguments->articulated,
-                        "Use the method of configs/recommended_articulated.json, for shapes whose pose does not count");
+  command->add_flag("--no-update", arguments->no_update, "Use the index without checking the files");
+  CLI::Option* articulated = command->add_flag("--articulated", arguments->articulated,
+                                               "Use the recommended method for shapes whose pose does not count");
   for (CLI::Option* option :
        {command->add_option("--method", arguments->method)->group(""),  // the older name
-        command->add_option(
-            "--configuration", arguments->method,
-            "Configuration of a retrieval experiment with the signatures to compare (default: recommended method)"),
+        command->add_option("--configuration", arguments->method,
+                            "Retrieval configuration with the method (default: the recommended method)"),
         command->add_option("--signature", arguments->signature,
                             "Signature of the --configuration (default: its last suitable one)"),
         command->add_option("--set", arguments->settings,

@@ -121,9 +121,7 @@ void add_segment_command(CLI::App& app, int& status) {
                     ".seg (one part number per line, by face), .ply or .png (coloured parts)")
       ->required(false);
   begin_option_group(*command, "Method");
-  command
-      ->add_option("--method", arguments->method,
-                   "best: parts as people choose them; paper: clusters of patches by their SDF")
+  command->add_option("--method", arguments->method, "best: semantic parts; paper: clusters of patches by their SDF")
       ->check(one_of(list_of_words<SegmentationAlgorithm>()))
       ->capture_default_str();
   for (const Parameter& parameter : parameters) {

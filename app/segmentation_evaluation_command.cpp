@@ -109,19 +109,19 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("evaluate-segmentation", "Evaluate segmentations against human ones");
   command->footer(
       "Example: shapegauge segment psb/off/*.off -o mine/\n         shapegauge evaluate-segmentation mine/ theirs/ "
-      "--benchmark psb/\nErrors are fractions; smaller is better. The row \"people\" compares human segmentations with "
+      "--benchmark psb/\nThe row \"people\" compares human segmentations with "
       "each other.");
   const auto arguments = std::make_shared<SegmentationEvaluationArguments>();
   command->add_option("segmentations", arguments->folders, "Folders with N.seg for every mesh, one folder per method");
   begin_option_group(*command, input_options);
   command
       ->add_option("--benchmark", arguments->benchmark,
-                   "Folder with meshes off/N.off and human segmentations seg/N/*.seg, as in the Princeton benchmark")
+                   "Folder with meshes off/N.off and human segmentations seg/N/*.seg")
       ->required();
   begin_option_group(*command, "Evaluation");
   command
       ->add_option("--by", arguments->weights,
-                   "Weight of a triangle in the errors: 1 (faces), as in the benchmark's tables, or its area")
+                   "Weight of a triangle: 1 (faces), as in the benchmark's tables, or its area")
       ->check(one_of(list_of_words<TriangleWeights>()))
       ->capture_default_str();
   command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, which takes the longest");

@@ -156,7 +156,7 @@ CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::
   CLI::Option* const output =
       command
           .add_option("-o,--output", files.output,
-                      "Output file: " + description + "; a folder (out/) for several inputs; - for standard output")
+                      "Output file: " + description + "; a folder for several inputs; - for standard output")
           ->required();
   command.add_option("--output-format", files.output_format, "Format of results in a folder or on standard output")
       ->capture_default_str();

@@ -283,8 +283,7 @@ void add_view_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Display");
   command
       ->add_option("--max-faces", arguments->max_faces,
-                   "Maximum number of faces, or of points of a cloud; larger shapes are measured in full but shown "
-                   "simplified")
+                   "Maximum number of faces or points shown; larger shapes are measured in full, then simplified")
       ->check(CLI::Range(Eigen::Index{100}, Eigen::Index{10'000'000}))
       ->capture_default_str();
   add_colour_options(*command, arguments->colours);

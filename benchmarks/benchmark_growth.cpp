@@ -27,7 +27,7 @@ void offset_sdf_of_torus(benchmark::State& state) {
   }
   const auto count = static_cast<double>(shape.triangles.rows());
   state.counters["faces"] = count;
-  state.counters["bytes a face"] = static_cast<double>(bytes) / count;
+  state.counters["bytes per face"] = static_cast<double>(bytes) / count;
   state.counters["seconds a face"] =
       benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }

@@ -14,7 +14,7 @@ Eigen::MatrixXi confusion_matrix(std::span<const std::int32_t> nearest, std::spa
   const auto models = std::ssize(labels);
   const auto is_class = [&](int label) { return label >= 0 && label < classes; };
   const auto is_model = [&](auto model) { return model >= 0 && model < models; };
-  if (nearest.size() != labels.size()) throw ArgumentError("every model must have a class and a nearest one");
+  if (nearest.size() != labels.size()) throw ArgumentError("every model must have a class and a nearest neighbour");
   if (!std::ranges::all_of(labels, is_class)) throw ArgumentError("a label is not the number of a class");
   if (!std::ranges::all_of(nearest, is_model) || !std::ranges::all_of(queries, is_model)) {
     throw ArgumentError("a query, or its nearest neighbour, is not one of the models");

@@ -30,8 +30,8 @@ struct RetrievalTask {
   std::vector<std::vector<Eigen::Index>> judged;
   /// By row: positive grades of the relevant columns. All 1 if empty. Only used by graded measures.
   std::vector<std::vector<int>> grades;
-  /// By row and by column: subclasses, which grade relevant columns as subclass_grade() does, if there are no
-  /// judgements. Both empty: all grades are 1.
+  /// Subclasses of the rows and of the columns, which grade relevant columns by subclass_grade() unless there are
+  /// judgements. If both are empty, all grades are 1.
   std::vector<int> query_subclasses{};
   std::vector<int> target_subclasses{};
   /// By row: the columns judged as not relevant, ascending. If empty, all that are not relevant.

@@ -18,7 +18,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
+constexpr Eigen::Index columns_at_once = 16;  // two cache lines per row
 
 constexpr std::array diffusion_table = {
     option_of<&DiffusionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
@@ -27,10 +27,9 @@ constexpr std::array diffusion_table = {
                                              automatic_neighbours),
     option_of<&DiffusionOptions::damping>("damping", {.low = 0, .high = 1, .high_open = true},
                                           "Probability that a random walk continues."),
-    option_of<&DiffusionOptions::tie>(
-        "tie", {.low = 0, .high = 1},
-        "Weight of the original distance, which orders models that the walks do not separate."),
-    option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep the nearest model of each model the nearest."),
+    option_of<&DiffusionOptions::tie>("tie", {.low = 0, .high = 1},
+                                      "Weight of the original distance, which breaks ties."),
+    option_of<&DiffusionOptions::keep_nearest>("keep_nearest", "Keep the original nearest neighbour of each model."),
 };
 constexpr auto diffusion_parameters = parameters_of(diffusion_table);
 

@@ -47,7 +47,7 @@ std::optional<Eigen::Index> counting_column(const DistanceMatrix& features) {
 std::optional<std::string> check_features(const DistanceMatrix& features) {
   if (are_distances(features)) {
     throw InputError(
-        "the table has distances, not features: it is square and symmetric with a zero diagonal; leave out the "
+        "the table has distances, not features: it is square and symmetric with a zero diagonal; omit the "
         "distance of features");
   }
   if (const auto column = counting_column(features)) {

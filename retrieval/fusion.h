@@ -60,12 +60,11 @@ inline constexpr std::array sum_table = {
     option_of<&SumOptions::scale>(
         "scale",
         "With sum: normalisation of each signature's distances. median, mean: divided by that of all pairs of models; "
-        "local: divided by the two models' mean distances to their ten nearest; ranks: as local, then replaced by "
-        "log(1 + mean of the two models' ranks among each other's neighbours); local_spread: as ranks."),
-    option_of<&SumOptions::weights>(
-        "weights",
-        "With sum: factor of the given weights. given: 1; agreement: estimated from the nearest models, by how many a "
-        "signature shares with the other signatures, and how many neighbours share with each other."),
+        "local: divided by the two models' mean distances to their ten nearest neighbours; ranks: as local, then "
+        "replaced by log(1 + mean of the two models' ranks among each other's neighbours); local_spread: as ranks."),
+    option_of<&SumOptions::weights>("weights",
+                                    "With sum: factor of the given weights. given: 1; agreement: estimated from how "
+                                    "far neighbourhoods agree between signatures and cohere within one."),
 };
 
 /// Computes the weighted sum of normalised distance matrices of the same models. A distance that is infinite in a

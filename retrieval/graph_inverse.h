@@ -45,7 +45,8 @@ class DiagonalSolver {
   [[nodiscard]] Eigen::VectorXd entries(std::span<const Eigen::Index> models) const;
 
  private:
-  /// before = factor graph now - before; the columns' squares of now, and their products with the new before
+  /// Sets `before` to factor graph now - before. Also computes the squared norm of each column of `now`, and its dot
+  /// product with that of the new `before`.
   void advance(float factor, const FloatColumns& now, FloatColumns& before, Eigen::ArrayXd& squares,
                Eigen::ArrayXd& products) const;
 

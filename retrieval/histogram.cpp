@@ -52,7 +52,7 @@ std::optional<Interval> value_range(const ScalarField& field) {
 }
 
 Interval enclosing_interval(std::span<const Interval> intervals) {
-  if (intervals.empty()) throw ArgumentError("no intervals to enclose");
+  if (intervals.empty()) throw ArgumentError("at least one interval is required");
   Interval enclosing = intervals.front();
   for (const Interval& interval : intervals) {
     enclosing.low = std::min(enclosing.low, interval.low);

@@ -29,7 +29,7 @@ constexpr std::array reciprocal_table = {
                                               automatic_neighbours),
     option_of<&ReciprocalOptions::expansion_neighbours>(
         "expansion_neighbours", {.low = 1, .high = 1000},
-        "Number of nearest models over which sets are averaged; at most the (largest) number of neighbours."),
+        "Number of nearest models over which sets are averaged; at most the largest value of neighbours."),
     option_of<&ReciprocalOptions::original>("original", {.low = 0, .high = 1}, "Weight of the original distance."),
 };
 constexpr auto reciprocal_parameters = parameters_of(reciprocal_table);

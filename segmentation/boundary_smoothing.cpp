@@ -127,7 +127,7 @@ Band band_of(const ThickSurface& surface, std::span<const std::int32_t> labels, 
 std::vector<std::int32_t> smooth_boundaries(const ThickSurface& surface, std::span<const std::int32_t> labels,
                                             const BoundarySmoothingOptions& options) {
   check_options("smoothing of boundaries", boundary_smoothing_table, options);
-  if (std::ssize(labels) != surface.graph.size()) throw ArgumentError("a surface needs one label a node");
+  if (std::ssize(labels) != surface.graph.size()) throw ArgumentError("a surface needs one label per node");
   if (std::ranges::any_of(labels, [](std::int32_t label) { return label < 0; })) {
     throw ArgumentError("labels must not be negative");
   }

@@ -22,7 +22,7 @@ struct BoundarySmoothingOptions {
 inline constexpr std::array boundary_smoothing_table = {
     with_unit("square roots of the area",
               option_of<&BoundarySmoothingOptions::width>("border_width", {.low = 0, .high = 1},
-                                                          "Largest distance that smoothing may move borders.")),
+                                                          "Maximum distance that smoothing moves borders.")),
     option_of<&BoundarySmoothingOptions::strength>("strength", {.low = 0}, "Cost of a border per length."),
     option_of<&BoundarySmoothingOptions::concavity>("concavity", {.low = 0, .low_open = true},
                                                     "Curvature of a concavity that halves the cost of a border."),

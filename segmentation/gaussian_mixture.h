@@ -13,7 +13,7 @@ struct GaussianMixture {
   double log_likelihood = 0;  ///< sum of log densities of the points that it was fitted to
 };
 
-/// Fits a Gaussian mixture to points, one a row, by expectation maximisation (Dempster, Laird, Rubin 1977), starting
+/// Fits a Gaussian mixture to points, one per row, by expectation maximisation (Dempster, Laird, Rubin 1977), starting
 /// from k-means++ centres (Arthur and Vassilvitskii 2007): the best of five starts. `components` is at least 1 and
 /// limited by the number of points. A component that becomes empty keeps a weight of 0. Constant coordinates are
 /// ignored. Throws ArgumentError without points and for a point that is not finite.

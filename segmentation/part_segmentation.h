@@ -31,8 +31,8 @@ inline constexpr std::array part_segmentation_table = {
     option_of<&PartSegmentationOptions::parts>("parts", {.low = 0, .high = 1'000'000},
                                                "Number of parts; 0 for automatic."),
     option_of<&PartSegmentationOptions::patches>("patches", {.low = 1, .high = 100'000}, "Number of initial patches."),
-    option_of<&PartSegmentationOptions::min_probability>("least_probability", {.low = 0, .high = 1},
-                                                         "Least probability at which two regions are merged."),
+    option_of<&PartSegmentationOptions::min_probability>("min_probability", {.low = 0, .high = 1},
+                                                         "Minimum probability at which two regions are merged."),
     nested_option<&PartSegmentationOptions::smoothing, boundary_smoothing_table, 0>(),
 };
 

@@ -31,7 +31,7 @@ constexpr std::array<Colour, 12> palette = {{{68, 119, 170},
                                              {153, 153, 51}}};
 
 void check(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
-  if (std::ssize(labels) != graph.size()) throw ArgumentError("a surface needs one label a node");
+  if (std::ssize(labels) != graph.size()) throw ArgumentError("a surface needs one label per node");
 }
 
 /// Areas of labels, which start at 0, and the lengths of their common borders.

@@ -15,7 +15,7 @@ std::vector<std::int32_t> renumber_labels(std::span<const std::int32_t> labels);
 
 /// Computes the connected components of each label: nodes have the same number if a path within their label connects
 /// them. Components are numbered from 0 on in the order of their first nodes. Throws ArgumentError unless there is one
-/// label a node.
+/// label per node.
 std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
 
 /// Gives each label of less than a share of the area to the adjacent label with the longest common border, smallest

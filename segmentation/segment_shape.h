@@ -34,15 +34,14 @@ struct SegmentationOptions {
 
 /// Parameters of SegmentationOptions.
 inline constexpr std::array segmentation_table = {
-    option_of<&SegmentationOptions::method>(
-        "method", "best: parts as people choose them; paper: clusters of patches by their SDF, as in the paper."),
+    option_of<&SegmentationOptions::method>("method", "best: semantic parts; paper: clusters of patches by their SDF."),
     with_description("Number of parts (paper: of clusters); 0 for automatic (paper: 5 clusters).",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 0>()),
     with_description("best: number of initial patches.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 1>()),
-    with_description("best: least probability at which two regions are merged.",
+    with_description("best: minimum probability at which two regions are merged.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 2>()),
-    with_description("best: largest distance that smoothing may move borders.",
+    with_description("best: maximum distance that smoothing moves borders.",
                      nested_option<&SegmentationOptions::best, part_segmentation_table, 3>()),
     option_of<&SegmentationOptions::field>("field", "paper: SDF of the offset surface, or conventional SDF."),
     with_unit(bounding_box_diagonals, option_of<&SegmentationOptions::offset>("offset", OffsetSdfOptions::offset_bounds,

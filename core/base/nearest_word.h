@@ -9,7 +9,7 @@
 
 namespace shapegauge {
 
-/// Returns the optimal string alignment distance, ignoring case: the least number of insertions, deletions,
+/// Returns the optimal string alignment distance, ignoring case: the minimum number of insertions, deletions,
 /// substitutions and swaps of adjacent characters that turn one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 

@@ -140,8 +140,8 @@ std::string legal_values(const Parameter& parameter) {
     case ParameterKind::integer:
       return bounded("whole number", parameter);
     case ParameterKind::integers:
-      return fmt::format("{}, a list of 1 to {} of them to average{}", bounded("whole number", parameter),
-                         IntegerList::most, words.empty() ? "" : ", or " + words);
+      return fmt::format("{}, a list of up to {}{}", bounded("whole number", parameter), IntegerList::most,
+                         words.empty() ? "" : ", or " + words);
     case ParameterKind::boolean:
       return "true or false";
     case ParameterKind::choice:

@@ -13,8 +13,8 @@ namespace shapegauge {
 
 /// Limits of check_part(). Lengths and areas are in the shape's units.
 struct CheckOptions {
-  double min_wall = 0;        ///< least thickness of walls; 0: not checked
-  double min_gap = 0;         ///< least width of gaps; 0: not checked
+  double min_wall = 0;        ///< minimum thickness of walls; 0: not checked
+  double min_gap = 0;         ///< minimum width of gaps; 0: not checked
   double min_area = 0;        ///< smaller regions are only counted; at least the square of an eighth of the limit
   bool keep_surface = false;  ///< fill PartReport::surface
   InscribedBallOptions ball = {};

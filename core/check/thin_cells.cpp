@@ -15,7 +15,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Least angle between walls, as normals that point away from each other, in degrees.
+/// Minimum angle between walls, as normals that point away from each other, in degrees.
 constexpr double wall_angle = 150;
 
 /// Number of cells of the largest size on the whole surface, beyond which spacing() is larger than the limit.

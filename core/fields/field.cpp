@@ -51,7 +51,7 @@ void check_field_type(const FieldType& type) {
   }
 }
 
-/// Adds outcomes and run times to a field's function: its own, or counted and measured ones.
+/// Makes a field's function count outcomes and measure run times, unless it does so itself.
 FieldFunction with_outcomes(FieldFunction compute) {
   return [compute = std::move(compute)](FieldSource& source, const Samples& samples, bool parallel) {
     const Stopwatch stopwatch;

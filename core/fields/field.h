@@ -30,7 +30,7 @@ struct Spectrum;
 /// Shape for which several fields are computed, with the data they share. Keeps a reference to the shape.
 class FieldSource {
  public:
-  /// `known` are diagnostics of the shape, at this scale or another one.
+  /// Refers to a shape, whose diagnostics may be passed if they are known, at this scale or another one.
   explicit FieldSource(const Shape& shape, std::optional<ShapeDiagnostics> known = {});
   ~FieldSource();
   FieldSource(const FieldSource&) = delete;
@@ -87,8 +87,8 @@ std::optional<std::string> weights_warning(const Samples& samples);
 
 /// Values of a field on one shape.
 struct FieldValues {
-  Eigen::VectorXd values;       ///< one a sample; NaN if missing
-  Points normals = {};          ///< outward unit normals, one a sample, of fields that estimate them; otherwise empty
+  Eigen::VectorXd values;       ///< one per sample; NaN if missing
+  Points normals = {};          ///< outward unit normals, one per sample, of fields that estimate them; otherwise empty
   FieldOutcomes outcomes = {};  ///< if a field returns none: "total" and "missing", counted from the values
   std::optional<double> offset = {};  ///< r as a fraction of the diagonal, if the field chose it for the shape
   double build_seconds =

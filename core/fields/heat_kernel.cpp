@@ -11,7 +11,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Computes the heat kernel signature, one column for each time, evenly spaced by logarithm.
+/// Computes the heat kernel signature, one column for each time, evenly spaced on a logarithmic scale.
 Eigen::MatrixXd heat_kernel(const Spectrum& spectrum, double area, const ScaleInvariantOptions& options) {
   const Eigen::ArrayXd t =
       Eigen::ArrayXd::LinSpaced(options.times, std::log(options.first_time), std::log(options.last_time)).exp() * area;

@@ -41,7 +41,7 @@ struct WaveKernelOptions {
 /// Parameters of WaveKernelOptions.
 inline constexpr std::array wave_kernel_table = {
     option_of<&WaveKernelOptions::energies>("energies", {.low = 2, .high = 1000},
-                                            "Number of energies, evenly spaced by logarithm."),
+                                            "Number of energies, evenly spaced on a logarithmic scale."),
     with_unit("hundredths of the energy range",
               option_of<&WaveKernelOptions::width_steps>("width_steps", {.low = 0.1, .high = 100},
                                                          "Standard deviation of a filter.")),

@@ -139,9 +139,8 @@ class TouchingBalls::Search {
     return side == BallSide::inside ? Eigen::Vector3d(-normal) : normal;
   }
 
-  /// Shrinks a ball from the radius `start`, which is the result if nothing stops the ball before: first to what lies
-  /// straight ahead, which is near to the result where walls are parallel. `exact` triangles and leaves are tried
-  /// exactly.
+  /// Shrinks a ball from the radius `start` until no opposite point is inside. Searches straight ahead first, which
+  /// nearly gives the result between parallel walls. After `exact` trials, small improvements are skipped.
   [[nodiscard]] Stop stop_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, BallSide side, double start,
                              int exact) const {
     const Eigen::Vector3d direction = direction_of(normal, side);

@@ -24,10 +24,9 @@ struct InscribedBallOptions {
 
 /// Parameters of InscribedBallOptions.
 inline constexpr std::array inscribed_ball_table = {
-    with_unit("degrees",
-              option_of<&InscribedBallOptions::separation_angle_degrees>(
-                  "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
-                  "Minimum angle at the ball's centre between the sample and the contact that stops the ball.")),
+    with_unit("degrees", option_of<&InscribedBallOptions::separation_angle_degrees>(
+                             "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
+                             "Minimum angle at the ball's centre between its two contacts.")),
 };
 
 /// Side of the surface on which a ball lies.

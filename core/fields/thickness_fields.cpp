@@ -106,7 +106,7 @@ FieldType offset_sdf_type() {
 FieldType cone_sdf_type() {
   constexpr auto parameters = parameters_of(cone_sdf_table);
   return {"cone_sdf",
-          "Conventional shape diameter function: a cone of rays about the inward normal.",
+          "Conventional shape diameter function, by a cone of rays.",
           {parameters.begin(), parameters.end()},
           cone_sdf_field,
           true};
@@ -115,7 +115,7 @@ FieldType cone_sdf_type() {
 FieldType inscribed_ball_type() {
   constexpr auto parameters = parameters_of(inscribed_ball_table);
   return {"inscribed_ball",
-          "Diameter of the largest ball inside the shape that touches its surface at the sample.",
+          "Diameter of the largest inner ball that touches the surface at the sample.",
           {parameters.begin(), parameters.end()},
           inscribed_ball_field,
           true};

@@ -66,7 +66,7 @@ std::uint32_t number_of_facets(std::string_view bytes) {
   return facets;
 }
 
-/// ASCII files begin with "solid", like many headers of binary files; those contain bytes that no text has.
+/// Returns true for an ASCII file: it begins with "solid", like many binary files, but has only bytes of text.
 bool is_ascii(const std::string& bytes) {
   const std::string_view text = without_byte_order_mark(bytes);
   const std::size_t start = text.find_first_not_of(" \t\r\n");

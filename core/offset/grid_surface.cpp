@@ -109,7 +109,7 @@ class BlockFinder {
     static_assert(max_grid_blocks < std::numeric_limits<std::uint32_t>::max());
   }
 
-  /// Finds a place of the grid, in cells.
+  /// Finds the block and the cube in it that contain a position in cells.
   [[nodiscard]] PlaceInBlocks find(const Eigen::Vector3d& at) const {
     const std::uint32_t x = part(at.x());
     const std::uint32_t y = part(at.y());

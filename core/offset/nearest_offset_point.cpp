@@ -248,8 +248,8 @@ class OffsetPointLanes {
     }
   }
 
-  /// Returns the closest of the other triangles that cover x, of those whose direction has at most this cosine with
-  /// another one.
+  /// Returns the closest of the other triangles that cover x and whose direction has a cosine of at most `max_cosine`
+  /// with `direction`.
   HWY_INLINE Surrounding closest_covering(const Vectors& direction, float max_cosine) const {
     Reals least = real(covering() * covering());
     Vectors closest = no_vector();

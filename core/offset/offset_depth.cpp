@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 namespace {
 
-/// Closest of the triangles of the cells around places.
+/// In each lane, the closest of the triangles that the cells around a position store.
 struct ClosestLanes {
   VectorLanes vector;  ///< from the closest point
   RealLanes squared;   ///< infinite if no cell has a triangle

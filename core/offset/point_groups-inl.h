@@ -25,7 +25,7 @@ namespace shapegauge::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Vectors of points, or of groups: as wide as a group at most.
+/// Vector type of one number per point or per group, at most as wide as a group.
 using PointLanes = hn::CappedTag<float, grid_padding>;
 using Numbers = hn::Vec<PointLanes>;
 

@@ -68,7 +68,7 @@ struct LaneDistances {
   hn::Vec<D> squared;
 };
 
-/// Computes the vector from the closest point of one triangle per lane to one place per lane.
+/// Computes, in each lane, the vector from the closest point of a triangle to a position.
 template <typename D>
 HWY_INLINE LaneDistances<D> vectors_from_triangles(D d, const float* records, const std::int32_t* triangles,
                                                    const LaneVectors<D>& place) {

@@ -52,7 +52,7 @@ constexpr auto punch_holes_parameters = parameters_of(punch_holes_table);
 constexpr std::array decimate_parameters{Parameter{.name = "faces",
                                                    .kind = ParameterKind::integer,
                                                    .bounds = decimate_faces_bounds,
-                                                   .description = "Largest number of faces."}};
+                                                   .description = "Maximum number of faces."}};
 
 constexpr auto sample_points_parameters = parameters_of(sample_points_table);
 
@@ -61,11 +61,10 @@ constexpr std::array flip_orientation_parameters{Parameter{.name = "fraction",
                                                            .bounds = fraction_bounds,
                                                            .description = "Fraction of the faces or normals."}};
 
-constexpr std::array motion_parameters{
-    Parameter{.name = "scale",
-              .default_value = 1.0,
-              .bounds = motion_scale_bounds,
-              .description = "Largest scale factor; the logarithm is uniform. 1: no scaling."}};
+constexpr std::array motion_parameters{Parameter{.name = "scale",
+                                                 .default_value = 1.0,
+                                                 .bounds = motion_scale_bounds,
+                                                 .description = "Maximum scale factor, uniform in its logarithm."}};
 
 // NOLINTBEGIN(performance-unnecessary-value-param): all have the type of Perturbation::apply.
 Shape apply_vertex_noise(Shape shape, const ParameterValues& settings, RandomNumbers& random) {

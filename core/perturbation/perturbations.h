@@ -35,9 +35,9 @@ inline constexpr std::array vertex_noise_table = {
     without_default(with_unit(
         bounding_box_diagonals,
         option_of<&VertexNoiseOptions::amplitude>("amplitude", {.low = 0, .high = 1}, "Length of the vector."))),
-    option_of<&VertexNoiseOptions::distribution>("distribution",
-                                                 "gaussian: each coordinate has the amplitude as its standard "
-                                                 "deviation; uniform: in the ball whose radius is the amplitude."),
+    option_of<&VertexNoiseOptions::distribution>(
+        "distribution",
+        "gaussian: the amplitude is the standard deviation of each coordinate; uniform: the radius of a ball."),
 };
 
 /// Moves every vertex of a mesh, or point of a cloud, by an independent random vector. Coincident vertices move apart,

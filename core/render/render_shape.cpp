@@ -72,7 +72,7 @@ struct Seen {
   double depth = std::numeric_limits<double>::infinity();
 };
 
-/// Rays of some rows of the image, `per_side` by `per_side` a pixel, with their results.
+/// Rays of some rows of the image, `per_side` by `per_side` per pixel, with their results.
 class RayGrid {
  public:
   RayGrid(const Camera& camera, int columns, int per_side)
@@ -135,7 +135,7 @@ class RayGrid {
     }
     Eigen::Vector3d start, along;
     double sign;
-    double slope;  ///< columns a row
+    double slope;  ///< columns per row
   };
 
   void rasterise(const Corners& corners, std::int32_t triangle) {

@@ -31,8 +31,8 @@ struct ConeSdfOptions {
 
 /// Parameters of ConeSdfOptions.
 inline constexpr std::array cone_sdf_table = {
-    option_of<&ConeSdfOptions::engine>(
-        "engine", "Ray-casting backend: embree is fast; cgal is CGAL's own code, the reference, at faces only."),
+    option_of<&ConeSdfOptions::engine>("engine",
+                                       "Ray-casting backend: embree is fast; cgal is CGAL's code, at faces only."),
     with_unit("degrees", option_of<&ConeSdfOptions::opening_angle_degrees>(
                              "opening_angle_degrees", {.low = 0, .high = 180, .low_open = true, .high_open = true},
                              "Full opening angle of the cone.")),

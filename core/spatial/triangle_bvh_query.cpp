@@ -173,7 +173,8 @@ std::int32_t closest(const std::vector<TriangleBvhNode>& nodes, const std::vecto
   return best;
 }
 
-/// The loops over the children are vectorised by the compiler.
+/// Computes the squared distances from the apex to the children that may meet ball and cone, infinity for the others.
+/// The compiler vectorises the loops.
 void in_reach(const TriangleBvhNode& node, const BallAndCone& query,
               std::array<float, children_per_node>& squared_distances) {
   using Lanes = std::array<float, children_per_node>;

@@ -8,7 +8,7 @@
 
 namespace shapegauge {
 
-/// Table of numbers: distances from the rows' models to the columns', or one row of features a model.
+/// Table of numbers: distances from the rows' models to the columns', or one row of features per model.
 struct LabelledTable {
   DistanceMatrix numbers;
   std::vector<std::string> row_ids;     ///< empty if unknown

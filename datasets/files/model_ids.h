@@ -26,7 +26,7 @@ class ModelKeys {
   ModelKeys() = default;
   explicit ModelKeys(const std::vector<std::string>& known_ids);
 
-  /// Also distinguishes the models that the other keys distinguish.
+  /// Adds the ambiguous ids of other keys, so that both treat ids alike.
   void add(const ModelKeys& other) { ambiguous_.insert(other.ambiguous_.begin(), other.ambiguous_.end()); }
 
   [[nodiscard]] std::string of(std::string_view id) const;

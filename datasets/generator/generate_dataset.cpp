@@ -30,8 +30,7 @@ namespace {
 
 constexpr auto faces_option = option_of<&GeneratorOptions::faces>("faces", {.low = 1000, .high = 100'000},
                                                                   "Approximate number of triangles per model.");
-constexpr auto seed_option =
-    option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Random seed; the same seed gives the same shapes.");
+constexpr auto seed_option = option_of<&GeneratorOptions::seed>("seed", seed_bounds, "Seed of random numbers.");
 
 constexpr int max_models = 1000;
 

@@ -47,7 +47,7 @@ class ImplicitSurface {
   /// Finds the closest point of one limb.
   [[nodiscard]] Nearest nearest_on_limb(int limb, const Eigen::Vector3d& point) const;
 
-  /// Finds the limb with the least distance.
+  /// Finds the limb with the minimum distance.
   [[nodiscard]] Nearest nearest_limb(const Eigen::Vector3d& point) const;
 
   [[nodiscard]] int limb_count() const { return static_cast<int>(limbs_.size()); }

@@ -187,7 +187,8 @@ class FacetCriterion {
     const double ab = (b - a).squaredNorm();
     const double bc = (c - b).squaredNorm();
     const double ca = (a - c).squaredNorm();
-    // The sine of an angle is twice the area over the product of its sides; the least angle is opposite the least side.
+    // The sine of an angle is twice the area over the product of its sides. The smallest angle is opposite the shortest
+    // side.
     return (b - a).cross(c - a).squaredNorm() * std::min({ab, bc, ca}) / (ab * bc * ca);
   }
 

@@ -46,7 +46,7 @@ struct Grid {
   [[nodiscard]] Eigen::Vector3d place(const Eigen::Vector3i& at) const { return origin + step * at.cast<double>(); }
 };
 
-constexpr int block = 8;  ///< points a side
+constexpr int block = 8;  ///< points per side
 
 template <typename Visit>
 void for_each_point(const Eigen::Vector3i& first, const Eigen::Vector3i& end, Visit visit) {

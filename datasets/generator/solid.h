@@ -65,7 +65,7 @@ struct SolidObject {
   /// Evaluates the function of the whole object: negative inside.
   [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
 
-  /// Returns the label of the part with the least distance (ties: the first).
+  /// Returns the label of the part with the minimum distance (ties: the first).
   [[nodiscard]] int label_at(const Eigen::Vector3d& point) const;
 };
 

@@ -233,7 +233,7 @@ Registry<DatasetLayout>& dataset_layouts() {
            .has_splits = true,
            .recognises = looks_like_shapenet},
           {.name = "shrec07",
-           .description = "SHREC'07 as published, 20 models a class by number",
+           .description = "SHREC'07 as published, 20 models per class, by number",
            .find = find_shrec07_dataset,
            .has_classification = false,
            .recognises = looks_like_shrec07},

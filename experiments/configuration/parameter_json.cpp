@@ -90,8 +90,8 @@ std::string markdown_values(const Parameter& parameter) {
     case ParameterKind::integer:
       return "integer " + to_string(parameter.bounds) + unit_phrase(parameter);
     case ParameterKind::integers:
-      return fmt::format("integer {}{}, a list of 1 to {} of them to average{}", to_string(parameter.bounds),
-                         unit_phrase(parameter), IntegerList::most, parameter.choices.empty() ? "" : ", or " + words);
+      return fmt::format("integer {}{}, a list of up to {}{}", to_string(parameter.bounds), unit_phrase(parameter),
+                         IntegerList::most, parameter.choices.empty() ? "" : ", or " + words);
     case ParameterKind::number:
       break;
   }

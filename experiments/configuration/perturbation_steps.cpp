@@ -22,7 +22,7 @@ constexpr std::array one_of_parameters{
               .kind = ParameterKind::choice,
               .default_value = assignments[0],
               .choices = assignments,
-              .description = "random: drawn for each model; in_turn: by the model's place in the data set."}};
+              .description = "random: drawn for each model; in_turn: by the model's position in the data set."}};
 
 constexpr PerturbationType one_of_type{.name = "one_of",
                                        .description = "Gives each model one of the lists of steps in its `choices`.",

@@ -82,8 +82,8 @@ HistogramConfiguration histogram_of(const Json& settings) {
   return histogram;
 }
 
-/// Returns the path of an indexed name within the setting of that key.
-std::string place_of_name(const std::string& key, std::size_t index) {
+/// Returns the path of a name in the list of names at a key: "sum.1.of".
+std::string path_of_name(const std::string& key, std::size_t index) {
   if (key == "rerank") return "rerank.of";
   return fmt::format("{}.{}{}", key, index, key == "sum" ? ".of" : "");
 }
@@ -93,7 +93,7 @@ std::vector<std::size_t> parts_of(const std::string& key, const std::vector<std:
                                   const std::vector<std::string>& names) {
   std::vector<std::size_t> parts;
   for (const std::string& name : listed) {
-    parts.push_back(index_of_name(name, names, "signature", place_of_name(key, parts.size())));
+    parts.push_back(index_of_name(name, names, "signature", path_of_name(key, parts.size())));
   }
   return parts;
 }

@@ -77,7 +77,7 @@ void check_same_ids(const std::vector<std::string>& given, const std::vector<std
   const ModelKeys keys(own);
   for (std::size_t i = 0; i < std::min(given.size(), own.size()); ++i) {
     if (keys.of(given[i]) == keys.of(own[i])) continue;
-    throw InputError(fmt::format("{} {} is {} in {} but {} in {}", what, i + 1, quoted_word(own[i]),
+    throw InputError(fmt::format("{} {} has the id {} in {}, but {} in {}", what, i + 1, quoted_word(own[i]),
                                  files.matrix.string(), quoted_word(given[i]), files.ids.string()));
   }
 }
@@ -87,7 +87,7 @@ MatrixIds ids_of_files(const OpenMatrix& matrix, const EvaluationFiles& files) {
   MatrixIds ids{.rows = matrix.row_ids, .columns = matrix.column_ids};
   if (!files.ids.empty()) {
     const std::vector<std::string> given = read_ids(files.ids);
-    if (given.empty()) throw InputError(fmt::format("{} has no ids", files.ids.string()));
+    if (given.empty()) throw InputError(fmt::format("{} has no ids; expected one per line", files.ids.string()));
     check_same_ids(given, ids.rows, "row", files);
     if (matrix.rows == matrix.columns) {
       check_same_ids(given, ids.columns, "column", files);
@@ -300,8 +300,7 @@ EvaluationData open_judged(const EvaluationFiles& files) {
   if (judgements.graded) {
     data.task.warnings.emplace_back(
         "the judgements have grades above 1, which only nDCG and nDCG@N use; for all other measures, every positive "
-        "grade means "
-        "relevant");
+        "grade means relevant");
   }
   return data;
 }

@@ -71,11 +71,9 @@ class LabelledModels {
   [[nodiscard]] const Known& at(const std::string& id) const {
     const auto found = known_.find(keys_.of(id));
     if (found != known_.end()) return found->second;
-    throw InputError(fmt::format("{}: model {} is in no class; add it to the file or leave the model out{}", source_,
-                                 quoted_word(id),
-                                 is_one_of_two_ ? "; if the ids of both files of labels name the same models, use "
-                                                  "`shared_ids`"
-                                                : ""));
+    throw InputError(fmt::format(
+        "{}: model {} is in no class; add it to the file or leave the model out{}", source_, quoted_word(id),
+        is_one_of_two_ ? "; if the ids of both files of labels name the same models, use `shared_ids`" : ""));
   }
 
  private:
@@ -122,10 +120,8 @@ void warn_of_shared_ids(const TaskLabels& labels, EvaluationTask& task) {
       std::ranges::count_if(labels.queries.models, [&](const std::string& id) { return targets.find(id) >= 0; });
   if (shared == 0) return;
   task.warnings.push_back(fmt::format(
-      "{} in both {} and {}, and {} taken for different models, which find each other; if they are the same models, "
-      "use `shared_ids`",
-      count_text(shared, "id is", "ids are"), labels.queries.source, labels.targets->source,
-      shared == 1 ? "is" : "are"));
+      "{} in both {} and {}; equal ids are treated as different models; if they are the same, use `shared_ids`",
+      count_text(shared, "id is", "ids are"), labels.queries.source, labels.targets->source));
 }
 
 // Makes the task of rows and columns with labels, of which some models may be absent.

@@ -164,7 +164,7 @@ std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& 
                       method.source, quoted_word(method.method), quoted_word(first.queries[i]), name_with_file(first)));
     }
     if (method.classes[*found] != first.classes[i]) {
-      throw InputError(fmt::format("{}: the query {} is of class {} for {} and of {} for {}", method.source,
+      throw InputError(fmt::format("{}: the query {} is of class {} in {}, but of {} in {}", method.source,
                                    quoted_word(first.queries[i]), quoted_word(method.classes[*found]),
                                    quoted_word(method.method), quoted_word(first.classes[i]), name_with_file(first)));
     }

@@ -61,7 +61,7 @@ SegmentationScores empty_scores(const SegmentationBenchmark& benchmark, std::vec
 
 namespace {
 
-/// Computes the errors on one mesh by method, and last between people.
+/// Computes the errors on one mesh: one entry per method, the last between human segmentations.
 std::vector<SegmentationErrors> errors_on(const SegmentedModel& model,
                                           const std::vector<std::filesystem::path>& folders,
                                           const SegmentationScoring& scoring) {

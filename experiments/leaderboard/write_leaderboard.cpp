@@ -118,7 +118,7 @@ std::string leaderboard_html(const std::string& title, const Leaderboard& board,
 void check_site_folder(const fs::path& folder) {
   std::error_code unknown;
   if (!fs::exists(folder, unknown)) return;
-  if (!is_folder(folder)) throw InputError(fmt::format("{}: is a file, not a folder for a site", folder.string()));
+  if (!is_folder(folder)) throw InputError(fmt::format("{} is a file; a site needs a folder", folder.string()));
   const auto is_hidden = [](const fs::directory_entry& entry) {
     return entry.path().filename().string().starts_with('.');
   };

@@ -66,8 +66,7 @@ std::vector<std::string> folders_of_datasets(const std::vector<std::string>& nam
     if (folder == manifest_name || std::ranges::find(result_files, folder) != result_files.end()) {
       throw InputError(
           fmt::format("{}: datasets.{}.name: the data set {} would have its results in the folder {}, which is the "
-                      "name of a result "
-                      "file; choose another name",
+                      "name of a result file; choose another name",
                       source, i, quoted_word(names[i]), folders[i]));
     }
   }
@@ -289,7 +288,7 @@ OrderedJson multi_dataset_schema() {
   dataset["properties"]["name"] = {{"$ref", "#/definitions/plain_name"}};
   OrderedJson schema = definitions.at("retrieval_experiment");
   schema["title"] = "retrieval experiment on several data sets";
-  schema["description"] = "Several data sets, the signatures to compare, and how to judge them.";
+  schema["description"] = "Data sets, signatures to compare, and settings of the evaluation.";
   schema["required"] = {"name", "datasets", "signatures"};
   schema["properties"].erase("dataset");
   schema["properties"]["datasets"] = {

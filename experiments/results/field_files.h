@@ -31,7 +31,7 @@ struct FieldPicture {
 };
 
 /// Returns the colour scale of a field in the picture. On a logarithmic scale, an automatic range that reaches 0 begins
-/// at the least positive value.
+/// at the smallest positive value.
 ColourScale colour_scale_of(const ScalarField& field, const FieldPicture& picture);
 
 /// Returns the writer for the name's extension: .csv (columns index, `value_name`, weight and, at the faces of a mesh

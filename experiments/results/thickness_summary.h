@@ -24,7 +24,7 @@ struct ThicknessSummary {
   double least = 0;
   double greatest = 0;
   double mean = 0;
-  /// Weighted percentiles: the least values whose cumulative area reaches that fraction.
+  /// Weighted percentiles: the smallest values whose cumulative area reaches that fraction.
   std::array<double, summary_percentiles.size()> percentiles{};
   std::optional<double> area_below = {};  ///< area of samples below the threshold, if one is given
 };

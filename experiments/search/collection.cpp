@@ -73,7 +73,7 @@ void add_files_below(const fs::path& folder, std::set<fs::path>& visited, std::v
   }
 }
 
-/// Collects the shapes in a folder and below. A folder with several names is visited once, by its own name if possible.
+/// Collects the shapes in a folder and below. A folder that links lead to is visited once, by its own name if possible.
 Collection files_below(const fs::path& folder) {
   Collection collection{.base = folder, .files = {}};
   std::set<fs::path> visited = visited_at_root(folder);

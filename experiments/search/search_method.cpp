@@ -68,7 +68,7 @@ std::size_t chosen_signature(const std::vector<SignatureConfiguration>& signatur
   throw InputError(fmt::format("{}: no signature is suitable for searches", source));
 }
 
-/// Adds the signature and its parts.
+/// Inserts the index of a signature, and those of the signatures that it is made from, into `wanted`.
 void add_with_parts(const std::vector<SignatureConfiguration>& signatures, std::size_t one,
                     std::set<std::size_t>& wanted) {
   if (!wanted.insert(one).second) return;

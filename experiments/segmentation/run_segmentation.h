@@ -25,8 +25,8 @@ struct SegmentedShape {
   std::vector<std::string> remarks;               ///< how perturbations fell short of their settings, with the method
   std::vector<std::string> warnings;              ///< samples without a reliable offset SDF, with the method
   std::vector<std::vector<double>> part_sizes;    ///< per method: the parts' fractions of the area, largest first
-  /// By method with perturbations: Rand error of its parts relative to those of the method without perturbations; NaN
-  /// for other methods.
+  /// Per method: Rand error of its parts relative to those of the same method without perturbations; NaN for methods
+  /// without perturbations.
   std::vector<double> moved;
   std::vector<std::string> pictures;  ///< PNG files: first the parts of one human segmentation, if any, then by method
   std::string view = {};              ///< interactive view with the same parts, as JSON; may be empty

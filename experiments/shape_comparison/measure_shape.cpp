@@ -26,7 +26,8 @@ void compare_normals(const TrueNormals& truth, const PreparedShape& prepared, co
   measurement.own_normals = normal_errors(truth, points, samples.normals, samples.weights, sided);
 }
 
-/// Measures a field. Values of the reference itself are added to it, where it is `own`.
+/// Counts the samples of a field, and compares its values with those of the reference, if there is one. `own` receives
+/// the values of the reference itself.
 FieldMeasurement measure_field(const PreparedShape& prepared, const Samples& samples, const Field& field,
                                std::size_t index, const FieldValues& computed, const GroundTruth* truth,
                                ReferenceShape* own) {

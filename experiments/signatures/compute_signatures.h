@@ -46,8 +46,8 @@ struct ComputedSignatures : DescribedShapes {
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunContext& context);
 
-/// Computes what compute_signatures() needs of a part of the models, except for what depends on all, and stores it in
-/// the cache. Throws InputError for a model of the part that fails with OnError::stop, and Interrupted.
+/// Computes, for one part of the models, the results per model that compute_signatures() needs, and stores them in the
+/// cache. Throws InputError for a model of the part that fails with OnError::stop, and Interrupted.
 PartOutcome describe_part(const Dataset& dataset, const Configuration& configuration, const RunContext& context,
                           const Part& part);
 

@@ -56,7 +56,7 @@ Signatures rows_at_places(const Signatures& some, std::span<const Eigen::Index> 
   return table;
 }
 
-/// Positions of the models with each signature.
+/// Returns, for each signature, the indices of the models that have it.
 std::vector<std::vector<Eigen::Index>> places_with(const std::vector<const ModelDescription*>& models,
                                                    const std::vector<SignatureConfiguration>& signatures,
                                                    std::span<const Field> fields) {

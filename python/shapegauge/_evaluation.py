@@ -457,7 +457,7 @@ def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union
 
 
 def distances(features: Any, distance: str, *, threads: int = 0) -> _numpy.ndarray:
-    """Computes the n x n distances between features, one row a model. distance: "l1", "l2", ... or the name of a
+    """Computes the n x n distances between features, one row per model. distance: "l1", "l2", ... or the name of a
     descriptor, which selects its own distance.
 
     >>> sg.distances(features, "light_field")

@@ -35,7 +35,7 @@ class Shape(NamedTuple):
 class ScalarField:
     """Values of a field with their weights (areas): ``values, weights = sg.sdf(mesh)``.
 
-    values, weights: float64, one a sample; NaN for a missing value. points: positions of the samples, n x 3: centroids of
+    values, weights: float64, one per sample; NaN for a missing value. points: positions of the samples, n x 3: centroids of
     faces, vertices, points of a cloud, or points on the surface. offset: offset of an offset SDF, given or chosen by
     "auto", as a fraction of the diagonal of the bounding box; otherwise None. normals: outward unit normals of an offset
     SDF, n x 3; otherwise None.

@@ -53,7 +53,7 @@ class CylinderProjection {
     }
   }
 
-  /// `normal` is the triangle's unit normal, across the axis.
+  /// Draws a triangle into the rows that it covers. `normal` is its unit normal, projected across the axis.
   void add(const std::array<CylinderPoint, 3>& corners, const Eigen::Vector2d& normal) {
     const auto [low, high] = std::minmax({corners[0].row, corners[1].row, corners[2].row});
     if (!(high >= 0.5 && low <= heights_ - 0.5)) return;

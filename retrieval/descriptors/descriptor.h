@@ -54,7 +54,7 @@ struct Descriptor {
   DistanceFunction distance = nullptr;
   /// Learns from all shapes before they are described; null if nothing is learnt.
   LearntFeatures (*learn)(std::span<const DescriptorInput>, const DescriptorSettings&) = nullptr;
-  /// Returns true if these settings need learning; null for always, if there is `learn`.
+  /// Returns true if the settings require learning. Null if all settings do, or `learn` is null.
   bool (*learns)(const DescriptorSettings&) = nullptr;
   /// Throws InputError if settings contradict each other; null if they cannot.
   void (*check)(const DescriptorSettings&) = nullptr;

@@ -101,7 +101,7 @@ TEST_F(SegmentCommands, WarnsOfAnOpenCloud) {
 }
 
 TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
-  succeeded(run("segment @psb/off/1.off --patches 40 --least-probability 0.99 --border-width 0 -o @x.seg"));
+  succeeded(run("segment @psb/off/1.off --patches 40 --min-probability 0.99 --border-width 0 -o @x.seg"));
   PartSegmentationOptions options{.patches = 40, .min_probability = 0.99};
   options.smoothing.width = 0;
   const Shape shape = read_shape(at("psb/off/1.off"));

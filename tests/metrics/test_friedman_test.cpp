@@ -103,7 +103,7 @@ TEST(RankIntervals, MatchAllResamples) {
   EXPECT_THAT(intervals, ElementsAre(RankInterval{1, 2}, RankInterval{1, 3}, RankInterval{2, 4}, RankInterval{3, 4}));
 }
 
-TEST(RankIntervals, OfConstantRanksHaveNoWidth) {
+TEST(RankIntervals, ConstantRanksHaveIntervalsOfWidthZero) {
   const Eigen::MatrixXd ranks = Eigen::RowVector3d(3, 1, 2).replicate(8, 1);
   EXPECT_THAT(rank_intervals(ranks), ElementsAre(RankInterval{3, 3}, RankInterval{1, 1}, RankInterval{2, 2}));
   EXPECT_EQ(rank_intervals(Eigen::MatrixXd::Constant(8, 2, 1.5))[1], (RankInterval{1, 1})) << "ties share the better";
@@ -121,7 +121,7 @@ TEST(RankComparison, EqualValuesShareTheMeanOfTheirRanks) {
   EXPECT_EQ(comparison.ranks, (Eigen::MatrixXd(1, 4) << 2.5, 1, 2.5, 4).finished());
 }
 
-TEST(RankComparison, OfEqualRankingsHasTheSmallestPValue) {
+TEST(RankComparison, EqualRankingsHaveTheSmallestPValue) {
   Eigen::MatrixXd values(6, 3);
   for (Eigen::Index set = 0; set < 6; ++set) values.row(set) << 0.9, 0.5, 0.1;
   const FriedmanTest test = compare_by_ranks(values).friedman;
@@ -130,7 +130,7 @@ TEST(RankComparison, OfEqualRankingsHasTheSmallestPValue) {
   EXPECT_EQ(test.f_p, 0);
 }
 
-TEST(RankComparison, OfEqualMethodsFindsNothing) {
+TEST(RankComparison, EqualMethodsDoNotDiffer) {
   const RankComparison comparison = compare_by_ranks(Eigen::MatrixXd::Constant(5, 3, 0.4));
   EXPECT_EQ(comparison.friedman.p, 1);
   EXPECT_EQ(comparison.friedman.f_p, 1);

@@ -46,7 +46,7 @@ TEST(CompactLetters, AreSharedByGroupsThatDoNotDiffer) {
   EXPECT_THAT(compact_letters(4, groups_of({9, 8, 7, 3}, 1.5)), ElementsAre("a", "ab", "b", "c"));
 }
 
-TEST(CompactLetters, OfMoreThanThreeGroupsAreARange) {
+TEST(CompactLetters, AbbreviateMoreThanThreeGroupsAsARange) {
   // Each position is in the groups that begin at it and at the four before it.
   const std::vector<double> ranking{10, 9, 8, 7, 6, 5};
   EXPECT_THAT(compact_letters(6, groups_of(ranking, 3.5)), ElementsAre("a", "ab", "abc", "abc", "bc", "c"));

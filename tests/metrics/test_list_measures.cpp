@@ -152,7 +152,7 @@ TEST(ListMeasures, AreLimitedToAThousandModels) {
   expect_literal(contest);
 }
 
-TEST(ListMeasures, OfAWorkedExample) {
+TEST(ListMeasures, MatchAWorkedExample) {
   // Grades 3 (the query), 0, 1 and a list that ends; a fourth model of grade 2 is not found.
   RankedList list = list_of_runs({{.size = 1, .hits = 1, .misses = 0, .grade = 3},
                                   {.size = 1, .hits = 0},
@@ -188,7 +188,7 @@ TEST(ListMeasures, AreTheMeanOverTheOrdersOfTheTied) {
   }
 }
 
-TEST(SubclassGrade, OfTheContest) {
+TEST(SubclassGrade, MatchesTheContest) {
   EXPECT_EQ(subclass_grade(4, 4), 3);
   EXPECT_EQ(subclass_grade(no_subclass, no_subclass), 3);
   EXPECT_EQ(subclass_grade(4, no_subclass), 2);

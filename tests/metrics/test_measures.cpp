@@ -55,7 +55,7 @@ TEST(EMeasure, UsesAllOfAShorterList) {
 
 TEST(EMeasure, IsZeroWithoutHits) { EXPECT_EQ(value("E", list_of_runs({{39, 0}, {1, 1}})), 0); }
 
-TEST(DiscountedCumulativeGain, OfAWorkedExample) {
+TEST(DiscountedCumulativeGain, MatchesAWorkedExample) {
   // Hits at ranks 2, 4, 8 gain 1, 1/2, 1/3; in front they would gain 1, 1, 1/log2(3).
   const RankedList list = list_of_hits({false, true, false, true, false, false, false, true});
   const double log2_of_3 = 1.584962500721156;
@@ -118,7 +118,7 @@ TEST(ReciprocalRank, IsTheMeanOverTheOrdersOfTheTied) {
   EXPECT_DOUBLE_EQ(value("MRR", list_of_runs({{1, 0}, {3, 1}})), (1.0 / 2 + 1.0 / 3 + 1.0 / 4) / 3);
 }
 
-TEST(NormalisedDiscountedGain, OfAWorkedExample) {
+TEST(NormalisedDiscountedGain, MatchesAWorkedExample) {
   // Hits at ranks 1, 3, 7 gain 1, 1/2, 1/3; in front they would gain 1, 1/log2(3), 1/2.
   const RankedList list = list_of_hits({true, false, true, false, false, false, true});
   const double log2_of_3 = 1.584962500721156;

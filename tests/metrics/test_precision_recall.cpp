@@ -127,7 +127,7 @@ TEST(AverageCurve, PsbUsesAllListsWhereNoneHasAHitBelowTheLevel) {
   EXPECT_EQ(average_curve(precisions, relevant, CurveKind::psb).precision[0], 0.375);
 }
 
-TEST(AverageCurve, PaperUsesAllLists) {
+TEST(AverageCurve, PaperAveragesAllQueriesAtEachLevel) {
   Eigen::MatrixXd precisions(2, 11);
   precisions.row(0).setConstant(0.5);
   precisions.row(1).setConstant(0.25);

@@ -137,7 +137,7 @@ TEST(SegmentationErrors, AreZeroForTheSamePartition) {
   EXPECT_EQ(errors.local_consistency, 0);
 }
 
-TEST(SegmentationErrors, OfSixElementsByHand) {
+TEST(SegmentationErrors, MatchAnExampleOfSixElements) {
   // Found {0 1 2 3} {4 5}, true {0 1} {2 3 4 5}.
   const SegmentationErrors errors = segmentation_errors(Labels{0, 0, 0, 0, 1, 1}, Labels{0, 0, 1, 1, 1, 1});
   EXPECT_NEAR(errors.rand_index, 8.0 / 15, of_sums);  // {0 1} x {2 3} and {2 3} x {4 5} of 15 pairs
@@ -147,7 +147,7 @@ TEST(SegmentationErrors, OfSixElementsByHand) {
   EXPECT_NEAR(errors.local_consistency, 1.0 / 6, of_sums);   // only 2 and 3 lie in halves both ways
 }
 
-TEST(SegmentationErrors, OfARefinementAreMissingButConsistent) {
+TEST(SegmentationErrors, RefinementHasZeroConsistencyError) {
   const SegmentationErrors errors = segmentation_errors(Labels{0, 1, 2, 3}, Labels{0, 0, 1, 1});
   EXPECT_NEAR(errors.missing_rate, 0.5, of_sums);
   EXPECT_EQ(errors.false_alarm_rate, 0);
@@ -155,7 +155,7 @@ TEST(SegmentationErrors, OfARefinementAreMissingButConsistent) {
   EXPECT_EQ(errors.local_consistency, 0);
 }
 
-TEST(SegmentationErrors, OfOneElement) { EXPECT_EQ(segmentation_errors(Labels{3}, Labels{5}).rand_index, 0); }
+TEST(SegmentationErrors, AreZeroForOneElement) { EXPECT_EQ(segmentation_errors(Labels{3}, Labels{5}).rand_index, 0); }
 
 TEST(SegmentationErrors, RefuseWhatIsNoSegmentation) {
   EXPECT_THROW(segmentation_errors(Labels{}, Labels{}), ArgumentError);
@@ -187,7 +187,7 @@ std::vector<MeshEdge> ladder(std::int32_t squares) {
   return edges;
 }
 
-TEST(CutDiscrepancy, OfOneCutThatMovesIsTwiceTheWay) {
+TEST(CutDiscrepancy, IsTwiceTheDistanceOfAMovedCut) {
   const std::vector<MeshEdge> edges = ladder(6);
   EXPECT_NEAR(cut_discrepancy(Labels{0, 1, 1, 1, 1, 1}, Labels{0, 0, 0, 0, 1, 1}, edges, 14, 2.0), 2 * 3 / 2.0,
               of_sums);

@@ -99,7 +99,7 @@ UnitValues random_units(Eigen::Index units, Eigen::Index methods, unsigned seed)
           Eigen::VectorXd::Constant(units, 1.0 / static_cast<double>(units))};
 }
 
-TEST(TukeyHsd, OfTwoMethodsIsTheRandomisationTest) {
+TEST(TukeyHsd, TwoMethodsGiveTheRandomisationTest) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     const UnitValues units = random_units(30, 2, seed);
     const double p = randomisation_p_value(units.values.col(0) - units.values.col(1), units.weights);

@@ -10,7 +10,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(StudentisedRange, OfTwoValuesIsTheirNormalDifference) {
+TEST(StudentisedRange, TwoGroupsGiveTheNormalDifference) {
   // The difference of two standard normal values has the standard deviation sqrt(2).
   for (const double range : {0.1, 1.0, 2.0, 3.5, 6.0}) {
     EXPECT_NEAR(studentised_range_probability(range, 2), std::erf(range / 2), 1e-12);

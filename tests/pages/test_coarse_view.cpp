@@ -62,7 +62,7 @@ TEST(CoarseShape, KeepsSmallShapes) {
   EXPECT_EQ(coarse_shape(sphere, sphere.triangles.rows()).triangles, sphere.triangles);
 }
 
-TEST(CoarseShape, OfACloudSomeOfItsPoints) {
+TEST(CoarseShape, KeepsSomePointsOfACloud) {
   const Shape cloud = test::random_points(test::sphere(1, 4), 2000, 1);
   const Shape coarse = coarse_shape(cloud, 300);
   ASSERT_EQ(coarse.vertices.rows(), 300);

@@ -29,7 +29,7 @@ TEST(PackedValues, AllZeroOrNothing) {
   EXPECT_EQ(packed_numbers(Eigen::VectorXd(0))["values"], "");
 }
 
-TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
+TEST(HeatMap, SymmetricMatrixHasTheUpperHalfInTheOrderOfClasses) {
   // Models 1 and 2 are of the first class, 0 of the second.
   const DistanceMatrix distances{{0, 1, 2}, {1, 0, 4}, {2, 4, 0}};
   const auto json = heat_map(overview_of(distances, std::vector<int>{1, 0, 0}));
@@ -40,14 +40,14 @@ TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
   EXPECT_EQ(json["scale"], 4);
 }
 
-TEST(HeatMap, OfAnAsymmetricMatrixHasAllCells) {
+TEST(HeatMap, AsymmetricMatrixHasAllCells) {
   const DistanceMatrix distances{{9, 1}, {3, 9}};
   const auto json = heat_map(overview_of(distances, std::vector<int>{0, 0}));
   EXPECT_EQ(json["symmetric"], false);
   EXPECT_EQ(json["values"], packed_numbers(Eigen::VectorXd{{0, 1, 3, 0}})["values"]);
 }
 
-TEST(HeatMap, OfManyModelsContainsMeansOfBlocks) {
+TEST(HeatMap, ManyModelsAreMeansOfBlocks) {
   const Eigen::Index models = 2 * largest_heat_map + 1;
   DistanceMatrix distances = DistanceMatrix::Constant(models, models, 6);
   distances.diagonal().setConstant(1e9);
@@ -91,7 +91,7 @@ TEST(ReportJson, TheNearestModelsAreInTheirOrder) {
   }
 }
 
-TEST(ReportJson, OfALargeDataSetOnlyTheWorstQueriesHaveTheirNearest) {
+TEST(ReportJson, LargeDataSetsListNeighboursOfTheWorstQueriesOnly) {
   const auto models = static_cast<Eigen::Index>(max_models_with_neighbours + 1);
   DistanceMatrix distances(models, models);
   std::vector<int> labels;

@@ -41,7 +41,7 @@ TEST(DistanceMatrix, SmallExample) {
   EXPECT_EQ(distance_matrix(signatures), expected);
 }
 
-TEST(DistanceMatrix, OfNothingIsEmpty) { EXPECT_EQ(distance_matrix(Signatures(0, 5)).size(), 0); }
+TEST(DistanceMatrix, IsEmptyWithoutSignatures) { EXPECT_EQ(distance_matrix(Signatures(0, 5)).size(), 0); }
 
 TEST(DistanceMatrix, SameBytesForAnyNumberOfThreads) {
   const Signatures signatures = random_signatures(151, 80, 7);

@@ -287,7 +287,7 @@ TEST(SumWeights, AreSmallForRandomDistances) {
   EXPECT_LT(2 * weights[2], std::min(weights[0], weights[1]));
 }
 
-TEST(SumWeights, OfPermutedModelsAreTheSameWithEqualDistancesToo) {
+TEST(SumWeights, DoNotDependOnTheOrderOfModels) {
   DistanceMatrix whole_numbers = (10 * noisy_classes(0.5, 5)).array().round();
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), whole_numbers};
   const std::vector<Eigen::Index> order = test::random_order(30, 8);

@@ -102,7 +102,7 @@ TEST(KReciprocal, MatchesTheDefinition) {
   }
 }
 
-TEST(KReciprocal, OfSeveralNumbersIsTheMean) {
+TEST(KReciprocal, AveragesSeveralNumbersOfNeighbours) {
   const DistanceMatrix plain = distances_of(arcs(9, 3, 1));
   for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
     const auto alone = [&](std::int64_t k, int expansion) {

@@ -49,7 +49,7 @@ double literal(const DistanceMatrix& matrix, Eigen::Index i, Eigen::Index j) {
   return std::log1p((literal_rank(matrix, i, j) + literal_rank(matrix, j, i)) / 2);
 }
 
-TEST(MutualRanks, OfFewModelsAreTheLiteralOnes) {
+TEST(MutualRanks, AreExactForFewModels) {
   DistanceMatrix matrix = uniform_distances(33, 1);
   matrix(3, 8) = matrix(8, 3) = 0;         // duplicates
   matrix(5, 9) = matrix(9, 5) = infinite;  // unreachable
@@ -60,7 +60,7 @@ TEST(MutualRanks, OfFewModelsAreTheLiteralOnes) {
   }
 }
 
-TEST(MutualRanks, OfManyModelsAreWithinASixteenth) {
+TEST(MutualRanks, AreWithinASixteenthForManyModels) {
   const DistanceMatrix matrix = uniform_distances(500, 2);
   const DistanceMatrix found = log_ranks(matrix);
   for (Eigen::Index i = 0; i < 500; ++i) {

@@ -57,7 +57,7 @@ TEST(QueryExpansion, IsTheWeightedMeanOfRows) {
   EXPECT_NEAR(found(0, 2), ((3 + 1.0) / 1.5 + (3 + 0.5) / 1.5) / 2, 1e-15);
 }
 
-TEST(QueryExpansion, OfSeveralNumbersIsTheMean) {
+TEST(QueryExpansion, AveragesSeveralNumbersOfNeighbours) {
   const DistanceMatrix distances = distances_of(arcs(15, 3, 1));
   const auto alone = [&](std::int64_t k) { return query_expansion(distances, {.neighbours = {k}}); };
   expect_near(query_expansion(distances, {.neighbours = {8, 2, 5}}), (alone(2) + alone(5) + alone(8)) / 3, 1e-12);

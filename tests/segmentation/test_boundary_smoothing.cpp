@@ -105,7 +105,7 @@ TEST(BoundarySmoothing, ABorderCostsHalfWhereTheSurfaceIsConcaveEnough) {
   EXPECT_EQ(smoothed(0.14, 10), labels);
 }
 
-TEST(BoundarySmoothing, OfWidthZeroMovesNothing) {
+TEST(BoundarySmoothing, WidthZeroMovesNothing) {
   const ThickSurface surface = torus();
   const Labels wavy = wavy_halves(surface, 0.2);
   EXPECT_EQ(smooth_boundaries(surface, wavy, {.width = 0}), wavy);

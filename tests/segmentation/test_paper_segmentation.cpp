@@ -58,7 +58,7 @@ TEST(PaperSegmentation, TellsTheBarOfADumbbellFromItsBalls) {
   expect_bar_and_balls(graph, cone_sdf(shape, graph.samples, {}).values, 0.9);
 }
 
-TEST(PaperSegmentation, OfASphereIsOnePart) {
+TEST(PaperSegmentation, SphereIsOnePart) {
   const Shape shape = test::sphere(1, 3);
   const SurfaceGraph graph = surface_graph(shape);
   const std::vector<ScalarField> fields = {{Eigen::VectorXd::Constant(graph.size(), 2), graph.samples.weights}};

@@ -32,7 +32,7 @@ TEST(PatchFeatures, LeaveOutWhatIsMissing) {
   EXPECT_TRUE(patch_features(patch, fields, 2).isApprox(expected, 1e-12));
 }
 
-TEST(PatchFeatures, OfAnIncreasingFunctionAreTheSame) {
+TEST(PatchFeatures, DoNotChangeUnderIncreasingFunctions) {
   const std::vector<std::int32_t> patch = {0, 0, 0, 1, 1, 1};
   const std::vector<double> weights = {1, 2, 1, 3, 1, 1};
   const std::vector<ScalarField> fields = {field({1, 2, 3, 2, 4, 5}, weights)};
@@ -42,7 +42,7 @@ TEST(PatchFeatures, OfAnIncreasingFunctionAreTheSame) {
   EXPECT_FALSE(features.row(0).isApprox(features.row(1)));
 }
 
-TEST(PatchFeatures, OfSeveralFieldsStandSideBySide) {
+TEST(PatchFeatures, ConcatenateSeveralFields) {
   const std::vector<std::int32_t> patch = {0, 1};
   const std::vector<ScalarField> fields = {field({0, 1}, {1, 1}), field({5, 5}, {1, 1})};
   const Eigen::MatrixXd expected{{1, 1}, {0, 1}};

@@ -29,7 +29,7 @@ TEST(RegionMerging, StopsBelowTheLeastAffinity) {
   EXPECT_EQ(regions.size(), 3);
 }
 
-TEST(RegionMerging, OfEqualAffinitiesTakesTheLowerNumbersFirst) {
+TEST(RegionMerging, MergesLowerNumbersFirstAtEqualAffinity) {
   Regions regions = regions_in_a_row(5);
   merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 1.0; }, {.parts = 2});
   EXPECT_THAT(regions.merges(), testing::ElementsAre(testing::Pair(0, 1), testing::Pair(0, 2), testing::Pair(0, 3)));

@@ -36,7 +36,7 @@ TEST_F(SegFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(read_seg(path_, mesh_of(4)), labels);
 }
 
-TEST_F(SegFile, OfAMeshWithPolygonsHasALineForEachPolygon) {
+TEST_F(SegFile, HasALineForEachPolygon) {
   Shape mesh = mesh_of(3);
   mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
   mesh.triangles.rowwise() = Eigen::RowVector3<std::int32_t>(0, 1, 2);
@@ -53,7 +53,7 @@ TEST_F(SegFile, LinesMayEndAsInDos) {
   EXPECT_EQ(read_seg(path_, mesh_of(2)), (std::vector<std::int32_t>{1, 2}));
 }
 
-TEST_F(SegFile, OfAnotherMeshIsRefused) {
+TEST_F(SegFile, RefusesAnotherMesh) {
   write("1\n2\n3\n");
   EXPECT_THAT([&] { read_seg(path_, mesh_of(4)); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("3 lines"), HasSubstr("4 faces"))));

@@ -31,7 +31,7 @@ TEST(SegmentShape, RefusesOptionsOutOfRange) {
 }
 
 TEST(SegmentationTable, KnowsTheAlgorithmOfEachParameter) {
-  for (const char* of_best : {"patches", "least_probability", "border_width"}) {
+  for (const char* of_best : {"patches", "min_probability", "border_width"}) {
     EXPECT_EQ(algorithm_with(of_best), SegmentationAlgorithm::best) << of_best;
   }
   for (const char* of_paper : {"field", "offset"}) {

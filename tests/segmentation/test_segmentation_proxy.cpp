@@ -15,7 +15,7 @@ namespace shapegauge {
 
 namespace {
 
-TEST(SegmentationProxy, OfAFineMeshAndOfACloudIsItself) {
+TEST(SegmentationProxy, KeepsFineMeshesAndClouds) {
   for (const Shape& shape : {test::sphere(1, 5), test::random_points(test::sphere(1, 3), 500, 1)}) {
     const SegmentationProxy result = segmentation_proxy(shape);
     EXPECT_EQ(result.shape.vertices, shape.vertices);
@@ -26,7 +26,7 @@ TEST(SegmentationProxy, OfAFineMeshAndOfACloudIsItself) {
   }
 }
 
-TEST(SegmentationProxy, OfACoarseMeshIsTheSameSurfaceInMoreTriangles) {
+TEST(SegmentationProxy, SubdividesCoarseMeshes) {
   for (const Shape& shape : {test::box({1, 2, 3}, 1), test::sphere(1, 3), test::soup(test::sphere(1, 2))}) {
     const SegmentationProxy result = segmentation_proxy(shape);
     EXPECT_GE(result.shape.triangles.rows(), 8000);
@@ -43,7 +43,7 @@ TEST(SegmentationProxy, OfACoarseMeshIsTheSameSurfaceInMoreTriangles) {
   }
 }
 
-TEST(SegmentationProxy, OfATriangleWithTwoCornersAtOnePlaceHasItToo) {
+TEST(SegmentationProxy, KeepsDegenerateTriangles) {
   Shape shape = test::box({1, 1, 1}, 1);
   shape.triangles.conservativeResize(shape.triangles.rows() + 1, 3);
   shape.triangles.bottomRows(1) << 0, 0, 1;
@@ -53,7 +53,7 @@ TEST(SegmentationProxy, OfATriangleWithTwoCornersAtOnePlaceHasItToo) {
   EXPECT_NEAR(surface_area(result.shape), 6, 1e-12);
 }
 
-TEST(SegmentationProxy, OfACrackedMeshIsACloudOnIt) {
+TEST(SegmentationProxy, ReplacesCrackedMeshesByClouds) {
   RandomNumbers random(1);
   const Shape whole = test::sphere(1, 5);
   const Shape cracked = remove_faces(whole, 0.15, random);
@@ -69,7 +69,7 @@ TEST(SegmentationProxy, OfACrackedMeshIsACloudOnIt) {
   EXPECT_EQ(segmentation_proxy(cracked).shape.vertices, result.shape.vertices);
 }
 
-TEST(SegmentationProxy, OfAMeshWithAFewMissingTrianglesIsItself) {
+TEST(SegmentationProxy, KeepsMeshesWithFewMissingTriangles) {
   // Each missing triangle opens three of 1.5 edges a triangle: 4 and 6 % of them.
   for (const double missing : {0.02, 0.03}) {
     RandomNumbers random(1);
@@ -78,7 +78,7 @@ TEST(SegmentationProxy, OfAMeshWithAFewMissingTrianglesIsItself) {
   }
 }
 
-TEST(SegmentationProxy, OfAMeshWithAHoleIsItself) {
+TEST(SegmentationProxy, KeepsMeshesWithAHole) {
   const Shape whole = test::sphere(1, 5);
   Shape open = whole;
   open.triangles = whole.triangles.topRows(whole.triangles.rows() / 2);

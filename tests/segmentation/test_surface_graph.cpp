@@ -65,7 +65,7 @@ TEST(SurfaceGraph, EveryLinkHasItsReverse) {
   }
 }
 
-TEST(SurfaceGraph, OfAClosedMeshHasThreeNeighboursEach) {
+TEST(SurfaceGraph, TrianglesOfAClosedMeshHaveThreeNeighbours) {
   const SurfaceGraph graph = surface_graph(test::soup(test::sphere(1, 2)));
   for (std::int32_t i = 0; i < graph.size(); ++i) {
     EXPECT_EQ(graph.links_of(i).size(), 3U);

@@ -21,7 +21,7 @@ Regions regions_of(const Shape& shape, int count) {
   return surface_regions(surface, patches(surface.graph, {.count = count}, patch_costs(surface)), 300);
 }
 
-TEST(SurfaceRegions, OfAConvexShapeSeeEachOtherInsideAndNotOutside) {
+TEST(SurfaceRegions, SeeEachOtherInsideConvexShapesOnly) {
   const ThickSurface surface = thick_surface(test::box({4, 1, 1}, 8));
   std::vector<std::int32_t> halves;
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) halves.push_back(surface.graph.samples.points(i, 0) > 0);
@@ -175,7 +175,7 @@ TEST(PatchCosts, AreHigherWhereTheSurfaceIsConcaveOrItsThicknessChanges) {
   EXPECT_NEAR(cost(0, -0.7), 0.5 + 2 * 0.01 * 0.7, 1e-9);
 }
 
-TEST(SurfaceRegions, OfAHookDoNotSeeEachOtherInside) {
+TEST(SurfaceRegions, DoNotSeeEachOtherInsideAHook) {
   // A torus cut in four quarters: those across see each other through the hole, not through the tube.
   const ThickSurface surface = thick_surface(test::torus(4, 0.5, 24, 96));
   std::vector<std::int32_t> quarters;
@@ -243,7 +243,7 @@ TEST(SurfaceRegions, AreTheSameForAnySizeAndNumberOfThreads) {
   expect_equal_sums(serial, measured(larger, 1));
 }
 
-TEST(SurfaceRegions, OfMergedPatchesAreTheMergedOnes) {
+TEST(SurfaceRegions, AreThoseOfTheMergedPatches) {
   PatchedShape patched(1);
   Regions merged = surface_regions(patched.surface, patched.labels, 30);
   const std::int32_t kept = 1;

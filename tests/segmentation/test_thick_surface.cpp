@@ -16,7 +16,7 @@ void expect_thickness(const ThickSurface& surface, double expected, double toler
   for (const double thickness : surface.log_thickness) EXPECT_NEAR(thickness, expected, tolerance);
 }
 
-TEST(ThickSurface, OfASphereIsItsDiameterInUnits) {
+TEST(ThickSurface, SphereHasItsDiameter) {
   // 2 R over the square root of 4 pi R^2, whatever R is.
   const double expected = -std::log(std::numbers::pi) / 2;
   for (const double radius : {1.0, 40.0}) {
@@ -26,7 +26,7 @@ TEST(ThickSurface, OfASphereIsItsDiameterInUnits) {
   }
 }
 
-TEST(ThickSurface, OfAMeshInsideOutIsTheSame) {
+TEST(ThickSurface, DoesNotDependOnOrientation) {
   const Shape sphere = test::sphere(1, 3);
   const ThickSurface surface = thick_surface(test::flipped(sphere));
   expect_thickness(surface, -std::log(std::numbers::pi) / 2, 0.05);
@@ -36,7 +36,7 @@ TEST(ThickSurface, OfAMeshInsideOutIsTheSame) {
   }
 }
 
-TEST(ThickSurface, OfACloudIsThatOfTheSurfaceBehindIt) {
+TEST(ThickSurface, CloudHasThicknessAndNormalsOfItsSurface) {
   const Shape cloud{.vertices = test::sphere(1, 4).vertices, .triangles = {}};
   const ThickSurface surface = thick_surface(cloud);
   expect_thickness(surface, -std::log(std::numbers::pi) / 2, 0.05);

@@ -34,7 +34,7 @@ double sampled_radius(const Triangle& triangle, const Eigen::Vector3d& normal) {
   return least;
 }
 
-TEST(TouchingBall, AgreesWithCandidatePoints) {
+TEST(TouchingBall, MatchesTheMinimumOverSampledPoints) {
   RandomNumbers random(7);
   const auto vector = [&] {
     return Eigen::Vector3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};

@@ -49,7 +49,7 @@ TEST(VertexNeighbours, OfASoupMatchItsMesh) {
   }
 }
 
-TEST(VertexNeighbours, OfACloudOrOfNothingAreNone) {
+TEST(VertexNeighbours, CloudsAndEmptyShapesHaveNone) {
   const Shape cloud{test::sphere(1, 1).vertices, {}};
   const VertexNeighbours neighbours = vertex_neighbours(cloud);
   for (Eigen::Index v = 0; v < cloud.vertices.rows(); ++v) EXPECT_THAT(neighbours.of(v), IsEmpty());

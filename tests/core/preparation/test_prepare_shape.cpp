@@ -29,7 +29,7 @@ TEST(ScaledToUnitArea, ScalesAboutTheOriginAndKeepsTriangles) {
   EXPECT_EQ(unit.triangles, box.triangles);
 }
 
-TEST(ScaledToUnitArea, OfACloudIsTheEstimatedArea) {
+TEST(ScaledToUnitArea, CloudsUseTheEstimatedArea) {
   for (const double scale : {1e-30, 1.0, 1e30}) {
     Shape cloud{test::box(scale * Eigen::Vector3d(1, 2, 3), 5).vertices, {}, {}};
     cloud.normals = Points::Ones(cloud.vertices.rows(), 3).rowwise().normalized();

@@ -207,7 +207,7 @@ Shape repetitive_cloud() {
   return cloud;
 }
 
-TEST(DenseSamples, OfACloudAreItsDistinctPoints) {
+TEST(DenseSamples, CloudsUseTheirDistinctPoints) {
   const Shape cloud = repetitive_cloud();
   const DenseSamples samples = dense(cloud, 1000);
   ASSERT_EQ(samples.points.rows(), 300);
@@ -218,7 +218,7 @@ TEST(DenseSamples, OfACloudAreItsDistinctPoints) {
   EXPECT_EQ(samples.normals, unsigned_point_normals(samples.points));
 }
 
-TEST(DenseSamples, OfACloudDoNotDependOnTheOrderOfItsPoints) {
+TEST(DenseSamples, DoNotDependOnTheOrderOfPoints) {
   const Shape cloud = repetitive_cloud();
   Shape reversed = cloud;
   reversed.vertices = cloud.vertices.colwise().reverse().eval();
@@ -228,7 +228,7 @@ TEST(DenseSamples, OfACloudDoNotDependOnTheOrderOfItsPoints) {
   }
 }
 
-TEST(DenseSamples, OfManyPointsAreEveryNthAlongTheCurve) {
+TEST(DenseSamples, LargeCloudsUseEveryNthPointAlongTheCurve) {
   const Shape cloud = repetitive_cloud();
   const Points all = dense(cloud, 1000).points;
   for (const Eigen::Index count : {2, 7, 120, 299}) {

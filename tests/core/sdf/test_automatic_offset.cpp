@@ -11,7 +11,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(AutomaticOffset, OfACleanClosedMeshIsTheLeast) {
+TEST(AutomaticOffset, IsTheMinimumForCleanClosedMeshes) {
   for (const Shape& shape : {test::sphere(1, 3), test::torus(2, 0.7, 30, 60)}) {
     const AutomaticOffset chosen = automatic_offset(shape);
     EXPECT_EQ(chosen.offset, 0.01);
@@ -21,7 +21,7 @@ TEST(AutomaticOffset, OfACleanClosedMeshIsTheLeast) {
   }
 }
 
-TEST(AutomaticOffset, OfACrackedMeshClosesItsGaps) {
+TEST(AutomaticOffset, ClosesTheGapsOfACrackedMesh) {
   RandomNumbers random(1);
   const Shape torus = test::torus(2, 0.7, 48, 96);
   const Shape cracked = remove_faces(torus, 0.2, random);
@@ -36,7 +36,7 @@ TEST(AutomaticOffset, OfACrackedMeshClosesItsGaps) {
   EXPECT_NEAR(mean_with(cracked), mean_with(torus), 0.02);
 }
 
-TEST(AutomaticOffset, OfANoisyMeshIsTwiceTheNoise) {
+TEST(AutomaticOffset, IsTwiceTheNoise) {
   RandomNumbers random(1);
   const Shape noisy =
       vertex_noise(test::sphere(1, 5), {.amplitude = 0.01, .distribution = NoiseDistribution::gaussian}, random);

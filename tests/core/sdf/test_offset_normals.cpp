@@ -53,7 +53,7 @@ TEST(OffsetNormals, OfARegularDenseCloudOfASphereAreWithinADegree) {
   }
 }
 
-TEST(OffsetNormals, OfANoisySphereAreTwiceAsGoodAsItsOwnWhereNoiseIsAsLargeAsEdges) {
+TEST(OffsetNormals, HalveTheErrorWhereNoiseIsAsLargeAsEdges) {
   // Edges are 0.011 of the diagonal long. At vertices, where the faces' normals average, it takes stronger noise; below
   // that the offset surface is no better (docs/notes/reproducing.md, Fig 5).
   for (const auto& [noise, site] :

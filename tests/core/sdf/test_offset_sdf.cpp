@@ -76,7 +76,7 @@ TEST(OffsetSdf, OfATorusOnTheOuterEquatorIsTheTubesDiameter) {
   }
 }
 
-TEST(OffsetSdf, OfAClosedHoleOfATorusGoesThroughToTheOtherSide) {
+TEST(OffsetSdf, RaysPassThroughTheClosedHoleOfATorus) {
   // The hole's radius is 0.3 and r is 0.85: the offset solid has no hole, and a ray from the outer equator goes all the
   // way through the middle.
   const Shape torus = test::torus(1, 0.7, 120, 60);
@@ -302,7 +302,7 @@ TEST(OffsetSdf, OfASphereCloudIsItsDiameter) {
   }
 }
 
-TEST(OffsetSdf, OfPointsInAPlaneIsNothingAwayFromTheRim) {
+TEST(OffsetSdf, PointsInAPlaneHaveNoThicknessAwayFromTheRim) {
   const Shape plane = test::random_points(test::box({1, 1, 0}, 1), 4000, 1);
   const OffsetSdfResult result = at_faces(plane, 0.05);
   const double r = 0.05 * bounding_box_diagonal(plane);

@@ -37,7 +37,7 @@ TEST(DistinctTriangles, WithARepeatedCornerNeedTheSameCornerTwice) {
   EXPECT_EQ(distinct_triangles(shape).triangle_of, (Indices{0, 1, 0}));
 }
 
-TEST(DistinctTriangles, OfAMeshWithoutDoublesAreAll) {
+TEST(DistinctTriangles, KeepMeshesWithoutDoubles) {
   for (const auto& [name, shape] : test::shapes_without_doubles()) {
     const DistinctTriangles found = distinct_triangles(shape);
     EXPECT_FALSE(found.has_duplicates()) << name;
@@ -57,7 +57,7 @@ TEST(DistinctTriangles, OfAMeshWithPolygonsHaveNone) {
   EXPECT_EQ(without_duplicates(shape).polygons.of_triangle, (Indices{0, 0, 1}));
 }
 
-TEST(DistinctTriangles, OfACloudAreNone) {
+TEST(DistinctTriangles, CloudsHaveNone) {
   const DistinctTriangles found = distinct_triangles({places(), {}});
   EXPECT_FALSE(found.has_duplicates());
   EXPECT_TRUE(is_cloud(found.shape));

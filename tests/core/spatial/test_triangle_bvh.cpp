@@ -112,7 +112,7 @@ RC_GTEST_PROP(TriangleBVH, SearchesAllTrianglesInBallAndConeThatFaceTheAxis, ())
   }
 }
 
-TEST(TriangleBVH, OfNoTrianglesAnswersNothing) {
+TEST(TriangleBVH, FindsNothingWithoutTriangles) {
   const TriangleBVH tree{Shape{}};
   EXPECT_FALSE(tree.closest({0, 0, 0}).has_value());
 }

@@ -115,7 +115,7 @@ TEST_F(CompressedFiles, UnpackUpToALimitThatGrowsWithTheirSize) {
   EXPECT_EQ(max_unpacked_bytes(mebibyte * mebibyte), 16384 * mebibyte);
 }
 
-TEST_F(CompressedFiles, OfExcessiveUnpackedSizeAreErrors) {
+TEST_F(CompressedFiles, ExcessiveUnpackedSizeIsAnError) {
   const std::string zeros(std::size_t{4} << 20, '\0');
   std::string bomb;  // a gzip file may consist of several members
   for (const std::string member = gzipped(zeros); bomb.size() < 65 * member.size();) bomb += member;

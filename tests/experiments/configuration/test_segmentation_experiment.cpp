@@ -23,7 +23,7 @@ const Json benchmark{{"layout", "psb_segmentation"}, {"root", "psb"}};
 
 TEST(SegmentationExperiment, IsTheSameAfterBeingWritten) {
   const std::vector<std::pair<Json, Json>> cases{
-      {benchmark, {{"name", "a"}, {"patches", 70}, {"least_probability", 0.75}, {"border_width", 0}}},
+      {benchmark, {{"name", "a"}, {"patches", 70}, {"min_probability", 0.75}, {"border_width", 0}}},
       {benchmark, {{"name", "b"}, {"method", "paper"}, {"field", "cone_sdf"}, {"parts", 3}}},
       {{{"layout", "shrec11"}, {"root", "s"}, {"classification", "c.cla"}},
        {{"name", "c"}, {"perturbations", {{{"type", "remove_faces"}, {"fraction", 0.1}}}}}},
@@ -43,7 +43,7 @@ TEST(SegmentationExperiment, IsTheSameAfterBeingWritten) {
 TEST(SegmentationExperiment, HasPlacesAndSettingsAsGiven) {
   const SegmentationExperiment experiment =
       read({{"layout", "shrec11"}, {"root", "s"}, {"classification", "c.cla"}},
-           {{"name", "c"}, {"patches", 70}, {"least_probability", 0.75}, {"border_width", 0.01}});
+           {{"name", "c"}, {"patches", 70}, {"min_probability", 0.75}, {"border_width", 0.01}});
   EXPECT_EQ(experiment.location.root, "/data/s");
   EXPECT_EQ(experiment.location.classification, "/data/s/c.cla");
   const SegmentationOptions& options = experiment.methods[0].options;

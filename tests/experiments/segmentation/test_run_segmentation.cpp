@@ -180,7 +180,7 @@ TEST_F(SegmentationRun, TakesDamagedShapesFromTheCacheWhereNothingOfTheDamageHas
   EXPECT_EQ(computed(), 3U);
 }
 
-TEST_F(SegmentationRun, OfShapesThatNobodyCutSaysHowAlikeTheirPartsAre) {
+TEST_F(SegmentationRun, ReportsConsistencyWithoutReferenceSegmentations) {
   std::filesystem::create_directories(at("shapes/ball"));
   std::filesystem::create_directories(at("shapes/balls"));
   write_off(at("shapes/ball/a.off"), test::sphere(1, 2));

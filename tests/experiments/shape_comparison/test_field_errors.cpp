@@ -23,7 +23,7 @@ TEST(WeightedQuantile, IsTheLeastValueWithThatShareOfTheWeight) {
   EXPECT_EQ(weighted_quantile(values, Eigen::Vector4d(1, 0, 1, 0), 0), 5) << "what has no weight is no answer";
 }
 
-TEST(WeightedQuantile, OfNothingIsNotANumber) {
+TEST(WeightedQuantile, IsNaNWithoutValues) {
   EXPECT_TRUE(std::isnan(weighted_quantile({}, {}, 0.5)));
   EXPECT_TRUE(std::isnan(weighted_quantile(Eigen::Vector2d(1, 2), Eigen::Vector2d(0, 0), 0.5)));
   EXPECT_THROW(weighted_quantile(Eigen::Vector2d(1, 2), Eigen::VectorXd::Ones(3), 0.5), ArgumentError);

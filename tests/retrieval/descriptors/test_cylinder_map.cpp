@@ -44,7 +44,7 @@ TEST(CylinderMap, MatchesTheProfileOfASphere) {
   });
 }
 
-TEST(CylinderMap, OfABoxIsItsNearerSideAboutEachAxis) {
+TEST(CylinderMap, BoxShowsItsNearestSide) {
   const Eigen::Vector3d size(1, 2, 4);
   for (const int axis : {0, 1, 2}) {
     const CylinderFrame frame = {.axis = axis, .radius = 5, .angles = 100, .heights = 33};
@@ -60,7 +60,7 @@ TEST(CylinderMap, OfABoxIsItsNearerSideAboutEachAxis) {
   }
 }
 
-TEST(CylinderMap, OfAnEllipsoidIsItsSection) {
+TEST(CylinderMap, EllipsoidShowsItsSection) {
   Shape ellipsoid = test::sphere(1, 6);
   ellipsoid.vertices.col(0) *= 2;
   ellipsoid.vertices.col(2) *= 3;

@@ -13,7 +13,7 @@ double distance_of_d2(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   return l1_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
 }
 
-TEST(D2, OfASphereHasItsDensity) {
+TEST(D2, SphereHasItsDistanceDensity) {
   const Eigen::VectorXf found = d2(test::sphere(2, 4), {.points = 2000, .bins = 30, .longest = 1.5});
   // The fraction of distances up to d is d^2 / (4 R^2), the mean 4 R / 3; a bin is 1/20 of the mean.
   for (Eigen::Index bin = 0; bin < found.size(); ++bin) {

@@ -8,7 +8,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(ShapeDna, OfASphereAreItsEigenvalues) {
+TEST(ShapeDna, SphereHasItsEigenvalues) {
   const Eigen::VectorXf found = shape_dna(test::sphere(3, 4), {.eigenvalues = 15, .divide_by_rank = false});
   Eigen::Index k = 0;
   for (int l = 1; l <= 3; ++l) {
@@ -53,7 +53,7 @@ TEST(ShapeDna, ABentSheetIsTheFlatOne) {
   EXPECT_LT((shape_dna(flat) - shape_dna(rolled)).cwiseAbs().maxCoeff(), 1e-4);
 }
 
-TEST(ShapeDna, OfTwoSpheresHasEachEigenvalueTwiceAndNoZero) {
+TEST(ShapeDna, TwoSpheresHaveEachEigenvalueTwice) {
   const Shape one = test::sphere(1, 3);
   const Shape two = test::joined({one, test::transformed(one, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
   const ShapeDnaOptions options{.eigenvalues = 6, .divide_by_rank = false};

@@ -38,14 +38,14 @@ std::size_t different(const Image& a, const Image& b) {
   return count;
 }
 
-TEST(Silhouette, OfABoxIsARectangle) {
+TEST(Silhouette, BoxIsARectangle) {
   const Image found = silhouette_of(test::box({1, 0.5, 1.2}, 3), Eigen::Matrix3d::Identity());
   const Image expected = image_of([](double x, double y) { return std::abs(x) <= 0.5 && std::abs(y) <= 0.25; });
   // Corners on the right and lower rim lie in the pixels beyond it.
   EXPECT_LE(different(found, expected), 8U);
 }
 
-TEST(Silhouette, OfASphereIsADisc) {
+TEST(Silhouette, SphereIsADisc) {
   // The disk is about a third of a pixel wider along its rim of 320 pixels, as vertices fill theirs.
   const Image found = silhouette_of(test::sphere(0.8, 4), test::rotation(1));
   EXPECT_NEAR(static_cast<double>(covered(found)), std::numbers::pi * 0.64 / 4 * pixels * pixels, 130);
@@ -57,7 +57,7 @@ TEST(Silhouette, ShowsThinParts) {
   EXPECT_EQ(covered(silhouette_of(needle, Eigen::Matrix3d::Identity())), 1U);
 }
 
-TEST(Silhouette, OfRandomTrianglesIsWhereACentreOrACornerIs) {
+TEST(Silhouette, CoversPixelsWithACentreOrCorner) {
   // Compared with a test of each pixel, for corners at integer pixel positions.
   RandomNumbers random(1);
   for (int round = 0; round < 10; ++round) {
@@ -89,12 +89,12 @@ TEST(Silhouette, OfRandomTrianglesIsWhereACentreOrACornerIs) {
   }
 }
 
-TEST(SilhouetteFeatures, OfTheWholeDiscAreZero) {
+TEST(SilhouetteFeatures, AreZeroForTheWholeDisc) {
   const auto features = SilhouetteFeatures(pixels)(image_of([](double x, double y) { return x * x + y * y <= 1; }));
   for (std::size_t k = 0; k < silhouette_feature_count; ++k) EXPECT_LT(features[k], 0.02) << k;
 }
 
-TEST(SilhouetteFeatures, OfASmallerDiscAreTheZernikeMomentsOfItsRadius) {
+TEST(SilhouetteFeatures, SmallerDiscHasTheZernikeMomentsOfItsRadius) {
   const double r = 0.6;
   const auto features =
       SilhouetteFeatures(pixels)(image_of([&](double x, double y) { return x * x + y * y <= r * r; }));
@@ -129,7 +129,7 @@ TEST(SilhouetteFeatures, OutlineOfASquareHasFourCorners) {
   EXPECT_NEAR(coefficient(4), 0.0786, 0.01);
 }
 
-TEST(SilhouetteFeatures, OfTwoPartsTheLongerOutlineCounts) {
+TEST(SilhouetteFeatures, UseTheLongestOutline) {
   const auto large = [](double x, double y) { return std::max(std::abs(x + 0.3), std::abs(y)) < 0.4; };
   const SilhouetteFeatures features_of(pixels);
   const auto alone = features_of(image_of(large));

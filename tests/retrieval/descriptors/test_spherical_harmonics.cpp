@@ -23,7 +23,7 @@ Eigen::VectorXd harmonic(const Points& directions, int l, int m) {
   return values;
 }
 
-TEST(HarmonicNorms, OfASingleHarmonicAreASingleFrequency) {
+TEST(HarmonicNorms, SingleHarmonicHasASingleFrequency) {
   const int bandwidth = 8;
   const HarmonicTransform transform(bandwidth);
   for (int l = 0; l < bandwidth; ++l) {
@@ -55,7 +55,7 @@ double distance_of_harmonics(const Eigen::VectorXf& a, const Eigen::VectorXf& b)
   return l2_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
 }
 
-TEST(SphericalHarmonics, OfASphereAreItsProfileAtFrequencyZero) {
+TEST(SphericalHarmonics, SphereHasOnlyFrequencyZero) {
   const SphericalHarmonicsOptions options = {.shells = 16, .bandwidth = 8, .width = 0.25};
   const Eigen::VectorXf found = spherical_harmonics(test::sphere(5, 4), options);
   for (Eigen::Index shell = 0; shell < options.shells; ++shell) {

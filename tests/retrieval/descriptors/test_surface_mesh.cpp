@@ -10,7 +10,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(SurfaceMesh, OfACloudHasFourTimesTheAreaAndTheMomentsOfTheSurface) {
+TEST(SurfaceMesh, SplatsHaveFourTimesTheAreaAndTheMomentsOfTheSurface) {
   const Shape ball = test::sphere(2, 5);
   const SurfaceMoments found = surface_moments(surface_mesh(test::random_points(ball, 5000, 1)));
   const double area = 16 * std::numbers::pi;

@@ -7,7 +7,7 @@
 namespace shapegauge {
 namespace {
 
-TEST(SurfaceMoments, OfABoxMatchItsSides) {
+TEST(SurfaceMoments, BoxMatchesIntegralsOverItsSides) {
   const Eigen::Vector3d size(1, 2, 4);
   const Eigen::Vector3d move(10, 20, 30);
   const SurfaceMoments found =
@@ -23,7 +23,7 @@ TEST(SurfaceMoments, OfABoxMatchItsSides) {
   EXPECT_LT((found.covariance - Eigen::Matrix3d(found.covariance.diagonal().asDiagonal())).norm(), 1e-12);
 }
 
-TEST(SurfaceMoments, OfAMeshWithoutAreaAreZero) {
+TEST(SurfaceMoments, AreZeroWithoutArea) {
   EXPECT_EQ(surface_moments(Shape{}).area, 0);
   EXPECT_EQ(surface_moments(Shape{Points::Zero(3, 3), Triangles{{0, 1, 2}}}).covariance.norm(), 0);
 }
