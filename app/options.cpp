@@ -16,6 +16,7 @@
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
@@ -49,6 +50,12 @@ void add_format_option(CLI::App& command, std::string& format, const std::string
 void add_site_option(CLI::App& command, std::string& site) {
   command.add_option("--at", site, "Sampling sites on a mesh; point clouds are sampled at their points")
       ->check(one_of({std::string(word_of(SampleSite::faces)), std::string(word_of(SampleSite::vertices))}))
+      ->capture_default_str();
+}
+
+void add_up_option(CLI::App& command, std::string& up) {
+  command.add_option("--up", up, without_full_stop(up_parameter().description))
+      ->check(one_of(list_of_words<UpAxis>()))
       ->capture_default_str();
 }
 
