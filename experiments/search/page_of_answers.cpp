@@ -39,7 +39,7 @@ void add_thickness(ShapeView& view) {
   view.fields.push_back({.name = "Thickness", .values = std::move(computed.values), .colours = *range});
 }
 
-ShapeView view_of(const Shape& shape, const Drawing& drawing) {
+ShapeView view_of(const Shape& shape, const ShapeDrawing& drawing) {
   ShapeView view{.name = "",
                  .shape = coarse_shape(prepare_shape(shape, {}).shape, drawing.faces),
                  .site = SampleSite::vertices,

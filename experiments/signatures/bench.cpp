@@ -127,7 +127,8 @@ std::string Bench::picture(const Field& what, const PictureOptions& options, con
   });
 }
 
-std::string Bench::view(std::span<const Field> fields, const std::vector<bool>& has_field, const Drawing& drawing) {
+std::string Bench::view(std::span<const Field> fields, const std::vector<bool>& has_field,
+                        const ShapeDrawing& drawing) {
   std::vector<std::string> keys;
   for (const Field& field : fields) keys.push_back(field_key(key_, field));
   return cache_->get(EntryKind::view, view_key(keys, drawing), [&] {

@@ -96,7 +96,7 @@ class Bench {
   FeatureDescription features(const DescriptorChoice& choice);  ///< of a descriptor that does not learn
   std::string picture(const Field& field, const PictureOptions& options, const Eigen::Vector3d& up);
   /// Returns the view with these fields, of which those that the shape does not have are missing everywhere.
-  std::string view(std::span<const Field> fields, const std::vector<bool>& has_field, const Drawing& drawing);
+  std::string view(std::span<const Field> fields, const std::vector<bool>& has_field, const ShapeDrawing& drawing);
   /// @}
 
   /// The prepared shape and what is computed on it without the cache.

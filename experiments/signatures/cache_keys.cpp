@@ -121,7 +121,7 @@ std::string picture_key(const std::string& field, const PictureOptions& options,
                                          {"version", picture_version}});
 }
 
-std::string view_key(const std::vector<std::string>& fields, const Drawing& drawing) {
+std::string view_key(const std::vector<std::string>& fields, const ShapeDrawing& drawing) {
   return result_key(EntryKind::view, {{"fields", fields},
                                       {"faces", drawing.faces},
                                       {"up", {drawing.up[0], drawing.up[1], drawing.up[2]}},

@@ -60,7 +60,7 @@ std::string learnt_key(const DescriptorChoice& choice, const std::vector<std::ve
 std::string picture_key(const std::string& field, const PictureOptions& options, const Eigen::Vector3d& up);
 
 /// Returns the key of a shape's view with those fields.
-std::string view_key(const std::vector<std::string>& fields, const Drawing& drawing);
+std::string view_key(const std::vector<std::string>& fields, const ShapeDrawing& drawing);
 
 /// Returns the key of the distance matrix of signatures by the named distance.
 std::string distances_key(const Signatures& signatures, const std::string& distance);

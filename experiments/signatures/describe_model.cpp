@@ -153,7 +153,7 @@ FeatureDescription describe_descriptor(Bench& bench, const DescriptorChoice& cho
 }
 
 /// Adds the picture and the view.
-void draw(Bench& bench, const Configuration& configuration, std::span<const Field> fields, const Drawing& drawing,
+void draw(Bench& bench, const Configuration& configuration, std::span<const Field> fields, const ShapeDrawing& drawing,
           ModelDescription& description) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!is_pictured(fields[i], configuration) || !description.fields[i].error.empty()) continue;
@@ -171,7 +171,7 @@ void draw(Bench& bench, const Configuration& configuration, std::span<const Fiel
 }  // namespace
 
 ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const Field> fields,
-                                const Drawing& drawing) {
+                                const ShapeDrawing& drawing) {
   const std::vector<SignatureConfiguration>& signatures = configuration.signatures;
   ModelDescription description;
   static_cast<ShapeFacts&>(description) = bench.facts();
@@ -226,8 +226,8 @@ ModelDescription describe_opened(const Dataset& dataset, std::size_t model, cons
   };
   Bench bench(opened.key, perturbed, configuration.preparation, parallel, cache);
   const bool viewed = configuration.report.views && dataset.models.size() <= max_models_with_views;
-  const Drawing drawing{.faces = viewed ? faces_of_views(dataset.models.size()) : 0,
-                        .up = up_direction(configuration.report.up, dataset.models[model].file)};
+  const ShapeDrawing drawing{.faces = viewed ? faces_of_views(dataset.models.size()) : 0,
+                             .up = up_direction(configuration.report.up, dataset.models[model].file)};
   ModelDescription description = describe_shape(bench, configuration, fields, drawing);
   description.sha256 = opened.hash;
   return description;

@@ -16,7 +16,7 @@ Eigen::Index faces_of_views(std::size_t models, const ViewFaces& limits) {
   return std::clamp(each, limits.fewest, limits.most);
 }
 
-std::string model_view(const Shape& shape, std::span<const SampledField> fields, const Drawing& drawing) {
+std::string model_view(const Shape& shape, std::span<const SampledField> fields, const ShapeDrawing& drawing) {
   ShapeView view{
       .name = "", .shape = coarse_shape(shape, drawing.faces), .site = SampleSite::vertices, .up = drawing.up};
   const Samples places = sample_shape(view.shape, view.site);

@@ -28,7 +28,7 @@ struct ViewFaces {
 Eigen::Index faces_of_views(std::size_t models, const ViewFaces& limits = {});
 
 /// How a shape is drawn.
-struct Drawing {
+struct ShapeDrawing {
   Eigen::Index faces = 0;          ///< maximum number in its view; 0: without a view
   Eigen::Vector3d up = {0, 0, 1};  ///< vertical direction
 };
@@ -41,6 +41,6 @@ struct SampledField {
 
 /// Encodes a shape simplified to at most `drawing.faces` faces, or points, with the fields at its vertices, as JSON
 /// (shape_view_json()) without names. Depends on nothing else. Throws as coarse_shape() and shape_view_json() do.
-std::string model_view(const Shape& shape, std::span<const SampledField> fields, const Drawing& drawing);
+std::string model_view(const Shape& shape, std::span<const SampledField> fields, const ShapeDrawing& drawing);
 
 }  // namespace shapegauge

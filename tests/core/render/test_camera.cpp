@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <vector>
 
 #include "shapegauge/core/render/camera.h"
 #include "tests/support/test_shapes.h"
@@ -72,8 +73,8 @@ Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double degrees) {
 
 double cosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.normalized().dot(b.normalized()); }
 
-const Eigen::Vector3d directions_up[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},
-                                         {0, 0, 1}, {0, 0, -1}, {1, 2, 3}};
+const std::vector<Eigen::Vector3d> directions_up = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},
+                                                    {0, 0, 1}, {0, 0, -1}, {1, 2, 3}};
 
 TEST(UprightView, TheTopIsAboveTheBottomHoweverTheShapeIsTurnedAboutUp) {
   for (const Eigen::Vector3d& up : directions_up) {
