@@ -34,6 +34,7 @@ struct CheckArguments {
   std::string min_area = "0";
   ParameterTexts ball;
   std::string format = "text";
+  std::string up = "auto";
 };
 
 double parse_limit(std::string_view option, const std::string& text, const std::string& unit) {
@@ -90,7 +91,9 @@ int run(CheckArguments& arguments) {
     throw InputError("the report is written to standard output; --output must be a file");
   }
   SurfaceWriter write;
-  if (options.keep_surface) write = surface_writer(output_name(arguments.files), arguments.unit);
+  if (options.keep_surface)
+    write = write =
+        surface_writer(output_name(arguments.files), arguments.unit, value_of_word<UpAxis>(arguments.up).value());
   std::vector<std::optional<CheckedPart>> checked(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
     CheckedPart part{.name = job.input, .report = check_part(shape, options)};
@@ -138,6 +141,7 @@ void add_check_command(CLI::App& app, int& status) {
                     ".html (interactive page), .ply (surface divided along regions, with diameters as fractions of the "
                     "limit), .png (picture), .csv or .npy (fractions)")
       ->required(false);
+  add_up_option(*command, arguments->up);
   command->add_option("--format", arguments->format, "Format of the report; json lists the faces of each region")
       ->check(one_of({"text", "json", "csv"}))
       ->capture_default_str();

@@ -143,7 +143,7 @@ std::vector<ViewRegion> view_regions(const PartReport& report, const std::string
   return regions;
 }
 
-void write_page(const fs::path& path, const CheckedPart& part, const std::string& unit) {
+void write_page(const fs::path& path, const CheckedPart& part, const std::string& unit, UpAxis up) {
   constexpr Eigen::Index max_faces = 200'000;
   const std::string name = fs::path(part.name).filename().string();
   ShapeView view{.name = name, .note = verdict(part.report), .shape = part.report.surface.mesh};
@@ -154,7 +154,7 @@ void write_page(const fs::path& path, const CheckedPart& part, const std::string
     view.fields.front().measured_by = walls ? "ball" : "gap";
     view.fields.front().unit = walls ? part.report.walls.limit : part.report.gaps.limit;
   }
-  view.up = Eigen::Vector3d::UnitZ();
+  view.up = up_direction(up, part.name);
   view.regions = view_regions(part.report, unit);
   const Samples samples = sample_shape(view.shape, view.site);
   ViewPage page{.title = name, .shapes = {}, .missing = {}};
@@ -204,16 +204,20 @@ TextTable check_table(std::span<const CheckedPart> parts) {
   return table;
 }
 
-SurfaceWriter surface_writer(const fs::path& name, const std::string& unit) {
+SurfaceWriter surface_writer(const fs::path& name, const std::string& unit, UpAxis up) {
   if (is_page(name)) {
-    return [unit](const fs::path& path, const CheckedPart& part) { write_page(path, part, unit); };
+    return [unit, up](const fs::path& path, const CheckedPart& part) { write_page(path, part, unit, up); };
   }
-  return
-      [write = field_file_writer(name, {.label = fraction_words, .value_name = "fraction", .range = Interval{0, 1}})](
-          const fs::path& path, const CheckedPart& part) {
-        const CheckedSurface& surface = part.report.surface;
-        write(path, surface.mesh, sample_shape(surface.mesh, SampleSite::faces), surface.fractions);
-      };
+  (void)field_file_writer(name);  // reports a wrong extension
+  return [up](const fs::path& path, const CheckedPart& part) {
+    const CheckedSurface& surface = part.report.surface;
+    const FieldPicture picture{.render = {.up = up_direction(up, part.name)},
+                               .label = fraction_words,
+                               .value_name = "fraction",
+                               .range = Interval{0, 1}};
+    field_file_writer(path, picture)(path, surface.mesh, sample_shape(surface.mesh, SampleSite::faces),
+                                     surface.fractions);
+  };
 }
 
 }  // namespace shapegauge

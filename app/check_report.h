@@ -8,6 +8,7 @@
 #include <string>
 
 #include "shapegauge/core/check/part_check.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/datasets/files/table.h"
 
 /// Formats of the reports of `check`. `unit` is that of the file's coordinates; empty if unknown.
@@ -32,7 +33,8 @@ TextTable check_table(std::span<const CheckedPart> parts);
 /// Writes the surface of a part, divided along regions.
 using SurfaceWriter = std::function<void(const std::filesystem::path&, const CheckedPart&)>;
 
-/// Returns the writer for the name's extension. Throws InputError for another extension.
-SurfaceWriter surface_writer(const std::filesystem::path& name, const std::string& unit);
+/// Returns the writer for the name's extension. `up` is vertical in pages and pictures. Throws InputError for another
+/// extension.
+SurfaceWriter surface_writer(const std::filesystem::path& name, const std::string& unit, UpAxis up);
 
 }  // namespace shapegauge

@@ -16,6 +16,7 @@
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/outliers.h"
 #include "shapegauge/core/preparation/stray_normals.h"
@@ -50,6 +51,12 @@ void add_format_option(CLI::App& command, std::string& format, const std::string
 void add_site_option(CLI::App& command, std::string& site) {
   command.add_option("--at", site, "Samples of a mesh; a cloud is sampled at its points")
       ->check(one_of({std::string(word_of(SampleSite::faces)), std::string(word_of(SampleSite::vertices))}))
+      ->capture_default_str();
+}
+
+void add_up_option(CLI::App& command, std::string& up) {
+  command.add_option("--up", up, without_full_stop(up_parameter().description))
+      ->check(one_of(list_of_words<UpAxis>()))
       ->capture_default_str();
 }
 

@@ -39,6 +39,9 @@ void add_format_option(CLI::App& command, std::string& format, const std::string
 /// Adds --at: faces or vertices, words of SampleSite.
 void add_site_option(CLI::App& command, std::string& site);
 
+/// Adds --up, a word of UpAxis.
+void add_up_option(CLI::App& command, std::string& up);
+
 /// Adds --seed, a non-negative integer.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 

@@ -24,6 +24,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/datasets/files/json_text.h"
 #include "shapegauge/experiments/results/field_files.h"
@@ -71,7 +72,8 @@ struct SdfArguments {
   CleaningArguments cleaning;
   fs::path timings;
   std::string picture_size = "640x480";
-  std::string view = "0.6,0.45,1";
+  std::string view;  ///< empty: upright_view()
+  std::string up = "auto";
   ColourArguments colours;
   bool no_legend = false;
   bool summary = false;
@@ -114,18 +116,24 @@ FieldPicture picture_of(const SdfArguments& arguments) {
   }
   picture.render.width = static_cast<int>(size[0]);
   picture.render.height = static_cast<int>(size[1]);
-  picture.principal = arguments.view == "principal";
-  if (picture.principal) return picture;
+  picture.upright = arguments.view.empty();
+  if (picture.upright) return picture;
   const std::vector<double> direction = numbers_in(arguments.view, ',');
   if (direction.size() != 3) {
-    throw InputError(fmt::format("--view is {}; it must be the direction to the viewer, such as 0,0,1, or principal",
+    throw InputError(fmt::format("--view is {}; it must be the direction to the viewer, such as 0,0,1",
                                  quoted_word(arguments.view)));
   }
   picture.render.towards_viewer = Eigen::Vector3d(direction[0], direction[1], direction[2]);
+  return picture;
+}
+
+/// Returns the picture with the vertical direction of a file.
+FieldPicture upright_picture(FieldPicture picture, const SdfArguments& arguments, const std::string& file) {
+  const Eigen::Vector3d& towards = picture.render.towards_viewer;
+  Eigen::Vector3d& up = picture.render.up;
+  up = up_direction(value_of_word<UpAxis>(arguments.up).value(), file);
   // In a view from straight above or below, the back of the shape is at the top.
-  if (picture.render.towards_viewer.cross(picture.render.up).norm() <= 1e-6 * picture.render.towards_viewer.norm()) {
-    picture.render.up = -Eigen::Vector3d::UnitZ();
-  }
+  if (!picture.upright && towards.cross(up).norm() <= 1e-6 * towards.norm()) up = -front_of(up);
   return picture;
 }
 
@@ -199,8 +207,10 @@ void add_picture_options(CLI::App& command, SdfArguments& arguments) {
       ->capture_default_str();
   command
       .add_option("--view", arguments.view,
-                  "Direction from the shape to the viewer of a .png, or principal for the shape's own axes")
-      ->capture_default_str();
+                  "Direction from the shape to the viewer of a .png (default: towards its broad side, slightly from "
+                  "above)")
+      ->type_name("X,Y,Z");
+  add_up_option(command, arguments.up);
 }
 
 /// Data of a measured shape for --summary and --plot.
@@ -272,14 +282,15 @@ int run(SdfArguments& arguments) {
   const FieldPicture picture = picture_of(arguments);
   const GivenOffset given_offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : GivenOffset{};
   wanted_field(arguments, given_offset.fraction);  // reports wrong settings before any file is read
-  FieldFileWriter write;
-  if (!arguments.files.output.empty()) write = field_file_writer(output_name(arguments.files), picture);
+  const fs::path name = arguments.files.output.empty() ? fs::path() : output_name(arguments.files);
+  if (!name.empty()) (void)field_file_writer(name);  // reports a wrong extension
   std::vector<std::optional<Measured>> measured(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {
     const Shape shape =
         cleaned(given, arguments.cleaning, is_offset_sdf(arguments) && given_offset.is_automatic(), remarks);
     Computed computed = compute(arguments, given_offset, shape);
-    if (write) {
+    if (!name.empty()) {
+      const FieldFileWriter write = field_file_writer(name, upright_picture(picture, arguments, job.input));
       write(job.output, shape, computed.samples, computed.field.values);
       remark_on_polygons(shape, computed.samples.site, remarks);
     }

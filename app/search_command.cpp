@@ -36,6 +36,7 @@ struct SearchArguments {
   bool rerank = false;
   std::string format = "table";
   fs::path page;
+  std::string up = "auto";
   fs::path index;
   bool no_update = false;
   bool articulated = false;
@@ -123,7 +124,8 @@ class SearchRun {
         "{} in {}",
         queries_.size() == 1 ? queries_.front().file.filename().string() : fmt::format("{} queries", queries_.size()),
         collection_.string());
-    write_file_atomically(arguments_->page, page_of_answers(index_, queries_, answers_, title, control()));
+    write_file_atomically(arguments_->page, page_of_answers(index_, queries_, answers_, title,
+                                                            value_of_word<UpAxis>(arguments_->up).value(), control()));
   }
 
   [[nodiscard]] const IndexedFile& model(const RankedModel& one) const {
@@ -239,6 +241,7 @@ void add_search_command(CLI::App& app, int& status) {
   command->add_flag("--rerank", arguments->rerank, "Re-rank by diffusion over the collection");
   add_format_option(*command, arguments->format, "Format of the printed result");
   command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures and 3D views of the results");
+  add_up_option(*command, arguments->up);
   add_replace_option(*command, arguments->replace);
   begin_option_group(*command, "Index and method");
   command->add_option("--index", arguments->index, "Index file (default: NAME.search-index next to the collection)");

@@ -16,6 +16,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/formats.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"
@@ -37,24 +38,27 @@ struct SegmentArguments {
   ParameterTexts settings;  ///< of segmentation_table, without the method and the offset
   OffsetArguments offset{.offset = fmt::format("{:g}%", 100 * SegmentationOptions{}.offset)};
   CleaningArguments cleaning;
+  std::string up = "auto";
 };
 
 /// Writes the parts of a shape to a file.
-using LabelWriter = void (*)(const fs::path&, const Shape&, const Labels&);
+using LabelWriter = void (*)(const fs::path&, const Shape&, const Labels&, const Eigen::Vector3d& up);
 
 SampleSite site_of(const Shape& shape) { return is_cloud(shape) ? SampleSite::vertices : SampleSite::faces; }
 
-void write_labels(const fs::path& path, const Shape& shape, const Labels& labels) { write_seg(path, shape, labels); }
+void write_labels(const fs::path& path, const Shape& shape, const Labels& labels, const Eigen::Vector3d& /*up*/) {
+  write_seg(path, shape, labels);
+}
 
-void write_coloured(const fs::path& path, const Shape& shape, const Labels& labels) {
+void write_coloured(const fs::path& path, const Shape& shape, const Labels& labels, const Eigen::Vector3d& /*up*/) {
   const Eigen::VectorXd numbers =
       Eigen::Map<const Eigen::VectorXi>(labels.data(), static_cast<Eigen::Index>(labels.size())).cast<double>();
   write_ply(path, shape, site_of(shape), numbers, label_colours(surface_graph(shape), labels), "part");
 }
 
-void write_picture(const fs::path& path, const Shape& shape, const Labels& labels) {
+void write_picture(const fs::path& path, const Shape& shape, const Labels& labels, const Eigen::Vector3d& up) {
   const std::vector<Colour> colours = label_colours(surface_graph(shape), labels);
-  write_png(path, render_shape(shape, colours, site_of(shape), principal_view(shape)));
+  write_png(path, render_shape(shape, colours, site_of(shape), upright_view(shape, {.up = up})));
 }
 
 LabelWriter label_writer(const fs::path& name) {
@@ -96,7 +100,7 @@ void segment(const SegmentArguments& arguments, SegmentationOptions options, Lab
   OffsetSdfOutcomes outcomes;
   const Labels labels = segment_shape(shape, options, &outcomes);
   remark_on(field_outcomes(outcomes), remarks);
-  write(job.output, shape, labels);
+  write(job.output, shape, labels, up_direction(value_of_word<UpAxis>(arguments.up).value(), job.input));
   if (const auto polygons = polygon_note(shape)) {
     remarks.notes.push_back(
         *polygons + "; .seg files have one line per face of the file, with the part that covers most of its area");
@@ -120,6 +124,7 @@ void add_segment_command(CLI::App& app, int& status) {
   add_shape_outputs(*command, arguments->files,
                     ".seg (one part number per line, by face), .ply or .png (coloured parts)")
       ->required(false);
+  add_up_option(*command, arguments->up);
   begin_option_group(*command, "Method");
   command->add_option("--method", arguments->method, "best: semantic parts; paper: clusters of patches by their SDF")
       ->check(one_of(list_of_words<SegmentationAlgorithm>()))

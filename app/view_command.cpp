@@ -22,7 +22,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/output_files.h"
-#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/schema.h"
@@ -142,22 +142,6 @@ void add_field(const WantedField& wanted, const GivenOffset& offset, const Colou
   if (view.normals.rows() == 0) view.normals = std::move(computed.normals);
 }
 
-/// Returns the vertical direction of --up or, for "auto", the convention of the format by the extension
-/// (ShapeFormat::y_is_up). Nothing for "principal".
-std::optional<Eigen::Vector3d> up_of(const std::string& word, const std::string& input) {
-  if (word == "principal") return std::nullopt;
-  std::string axis = word;
-  if (word == "auto") {
-    const std::string extension = lower_case(fs::path(input).extension().string());
-    const ShapeFormat* const format = shape_formats().find_if(
-        [&](const ShapeFormat& one) { return std::ranges::count(one.extensions, extension) > 0; });
-    axis = format != nullptr && format->y_is_up ? "y" : "z";
-  }
-  Eigen::Vector3d up = Eigen::Vector3d::Zero();
-  up[axis.back() - 'x'] = axis.starts_with('-') ? -1 : 1;
-  return up;
-}
-
 /// Adds parts as `shapegauge segment` computes them; remarks on shapes that cannot be segmented.
 void add_parts(int wanted, ShapeView& view, Remarks& remarks) {
   try {
@@ -175,7 +159,7 @@ ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField
   ShapeView view{.name = fs::path(job.input).filename().string(),
                  .shape = cleaned(given, arguments.cleaning, automatic, remarks)};
   const bool cloud = is_cloud(view.shape);
-  view.up = up_of(arguments.up, job.input);
+  view.up = up_direction(value_of_word<UpAxis>(arguments.up).value(), job.input);
   view.site = cloud ? SampleSite::vertices : SampleSite::faces;
   if (!(bounding_box_diagonal(view.shape) > 0)) throw InputError("the shape has no extent; nothing to show");
   const Samples samples = sample_shape(view.shape, view.site);
@@ -287,12 +271,7 @@ void add_view_command(CLI::App& app, int& status) {
       ->check(CLI::Range(Eigen::Index{100}, Eigen::Index{10'000'000}))
       ->capture_default_str();
   add_colour_options(*command, arguments->colours);
-  command
-      ->add_option("--up", arguments->up,
-                   "Vertical axis of the initial view; auto: by the convention of the file format; principal: the "
-                   "shape's own axes")
-      ->check(one_of({"auto", "x", "y", "z", "-x", "-y", "-z", "principal"}))
-      ->capture_default_str();
+  add_up_option(*command, arguments->up);
   command->add_option("--title", arguments->title, "Title of the page (default: names of the shapes)");
   add_cleaning_options(*command, arguments->cleaning);
   command->callback([arguments, &status, offset] { status = run(*arguments, offset->count() > 0); });

@@ -143,21 +143,9 @@ Json packed_regions(const ShapeView& view) {
   return regions;
 }
 
-/// Returns the camera of the initial position.
-RenderOptions first_look(const ShapeView& view, RenderOptions look = {}) {
-  if (!view.up) return principal_view(view.shape, look);
-  // The front of a shape with z up faces -y; that of a shape with y up faces z.
-  const Eigen::Vector3d up = view.up->normalized();
-  const Eigen::Vector3d front =
-      std::abs(up.z()) > 0.5 ? Eigen::Vector3d(-Eigen::Vector3d::UnitY()) : Eigen::Vector3d::UnitZ();
-  look.up = up;
-  look.towards_viewer = front + 0.6 * up.cross(front) + 0.45 * up;
-  return look;
-}
-
 /// Returns the axes of the initial picture: right, up and towards the viewer.
 Json first_axes(const ShapeView& view) {
-  const RenderOptions look = first_look(view);
+  const RenderOptions look = upright_view(view.shape, {.up = view.up});
   const Eigen::Vector3d towards = look.towards_viewer.normalized();
   const Eigen::Vector3d right = look.up.cross(towards).normalized();
   const Eigen::Vector3d up = towards.cross(right);
@@ -241,11 +229,9 @@ std::string shape_view_picture(const ShapeView& view, int pixels) {
                                                    .logarithmic = field.logarithmic,
                                                    .threshold = field.threshold});
   }
-  RenderOptions look{.width = pixels, .height = pixels};
-  look.rays_per_side = 2;
-  look.transparent = true;
-  return encode_png(
-      render_shape(view.shape, colours, faces ? SampleSite::faces : SampleSite::vertices, first_look(view, look)));
+  const RenderOptions look = upright_view(
+      view.shape, {.width = pixels, .height = pixels, .up = view.up, .rays_per_side = 2, .transparent = true});
+  return encode_png(render_shape(view.shape, colours, faces ? SampleSite::faces : SampleSite::vertices, look));
 }
 
 std::string view_page(const ViewPage& page) {

@@ -63,14 +63,13 @@ struct ShapeView {
   std::vector<ViewField> fields = {};
   std::vector<ViewParts> parts = {};  ///< per segmentation
   Points normals = {};                ///< unit or zero, one an element, or empty
-  std::optional<Eigen::Vector3d> up =
-      {};  ///< vertical direction of the initial position; if absent, that of principal_view()
+  Eigen::Vector3d up = {0, 0, 1};     ///< vertical direction of the initial position, which is upright_view()
   std::vector<ViewRegion> regions = {};
 };
 
 /// Encodes the view for the page's scripts (pages/view/shape_data.mjs): coordinates in 65,536 steps of the longest side
 /// of the box, values in 65,535 steps from minimum to maximum, without unused vertices. The initial position is
-/// principal_view(), or from the front and slightly above if `up` is set. Throws InputError for a shape without extent.
+/// upright_view(). Throws InputError for a shape without extent.
 nlohmann::ordered_json shape_view_json(const ShapeView& view);
 
 /// Renders a square picture of the view in its initial position, coloured by its first field, as PNG bytes with a

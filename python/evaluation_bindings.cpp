@@ -45,15 +45,6 @@ struct WantedEvaluation {
   EvaluationOptions options;
 };
 
-/// Returns the value of a word of an enumeration.
-template <typename Enumeration>
-Enumeration known_word(const char* kind, const std::string& word) {
-  if (const auto value = value_of_word<Enumeration>(word)) return *value;
-  const auto& words = words_of<Enumeration>;
-  throw InputError(fmt::format("unknown {} \"{}\"; known are {} and {}", kind, word,
-                               fmt::join(words.begin(), words.end() - 1, ", "), words.back()));
-}
-
 EvaluationOptions options_of(const std::string& protocol, const std::string& ties,
                              const std::vector<std::string>& measures, int minimum_class_size, const std::string& curve,
                              const std::string& evaluator) {

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,6 +19,8 @@
 #include <utility>
 
 #include "python/interruptible.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/words.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
@@ -39,6 +43,15 @@ auto compute(int threads, const Work& work) {
   const RunControl control{.threads = threads, .cancellation = &cancellation};
   run_interruptibly(cancellation, [&] { with_threads(control, [&] { result.emplace(work()); }); });
   return std::move(*result);
+}
+
+/// Returns the value of a word of an enumeration. Throws InputError for another word.
+template <typename Enumeration>
+Enumeration known_word(const char* kind, const std::string& word) {
+  if (const auto value = value_of_word<Enumeration>(word)) return *value;
+  const auto& words = words_of<Enumeration>;
+  throw InputError(fmt::format("unknown {} \"{}\"; known are {} and {}", kind, word,
+                               fmt::join(words.begin(), words.end() - 1, ", "), words.back()));
 }
 
 /// Makes a NumPy array that owns the matrix, without copying.

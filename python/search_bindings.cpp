@@ -104,7 +104,9 @@ void check_page(const NativeIndex& opened, const py::list& given, const fs::path
 /// Returns per query its name, the model that it equals (or None), the models found, their distances, and the reason
 /// for a missing answer. With a page, the page's text follows.
 py::tuple answer(NativeIndex& opened, const py::list& given, std::size_t count, bool rerank,
-                 const std::optional<std::string>& page_title, int threads, const PythonProgress& progress) {
+                 const std::optional<std::string>& page_title, const std::string& up, int threads,
+                 const PythonProgress& progress) {
+  const auto up_axis = known_word<UpAxis>("up", up);
   const std::vector<SearchQuery> queries = queries_of(given);
   std::vector<SearchAnswer> answers;
   std::string page;
@@ -113,7 +115,7 @@ py::tuple answer(NativeIndex& opened, const py::list& given, std::size_t count, 
   opened.notes.clear();
   run_interruptibly(cancellation, [&] {
     answers = search(opened.index, queries, {.count = count, .rerank = rerank}, control, *opened.cache, opened.notes);
-    if (page_title) page = page_of_answers(opened.index, queries, answers, *page_title, control);
+    if (page_title) page = page_of_answers(opened.index, queries, answers, *page_title, up_axis, control);
   });
   py::list found;
   for (const SearchAnswer& one : answers) {

@@ -394,10 +394,13 @@ static void check_off_header(const std::string& bytes, const std::string& name) 
   if (!read_off_header(scanner).binary) read_off_counts(scanner, OffLayout::lines);
 }
 
-void write_off(const std::filesystem::path& path, const Shape& shape) {
+void write_off(const std::filesystem::path& path, const Shape& shape) { write_off(path, shape, ""); }
+
+void write_off(const std::filesystem::path& path, const Shape& shape, std::string_view line) {
   require_writable(path, shape);
   const bool with_normals = has_cloud_normals(shape);
   std::string text = with_normals ? "NOFF\n" : "OFF\n";
+  if (!line.empty()) text.append(line) += '\n';
   append_number(text, shape.vertices.rows(), ' ');
   append_number(text, shape.triangles.rows(), ' ');
   append_number(text, 0, '\n');

@@ -27,10 +27,6 @@ void check(const RenderOptions& options) {
   if (!(sine > 1e-6)) throw InputError("the directions to the viewer and up must be finite, not zero and not parallel");
 }
 
-/// Skewness (third moment divided by the cubed standard deviation) below which an axis counts as balanced: rounding
-/// must not determine the view.
-constexpr double balanced_skewness = 1e-3;
-
 /// Calls visit(point, weight) for a quadrature of the surface that is exact up to degree 2: the triangles' corners and
 /// centroids. For a cloud, visits its points.
 template <typename Visit>
@@ -47,12 +43,21 @@ void visit_weighted_points(const Shape& shape, const Visit& visit) {
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) visit(shape.vertices.row(i).transpose(), 1);
 }
 
-/// Returns the axis or its opposite.
-Eigen::Vector3d pointed(const Eigen::Vector3d& axis, double variance, double third_moment) {
-  Eigen::Index largest = 0;
-  axis.cwiseAbs().maxCoeff(&largest);
-  const bool balanced = std::abs(third_moment) <= balanced_skewness * std::pow(variance, 1.5);
-  return (balanced ? axis[largest] : third_moment) < 0 ? Eigen::Vector3d(-axis) : axis;
+/// Computes the second moments of the surface, or of a cloud's points, in a plane; NaN without any.
+Eigen::Matrix2d second_moments(const Shape& shape, const Eigen::Matrix<double, 3, 2>& plane) {
+  double mass = 0;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
+    mass += weight;
+    centre += weight * plane.transpose() * point;
+  });
+  centre /= mass;
+  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
+    const Eigen::Vector2d arm = plane.transpose() * point - centre;
+    second += (weight / mass * arm) * arm.transpose();
+  });
+  return second;
 }
 
 }  // namespace
@@ -78,32 +83,24 @@ Camera camera_for(const Shape& shape, const RenderOptions& options) {
   return camera;
 }
 
-RenderOptions principal_view(const Shape& shape, RenderOptions options) {
-  double mass = 0;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    mass += weight;
-    centre += weight * point;
-  });
-  if (!(mass > 0) || !std::isfinite(mass) || !centre.allFinite()) return options;
-  centre /= mass;
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    const Eigen::Vector3d arm = point - centre;
-    second += (weight / mass * arm) * arm.transpose();
-  });
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(second);  // ascending
-  const Eigen::Matrix3d to_axes = principal.eigenvectors().transpose();
-  Eigen::Vector3d third = Eigen::Vector3d::Zero();
-  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    const Eigen::Array3d along = to_axes * (point - centre);
-    third += (weight / mass * along * along * along).matrix();
-  });
-  Eigen::Matrix3d axes;
-  for (int k = 0; k < 3; ++k)
-    axes.col(k) = pointed(principal.eigenvectors().col(k), principal.eigenvalues()[k], third[k]);
-  options.up = axes.col(1);
-  options.towards_viewer = axes.col(0) + 0.35 * axes.col(2) + 0.45 * axes.col(1);
+Eigen::Vector3d front_of(const Eigen::Vector3d& up) {
+  const Eigen::Vector3d unit = up.normalized();
+  const Eigen::Vector3d front = std::abs(unit.z()) > 0.5 ? Eigen::Vector3d(0, -1, 0) : Eigen::Vector3d(0, 0, 1);
+  return (front - unit.dot(front) * unit).normalized();
+}
+
+RenderOptions upright_view(const Shape& shape, RenderOptions options) {
+  constexpr double round = 0.05;  // relative difference of moments up to which no side is the broad one
+  const Eigen::Vector3d up = options.up.normalized();
+  Eigen::Matrix<double, 3, 2> horizontal;
+  horizontal << up.cross(front_of(up)), front_of(up);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(second_moments(shape, horizontal));  // ascending
+  const Eigen::Vector2d& moments = principal.eigenvalues();
+  Eigen::Vector2d towards(0, 1);
+  if (moments[1] - moments[0] > round * moments[1]) towards = principal.eigenvectors().col(0);
+  if (towards.dot(Eigen::Vector2d(0.6, 1)) < 0) towards = -towards;
+  const Eigen::Vector3d broad = horizontal * towards;
+  options.towards_viewer = broad + 0.35 * up.cross(broad) + 0.45 * up;
   return options;
 }
 

@@ -18,6 +18,7 @@
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/formats.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/generator/articulated_body.h"
 #include "shapegauge/datasets/generator/class_skeletons.h"
@@ -143,7 +144,7 @@ void write_class(std::size_t class_index, const Models& models, const GeneratorO
     const std::string name = fmt::format("T{}", models.numbers[class_index * count + model]);
     RandomNumbers random = random_of(class_index, model, options.seed);
     const SolidMesh made = draw(random);
-    write_off(models.folder / (name + ".off"), made.mesh);
+    write_off(models.folder / (name + ".off"), made.mesh, fmt::format("{}{}", up_comment, word_of(UpAxis::z)));
     write_file_atomically(models.folder / (name + ".seg"), segmentation_text(made.labels));
     count_one();
   });

@@ -48,7 +48,8 @@ Json report_to_json(const Configuration& configuration) {
   const Interval& range = report.picture_options.range;
   return {{"pictures",
            {{"of", configuration.signatures[report.pictured_signature].name}, {"range", {range.low, range.high}}}},
-          {"views", report.views}};
+          {"views", report.views},
+          {"up", word_of(report.up)}};
 }
 
 Json evaluation_json(const EvaluationOptions& evaluation) {

@@ -13,6 +13,7 @@
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/fields/field.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/datasets/layouts/dataset.h"
@@ -69,7 +70,8 @@ struct ReportConfiguration {
   bool pictures = true;                ///< pictures of the models; requires a field to colour them
   std::size_t pictured_signature = 0;  ///< signature whose pictured_field() colours them
   PictureOptions picture_options;
-  bool views = true;  ///< interactive 3D views of the models; requires pictures
+  bool views = true;              ///< interactive 3D views of the models; requires pictures
+  UpAxis up = UpAxis::automatic;  ///< in pictures and views
 };
 
 /// Complete, validated experiment with all defaults.

@@ -54,6 +54,7 @@ ReportConfiguration read_report(const Json& setting, const std::vector<Signature
   const Json pictures = setting.is_object() ? setting.value("pictures", Json(true)) : Json(report.wanted);
   report.pictures = pictures != Json(false) && first != signatures.end();
   report.views = report.pictures && (!setting.is_object() || setting.value("views", true));
+  if (setting.is_object()) report.up = value_of_word<UpAxis>(setting.value("up", name_of(report.up))).value();
   if (!pictures.is_object()) return report;
   if (pictures.contains("of")) report.pictured_signature = signature_named(pictures.at("of"), signatures);
   if (pictures.contains("range")) report.picture_options.range = read_range("pictures.range", pictures.at("range"));

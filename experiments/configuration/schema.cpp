@@ -211,6 +211,7 @@ OrderedJson schema_definitions() {
   OrderedJson& segmented_layouts = definitions["segmented_dataset"]["properties"]["layout"]["enum"];
   segmented_layouts = dataset_layouts().names();
   segmented_layouts.insert(segmented_layouts.begin(), segmentation_layout);
+  definitions["report"]["then"]["properties"]["up"] = schema_of(up_parameter());
   definitions["protocol"]["enum"] = list_of_words<Protocol>();
   definitions["distance"]["description"] = described_entries("Distance between signatures.", distances());
   definitions["distance"]["enum"] = distances().names();

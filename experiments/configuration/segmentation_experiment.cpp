@@ -59,6 +59,7 @@ SegmentationExperiment checked_experiment(const Json& document, const fs::path& 
   experiment.by = member_value<TriangleWeights>(values.value("by"));
   experiment.cuts = values.boolean("cuts");
   experiment.pictures = values.boolean("pictures");
+  experiment.up = member_value<UpAxis>(values.value("up"));
   experiment.on_error = read_on_error(document);
   experiment.seed = read_seed(document);
   if (document.contains("preparation")) experiment.preparation = read_preparation(document["preparation"]);
@@ -87,7 +88,8 @@ std::span<const Parameter> segmentation_experiment_parameters() {
                                Parameter{.name = "pictures",
                                          .kind = ParameterKind::boolean,
                                          .default_value = true,
-                                         .description = "Pictures of the parts in the report."}};
+                                         .description = "Pictures of the parts in the report."},
+                               up_parameter()};
     all.insert(all.end(), experiment_parameters().begin(), experiment_parameters().end());
     return all;
   }();
@@ -125,6 +127,7 @@ Json to_json(const SegmentationExperiment& experiment) {
             {"by", word_of(experiment.by)},
             {"cuts", experiment.cuts},
             {"pictures", experiment.pictures},
+            {"up", word_of(experiment.up)},
             {"seed", experiment.seed},
             {"on_error", word_of(experiment.on_error)},
             {"preparation", to_json(experiment.preparation)}};

@@ -41,6 +41,7 @@ struct SegmentationExperiment {
   TriangleWeights by = TriangleWeights::faces;
   bool cuts = false;               ///< also compute the cut discrepancy
   bool pictures = true;            ///< in the report
+  UpAxis up = UpAxis::automatic;   ///< in pictures and views
   std::uint64_t seed = 1;          ///< seed of the perturbations
   PreparationOptions preparation;  ///< of every shape, after the perturbations
   OnError on_error = OnError::stop;

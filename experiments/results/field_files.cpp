@@ -47,7 +47,7 @@ void overlay(Image& image, const Image& front, int left, int top) {
 Image picture_with_legend(const Shape& shape, const Samples& samples, const Eigen::VectorXd& values,
                           const FieldPicture& picture) {
   const ColourScale scale = colour_scale_of({.values = values, .weights = samples.weights}, picture);
-  RenderOptions view = picture.principal ? principal_view(shape, picture.render) : picture.render;
+  RenderOptions view = picture.upright ? upright_view(shape, picture.render) : picture.render;
   const std::vector<Colour> colours = colours_of(values, scale);
   const double pixels_per_point = std::max(1.0, view.height / 480.0);
   const ColourBar bar{

@@ -21,9 +21,9 @@ using FieldFileWriter =
 /// Names, camera and colours of a file with the values of a field.
 struct FieldPicture {
   RenderOptions render = {};
-  bool principal = false;     ///< view along the shape's own axes (principal_view()) instead of `render`'s direction
-  bool legend = true;         ///< colour bar with values next to the shape, if the picture is large enough
-  std::string label = "sdf";  ///< heading of the legend: quantity and unit
+  bool upright = true;                   ///< upright_view() instead of `render`'s direction to the viewer
+  bool legend = true;                    ///< colour bar with values next to the shape, if the picture is large enough
+  std::string label = "sdf";             ///< heading of the legend: quantity and unit
   std::string value_name = "sdf";        ///< column of .csv files and property of .ply files
   std::optional<Interval> range = {};    ///< of the colours; central_range() if absent
   bool logarithmic = false;              ///< logarithmic colours; the range is then above 0

@@ -39,9 +39,11 @@ void add_thickness(ShapeView& view) {
   view.fields.push_back({.name = "Thickness", .values = std::move(computed.values), .colours = *range});
 }
 
-ShapeView view_of(const Shape& shape, Eigen::Index faces) {
-  ShapeView view{
-      .name = "", .shape = coarse_shape(prepare_shape(shape, {}).shape, faces), .site = SampleSite::vertices};
+ShapeView view_of(const Shape& shape, const ShapeDrawing& drawing) {
+  ShapeView view{.name = "",
+                 .shape = coarse_shape(prepare_shape(shape, {}).shape, drawing.faces),
+                 .site = SampleSite::vertices,
+                 .up = drawing.up};
   try {
     add_thickness(view);
   } catch (const InputError&) {
@@ -53,7 +55,7 @@ ShapeView view_of(const Shape& shape, Eigen::Index faces) {
 /// Shapes of a page, without repetition.
 class PageShapes {
  public:
-  explicit PageShapes(const OpenIndex& index) : index_(&index) {}
+  PageShapes(const OpenIndex& index, UpAxis up) : index_(&index), up_(up) {}
 
   std::size_t add_model(std::size_t model) {
     const auto [place, is_new] = places_.try_emplace(model, shapes_.size());
@@ -76,13 +78,16 @@ class PageShapes {
     const Eigen::Index faces = faces_of_views(shapes_.size(), view_faces);
     for (std::size_t i = 0; i < shapes_.size(); ++i) drawn[i].name = shapes_[i].name;
     for_each_model(all, "pictures", false, control, [&](std::size_t i) {
-      drawn[i].view = view_of(shapes_[i].shape ? *shapes_[i].shape : read_shape(shapes_[i].file), faces);
+      const SearchQuery& one = shapes_[i];
+      drawn[i].view =
+          view_of(one.shape ? *one.shape : read_shape(one.file), {.faces = faces, .up = up_direction(up_, one.file)});
     });  // one that fails has no picture
     return drawn;
   }
 
  private:
   const OpenIndex* index_;
+  UpAxis up_;
   std::vector<SearchQuery> shapes_;
   std::map<std::size_t, std::size_t> places_;  ///< per model
 };
@@ -90,9 +95,9 @@ class PageShapes {
 }  // namespace
 
 std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery> queries,
-                            std::span<const SearchAnswer> answers, const std::string& title,
+                            std::span<const SearchAnswer> answers, const std::string& title, UpAxis up,
                             const RunControl& control) {
-  PageShapes shapes(index);
+  PageShapes shapes(index, up);
   SearchPage page{.title = title, .facts = {}, .shapes = {}, .answers = {}};
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const SearchAnswer& answer = answers[i];

@@ -4,14 +4,16 @@
 #include <span>
 #include <string>
 
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/experiments/search/search.h"
 
 namespace shapegauge {
 
 /// Renders the page of answers (search_page()). Each query and each result is read from its file, scaled to unit area,
-/// simplified, and coloured by its thickness (offset SDF). A shape whose file cannot be read has no picture. Throws
-/// Interrupted.
+/// simplified, and coloured by its thickness (offset SDF). A shape whose file cannot be read has no picture. `up` is
+/// vertical. Throws Interrupted.
 std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery> queries,
-                            std::span<const SearchAnswer> answers, const std::string& title, const RunControl& control);
+                            std::span<const SearchAnswer> answers, const std::string& title, UpAxis up,
+                            const RunControl& control);
 
 }  // namespace shapegauge

@@ -45,7 +45,7 @@ ModelDescription description_of(const Shape& shape, const Configuration& configu
   Cache none;
   Bench bench(
       "", [&] { return PerturbedShape{.shape = shape, .chosen = {}}; }, configuration.preparation, true, none);
-  return describe_shape(bench, configuration, fields, 0);
+  return describe_shape(bench, configuration, fields, {});
 }
 
 /// Describes queries like the models of an index.

@@ -15,6 +15,7 @@
 #include "shapegauge/core/base/members.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
@@ -164,12 +165,13 @@ class SegmentationJob {
   }
 
   void draw(Eigen::Index view_faces) {
-    ShapeView view{.name = "", .shape = mesh_};
+    const Eigen::Vector3d up = up_direction(experiment_.up, model_.mesh);
+    ShapeView view{.name = "", .shape = mesh_, .up = up};
     const SurfaceGraph graph = surface_graph(mesh_);
     const auto add = [&](const std::string& name, const Labels& labels) {
       const Labels numbers = renumber_labels(labels);
       const std::vector<Colour> colours = colour_of_each_label(graph, numbers);
-      result.pictures.push_back(picture(numbers, colours));
+      result.pictures.push_back(picture(numbers, colours, up));
       view.parts.push_back({.name = name, .labels = numbers, .colours = colours});
     };
     if (!people_.empty()) add(reference_name(experiment_), people_.front());
@@ -179,11 +181,12 @@ class SegmentationJob {
     result.view = json_text(shape_view_json(coarse_view(std::move(view), samples, view_faces)));
   }
 
-  [[nodiscard]] std::string picture(const Labels& labels, const std::vector<Colour>& colours) const {
-    const RenderOptions options{.width = picture_width, .height = picture_height, .transparent = true};
+  [[nodiscard]] std::string picture(const Labels& labels, const std::vector<Colour>& colours,
+                                    const Eigen::Vector3d& up) const {
+    const RenderOptions options{.width = picture_width, .height = picture_height, .up = up, .transparent = true};
     std::vector<Colour> of_faces;
     for (const std::int32_t label : labels) of_faces.push_back(colours[static_cast<std::size_t>(label)]);
-    return encode_png(render_shape(mesh_, of_faces, SampleSite::faces, principal_view(mesh_, options)));
+    return encode_png(render_shape(mesh_, of_faces, SampleSite::faces, upright_view(mesh_, options)));
   }
 
   const SegmentationExperiment& experiment_;

@@ -12,7 +12,6 @@
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/signatures/cache_keys.h"
 #include "shapegauge/experiments/signatures/model_picture.h"
-#include "shapegauge/experiments/signatures/model_view.h"
 
 namespace shapegauge {
 
@@ -121,17 +120,18 @@ FeatureDescription Bench::features(const DescriptorChoice& choice) {
   });
 }
 
-std::string Bench::picture(const Field& what, const PictureOptions& options) {
-  return cache_->get(EntryKind::picture, picture_key(field_key(key_, what), options), [&] {
+std::string Bench::picture(const Field& what, const PictureOptions& options, const Eigen::Vector3d& up) {
+  return cache_->get(EntryKind::picture, picture_key(field_key(key_, what), options, up), [&] {
     const Shape& shape = prepared().shape;
-    return model_picture(shape, take_samples(shape, what.settings.samples), field(what).values, options);
+    return model_picture(shape, take_samples(shape, what.settings.samples), field(what).values, options, up);
   });
 }
 
-std::string Bench::view(std::span<const Field> fields, const std::vector<bool>& has_field, Eigen::Index faces) {
+std::string Bench::view(std::span<const Field> fields, const std::vector<bool>& has_field,
+                        const ShapeDrawing& drawing) {
   std::vector<std::string> keys;
   for (const Field& field : fields) keys.push_back(field_key(key_, field));
-  return cache_->get(EntryKind::view, view_key(keys, faces), [&] {
+  return cache_->get(EntryKind::view, view_key(keys, drawing), [&] {
     const Shape& shape = prepared().shape;
     std::map<SamplePlan, Samples> samples;
     std::vector<Eigen::VectorXd> values;
@@ -146,7 +146,7 @@ std::string Bench::view(std::span<const Field> fields, const std::vector<bool>& 
                                           sites.points.rows(), std::numeric_limits<double>::quiet_NaN())));
       viewed.push_back({.samples = sites, .values = values.back()});
     }
-    return model_view(shape, viewed, faces);
+    return model_view(shape, viewed, drawing);
   });
 }
 

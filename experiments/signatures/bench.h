@@ -19,6 +19,7 @@
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
+#include "shapegauge/experiments/signatures/model_view.h"
 
 namespace shapegauge {
 
@@ -78,9 +79,9 @@ class Bench {
   const Eigen::VectorXd& weights(const SamplePlan& plan);  ///< of samples
   ScalarField values(const Field& field);
   FeatureDescription features(const DescriptorChoice& choice);  ///< of a descriptor that does not learn
-  std::string picture(const Field& field, const PictureOptions& options);
+  std::string picture(const Field& field, const PictureOptions& options, const Eigen::Vector3d& up);
   /// Returns the view with these fields, of which those that the shape does not have are missing everywhere.
-  std::string view(std::span<const Field> fields, const std::vector<bool>& has_field, Eigen::Index faces);
+  std::string view(std::span<const Field> fields, const std::vector<bool>& has_field, const ShapeDrawing& drawing);
   /// @}
 
   /// The prepared shape and what is computed on it without the cache.

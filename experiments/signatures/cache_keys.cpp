@@ -113,16 +113,19 @@ std::string distance_of(const Descriptor& descriptor) {
   return fmt::format("descriptor {} {}", descriptor.name, descriptor.version);
 }
 
-std::string picture_key(const std::string& field, const PictureOptions& options) {
+std::string picture_key(const std::string& field, const PictureOptions& options, const Eigen::Vector3d& up) {
   return result_key(EntryKind::picture, {{"field", field},
                                          {"range", {options.range.low, options.range.high}},
                                          {"size", {options.width, options.height}},
+                                         {"up", {up[0], up[1], up[2]}},
                                          {"version", picture_version}});
 }
 
-std::string view_key(const std::vector<std::string>& fields, Eigen::Index faces) {
-  return result_key(EntryKind::view,
-                    {{"fields", fields}, {"faces", faces}, {"versions", {model_view_version, coarse_shape_version}}});
+std::string view_key(const std::vector<std::string>& fields, const ShapeDrawing& drawing) {
+  return result_key(EntryKind::view, {{"fields", fields},
+                                      {"faces", drawing.faces},
+                                      {"up", {drawing.up[0], drawing.up[1], drawing.up[2]}},
+                                      {"versions", {model_view_version, coarse_shape_version}}});
 }
 
 std::string distances_key(const Signatures& signatures, const std::string& distance) {

@@ -57,10 +57,10 @@ std::string features_key(const std::string& shape, const DescriptorChoice& choic
 std::string learnt_key(const DescriptorChoice& choice, const std::vector<std::vector<std::string>>& fields);
 
 /// Returns the key of a shape's picture coloured by that field.
-std::string picture_key(const std::string& field, const PictureOptions& options);
+std::string picture_key(const std::string& field, const PictureOptions& options, const Eigen::Vector3d& up);
 
-/// Returns the key of a shape's view with those fields and at most that many faces.
-std::string view_key(const std::vector<std::string>& fields, Eigen::Index faces);
+/// Returns the key of a shape's view with those fields.
+std::string view_key(const std::vector<std::string>& fields, const ShapeDrawing& drawing);
 
 /// Returns the key of the distance matrix of signatures by the named distance.
 std::string distances_key(const Signatures& signatures, const std::string& distance);

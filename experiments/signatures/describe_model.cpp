@@ -8,9 +8,9 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/signatures/cache_keys.h"
-#include "shapegauge/experiments/signatures/model_view.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
@@ -153,11 +153,11 @@ FeatureDescription describe_descriptor(Bench& bench, const DescriptorChoice& cho
 }
 
 /// Adds the picture and the view.
-void draw(Bench& bench, const Configuration& configuration, std::span<const Field> fields, Eigen::Index view_faces,
+void draw(Bench& bench, const Configuration& configuration, std::span<const Field> fields, const ShapeDrawing& drawing,
           ModelDescription& description) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!is_pictured(fields[i], configuration) || !description.fields[i].error.empty()) continue;
-    description.picture = bench.picture(fields[i], configuration.report.picture_options);
+    description.picture = bench.picture(fields[i], configuration.report.picture_options, drawing.up);
   }
   std::vector<Field> viewed;
   std::vector<bool> has_field;
@@ -165,13 +165,13 @@ void draw(Bench& bench, const Configuration& configuration, std::span<const Fiel
     viewed.push_back(fields[i]);
     has_field.push_back(description.fields[i].error.empty());
   }
-  if (view_faces > 0 && !viewed.empty()) description.view = bench.view(viewed, has_field, view_faces);
+  if (drawing.faces > 0 && !viewed.empty()) description.view = bench.view(viewed, has_field, drawing);
 }
 
 }  // namespace
 
 ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const Field> fields,
-                                Eigen::Index view_faces) {
+                                const ShapeDrawing& drawing) {
   const std::vector<SignatureConfiguration>& signatures = configuration.signatures;
   ModelDescription description;
   static_cast<ShapeFacts&>(description) = bench.facts();
@@ -191,7 +191,7 @@ ModelDescription describe_shape(Bench& bench, const Configuration& configuration
     description.features[i] =
         describe_descriptor(bench, *signatures[i].descriptor, description, fields, configuration.on_error);
   }
-  draw(bench, configuration, fields, view_faces, description);
+  draw(bench, configuration, fields, drawing, description);
   return description;
 }
 
@@ -226,8 +226,9 @@ ModelDescription describe_opened(const Dataset& dataset, std::size_t model, cons
   };
   Bench bench(opened.key, perturbed, configuration.preparation, parallel, cache);
   const bool viewed = configuration.report.views && dataset.models.size() <= max_models_with_views;
-  ModelDescription description =
-      describe_shape(bench, configuration, fields, viewed ? faces_of_views(dataset.models.size()) : 0);
+  const ShapeDrawing drawing{.faces = viewed ? faces_of_views(dataset.models.size()) : 0,
+                             .up = up_direction(configuration.report.up, dataset.models[model].file)};
+  ModelDescription description = describe_shape(bench, configuration, fields, drawing);
   description.sha256 = opened.hash;
   return description;
 }

@@ -80,11 +80,10 @@ FieldDescription describe_field(const StoredField& values, const Eigen::VectorXd
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::vector<FeatureDescription>& features);
 
-/// Describes a shape by the fields and the configuration's descriptors, with at most that many faces in its
-/// view (0: no view). Throws InputError for an unusable shape, and for a field or descriptor that the shape does not
-/// have, or, with OnError::skip, records it.
+/// Describes a shape by the fields and the configuration's descriptors. Throws InputError for an unusable shape, and
+/// for a field or descriptor that the shape does not have, or, with OnError::skip, records it.
 ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const Field> fields,
-                                Eigen::Index view_faces);
+                                const ShapeDrawing& drawing);
 
 /// Describes a model of the data set through the cache. Apart from run times, the description is the same, bit by bit,
 /// whatever the state of the cache. `parallel` distributes the samples over threads. Throws InputError for an unusable

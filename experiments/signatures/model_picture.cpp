@@ -24,7 +24,7 @@ std::string encode_small(Image image) {
 }  // namespace
 
 std::string model_picture(const Shape& shape, const Samples& samples, const Eigen::VectorXd& values,
-                          const PictureOptions& options) {
+                          const PictureOptions& options, const Eigen::Vector3d& up) {
   const double width = options.range.high - options.range.low;
   // Below the range the root would be NaN, which represents a missing value.
   const auto place_of = [&](double value) {
@@ -33,16 +33,15 @@ std::string model_picture(const Shape& shape, const Samples& samples, const Eige
   };
   const Eigen::VectorXd place = values.unaryExpr(place_of);
   const std::vector<Colour> colours = colours_of(place, 0, 1);
-  RenderOptions view{.width = options.width, .height = options.height};
-  view.rays_per_side = 2;
-  view.transparent = true;
+  const RenderOptions view{
+      .width = options.width, .height = options.height, .up = up, .rays_per_side = 2, .transparent = true};
   // The samples of a cloud may also be a subset of its points.
   const bool are_some_points = is_cloud(shape) && samples.points.rows() != shape.vertices.rows();
   if (samples.site == SampleSite::surface || are_some_points) {
     const Shape cloud{.vertices = samples.points, .triangles = {}, .normals = samples.normals};
-    return encode_small(render_shape(cloud, colours, SampleSite::vertices, principal_view(cloud, view)));
+    return encode_small(render_shape(cloud, colours, SampleSite::vertices, upright_view(cloud, view)));
   }
-  return encode_small(render_shape(shape, colours, samples.site, principal_view(shape, view)));
+  return encode_small(render_shape(shape, colours, samples.site, upright_view(shape, view)));
 }
 
 }  // namespace shapegauge

@@ -16,8 +16,9 @@ Eigen::Index faces_of_views(std::size_t models, const ViewFaces& limits) {
   return std::clamp(each, limits.fewest, limits.most);
 }
 
-std::string model_view(const Shape& shape, std::span<const SampledField> fields, Eigen::Index faces) {
-  ShapeView view{.name = "", .shape = coarse_shape(shape, faces), .site = SampleSite::vertices};
+std::string model_view(const Shape& shape, std::span<const SampledField> fields, const ShapeDrawing& drawing) {
+  ShapeView view{
+      .name = "", .shape = coarse_shape(shape, drawing.faces), .site = SampleSite::vertices, .up = drawing.up};
   const Samples places = sample_shape(view.shape, view.site);
   std::map<const Samples*, CarriedValues> carried;  // most fields have the same samples
   for (const SampledField& field : fields) {

@@ -118,6 +118,7 @@ class Index:
         count: int,
         rerank: bool,
         page_title: Optional[str],
+        up: str,
         threads: int,
         progress: Optional[Callable[[str, int, int], object]],
     ) -> tuple[list[tuple[str, Optional[int], list[int], ndarray, str]], str]: ...

@@ -133,13 +133,14 @@ class Index:
         return f"<Index: {len(self)} shapes by {self.signature!r} in {self.file}>"
 
     def search(self, query: Any, k: int = 10, *, rerank: bool = False, page: Optional[PathLike] = None,
-               replace: bool = False, on_progress: Optional[Progress] = None) -> Any:
+               up: str = "auto", replace: bool = False, on_progress: Optional[Progress] = None) -> Any:
         """Returns an Answer with the k shapes most similar to the query, or a list of Answers for a list of queries.
 
         query: path of a file, an object with vertices and faces, or a tuple of arrays (vertices, faces). A file of the
         collection is excluded from its own answer. rerank: re-rank by diffusion over the collection. page: file for an
-        HTML page with pictures (.html). replace: overwrite an existing page. An unusable single query raises InputError;
-        in a list, its Answer has the failure.
+        HTML page with pictures (.html). up: axis that points up on the page: auto (as the files state, otherwise y for
+        OFF, OBJ and glTF, z for others), x, y, z, -x, -y or -z. replace: overwrite an existing page. An unusable single
+        query raises InputError; in a list, its Answer has the failure.
         """
         several = isinstance(query, list)
         given = [_query(one) for one in (query if several else [query])]
@@ -148,7 +149,7 @@ class Index:
             self._native.check_page(given, file, switch(replace, "replace"))
         title = f"{len(given)} {'query' if len(given) == 1 else 'queries'}"
         answers, html = self._native.search(given, number_of(k, "k", REGISTERED["options"]["search"]["count"]), switch(rerank, "rerank"),
-                                            None if file is None else title, self._threads, progress_of(on_progress))
+                                            None if file is None else title, word(up, "up"), self._threads, progress_of(on_progress))
         found = [self._answer(*answer) for answer in answers]
         warn(self._native.notes)
         if not several and found[0].failure:

@@ -4,6 +4,7 @@
 
 #include "shapegauge/core/io/formats.h"
 #include "tests/app/program.h"
+#include "tests/support/page_text.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
@@ -47,6 +48,14 @@ TEST_F(CheckCommand, JsonAndCsvListTheRegions) {
   EXPECT_EQ(csv.status, 3);
   EXPECT_THAT(csv.output, testing::StartsWith("file,kind,region,area,least,median,short_by,x,y,z,"));
   EXPECT_EQ(std::ranges::count(csv.output, '\n'), 3);
+}
+
+TEST_F(CheckCommand, ThePageShowsThePartUpright) {
+  for (const auto& [options, axis] : {std::pair("", 1), {"--up z", 2}}) {
+    EXPECT_EQ(check(std::string("--min-wall 1.2 --replace -o @page.html ") + options).status, 3);
+    const auto page = test::data_in(test::text_of(at("page.html")));
+    EXPECT_GT(page["shapes"][0]["axes"][1][axis].get<double>(), 0.9) << options;
+  }
 }
 
 TEST_F(CheckCommand, WrongLimitsAreRefused) {

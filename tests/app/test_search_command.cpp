@@ -116,6 +116,8 @@ TEST_F(SearchCommand, WritesAPage) {
   const std::string page = test::bytes_of(at("one.html"));
   EXPECT_THAT(page, HasSubstr("2 queries in "));
   EXPECT_THAT(page, HasSubstr("Thickness"));
+  EXPECT_EQ(search(queries + " -k 2 --replace --up -x -o " + quoted("one.html")).status, 1);
+  EXPECT_NE(test::bytes_of(at("one.html")), page);
   expect_error_line(search("query.off", "-o " + quoted("one.html")), "one.html exists");
   expect_error_line(search("query.off", "-o " + quoted("page.txt")), "page.txt");
   expect_error_line(search(quoted("models") + " -o " + quoted("new.html")), "--output requires queries");

@@ -110,7 +110,10 @@ TEST_F(SegmentCommands, SegmentHasTheSettingsOfConfigurations) {
 
 TEST_F(SegmentCommands, SegmentDrawsAndColours) {
   EXPECT_EQ(run("segment @psb/off/1.off -o @x.png").status, 0);
-  EXPECT_THAT(text_of(at("x.png")), StartsWith("\x89PNG"));
+  const std::string upright = text_of(at("x.png"));
+  EXPECT_THAT(upright, StartsWith("\x89PNG"));
+  EXPECT_EQ(run("segment @psb/off/1.off --up x --replace -o @x.png").status, 0);
+  EXPECT_NE(text_of(at("x.png")), upright);
   EXPECT_EQ(run("segment @psb/off/1.off -o @x.ply").status, 0);
   EXPECT_THAT(text_of(at("x.ply")), HasSubstr("property double part"));
   EXPECT_EQ(read_shape(at("x.ply")).triangles.rows(), 640);

@@ -151,10 +151,11 @@ TEST_F(ShapeFiles, PicturesHaveTheRequestedSizeAndView) {
     return text_of(at("x.png"));
   };
   const std::string usual = picture("");
-  EXPECT_EQ(picture("--view 0.6,0.45,1 --picture-size 640x480"), usual);
+  EXPECT_EQ(picture("--up y --picture-size 640x480"), usual);
   EXPECT_EQ(picture("--picture-size 300x200").substr(16, 8), std::string("\0\0\x01\x2c\0\0\0\xc8", 8));
   EXPECT_NE(picture("--view 1,0,0"), usual);
-  EXPECT_NE(picture("--view principal"), usual);
+  EXPECT_NE(picture("--up z"), usual);
+  EXPECT_NE(picture("--view 1,0,0 --up z"), picture("--view 1,0,0"));
   EXPECT_NE(picture("--view 0,1,0"), usual);
   for (const char* wrong : {"--picture-size 300", "--picture-size 0x5", "--picture-size 1e9x1", "--view up",
                             "--view 1,2", "--view 0,0,0"}) {

@@ -63,6 +63,8 @@ TEST_F(ViewCommand, InitialViewIsUpright) {
     shape_writer(name)(at(name), capsule);
     EXPECT_EQ(up_shown(name, ""), axis) << name;
   }
+  write_off(at("stated.off"), capsule, "# up: -z");
+  EXPECT_EQ(up_shown("stated.off", ""), "-z");
   for (const char* axis : {"x", "y", "z", "-x", "-y", "-z"}) {
     EXPECT_EQ(up_shown("capsule.off", std::string("--up ") + axis), axis);
   }

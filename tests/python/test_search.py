@@ -95,6 +95,17 @@ def test_reranked_answers_and_pages(models, tmp_path):
     assert all(0 <= done <= total for _, done, total in told)
 
 
+def test_the_axis_that_points_up_on_a_page(models, tmp_path):
+    index = opened(models)
+    query = models / "flat0.off"
+    pages = {up: tmp_path / f"{up}.html" for up in ("auto", "y", "z")}
+    for up, page in pages.items():
+        index.search(query, page=page, up=up)
+    assert pages["auto"].read_text() == pages["y"].read_text() != pages["z"].read_text()
+    with pytest.raises(sg.InputError, match='unknown up "north"'):
+        index.search(query, up="north")
+
+
 def test_a_page_overwrites_other_files_only_on_request(models, tmp_path):
     index = opened(models)
     query = models / "flat0.off"

@@ -10,6 +10,7 @@
 #include <tbb/global_control.h>
 
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/generator/articulated_body.h"
 #include "shapegauge/datasets/generator/class_skeletons.h"
@@ -221,6 +222,11 @@ TEST_F(GenerateDataset, RefusesOptionsOutOfRange) {
   EXPECT_THAT(error_with([](auto& o) { o.faces = 999; }),
               HasSubstr("faces is 999; it must be a whole number from 1000"));
   EXPECT_EQ(folder_.size(), 0U);
+}
+
+TEST_F(GenerateDataset, FilesStateTheirVerticalAxis) {
+  generate_dataset(folder_.path(), small_options());
+  EXPECT_EQ(up_direction(UpAxis::automatic, folder_.path() / "T0.off"), Eigen::Vector3d(0, 0, 1));
 }
 
 // A failure means that generated models have changed: increase the version, so that cached comparisons of them are not

@@ -121,6 +121,7 @@ TEST(Configuration, SurvivesARoundTripThroughJson) {
   full["on_error"] = "skip";
   full["report"]["pictures"] = {{"of", "b"}, {"range", {0, 0.25}}};
   full["report"]["views"] = false;
+  full["report"]["up"] = "-x";
   full["evaluation"] = {{"minimum_class_size", 3}, {"ties", "expected"}, {"measures", {"P@10", "FT"}}};
   full["description"] = "why";
   full["seed"] = 7;

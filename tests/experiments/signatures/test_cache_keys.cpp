@@ -96,11 +96,15 @@ TEST(CacheKeys, AComparedShapeDependsOnItsFieldsHistogramsTheReferenceTheVersion
 }
 
 TEST(CacheKeys, APictureDependsOnItsFieldAndOnHowItIsDrawn) {
-  std::set<std::string> keys{picture_key("field", {}), picture_key("other field", {})};
-  keys.insert(picture_key("field", {.range = {.low = 0, .high = 0.5}}));
-  keys.insert(picture_key("field", {.width = 64}));
-  keys.insert(picture_key("field", {.height = 64}));
-  EXPECT_EQ(keys.size(), 5U);
+  const Eigen::Vector3d up(0, 0, 1);
+  std::set<std::string> keys{picture_key("field", {}, up), picture_key("other field", {}, up)};
+  keys.insert(picture_key("field", {.range = {.low = 0, .high = 0.5}}, up));
+  keys.insert(picture_key("field", {.width = 64}, up));
+  keys.insert(picture_key("field", {.height = 64}, up));
+  keys.insert(picture_key("field", {}, -up));
+  EXPECT_EQ(keys.size(), 6U);
+  keys = {view_key({"field"}, {}), view_key({"field"}, {.faces = 9}), view_key({"field"}, {.up = -up})};
+  EXPECT_EQ(keys.size(), 3U);
 }
 
 TEST(CacheKeys, DistancesDependOnTheSignaturesAndTheirSize) {

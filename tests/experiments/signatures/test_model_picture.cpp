@@ -27,7 +27,7 @@ double mean_channel(const Image& image, std::size_t channel) {
 
 std::string picture_of(const Shape& shape, SampleSite site, double value) {
   const Samples samples = site == SampleSite::surface ? sample_surface(shape, 800) : sample_shape(shape, site);
-  return model_picture(shape, samples, Eigen::VectorXd::Constant(samples.points.rows(), value), {});
+  return model_picture(shape, samples, Eigen::VectorXd::Constant(samples.points.rows(), value), {}, {0, 0, 1});
 }
 
 TEST(ModelPicture, HasTheRequestedSizeAndATransparentBackground) {
@@ -75,6 +75,20 @@ TEST(ModelPicture, OfACloudOfWhichSomePointsAreSampled) {
   const Shape cloud = test::random_points(test::sphere(1, 4), 3000, 1);
   EXPECT_NEAR(mean_channel(decoded(picture_of(cloud, SampleSite::surface, 0.3)), 0),
               mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.3)), 0), 12);
+}
+
+TEST(ModelPicture, TheRequestedAxisPointsUp) {
+  const Shape pillar = test::box({1, 1, 4}, 1);
+  const Samples samples = sample_shape(pillar, SampleSite::faces);
+  /// Covered rows of the middle column.
+  const auto height = [&](const Eigen::Vector3d& up) {
+    const Image image = decoded(model_picture(pillar, samples, samples.weights, {}, up));
+    int rows = 0;
+    for (int row = 0; row < image.height; ++row)
+      rows += image.pixels[static_cast<std::size_t>(4 * (row * image.width + image.width / 2)) + 3] == 255 ? 1 : 0;
+    return rows;
+  };
+  EXPECT_GT(height({0, 0, 1}), 2 * height({0, 1, 0}));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 
 ordered_json view_of(const Shape& shape, const Eigen::VectorXd& values, const Samples& samples, Eigen::Index faces) {
   const std::vector<SampledField> fields{{.samples = samples, .values = values}};
-  return ordered_json::parse(model_view(shape, fields, faces));
+  return ordered_json::parse(model_view(shape, fields, {.faces = faces}));
 }
 
 TEST(ModelView, HasAtMostTheRequestedFacesAndTheRangeOfTheField) {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegauge/core/io/up_axis.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/shape_file.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// Returns the axis that a comment of the file states, if any.
+std::optional<UpAxis> stated_axis(const std::filesystem::path& file) {
+  constexpr std::size_t beginning = 256;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+  const std::string bytes = read_file_bytes(file, beginning);
+  const std::size_t comment = bytes.find(fmt::format("\n{}", up_comment));
+  if (comment == std::string::npos) return std::nullopt;
+  const std::size_t word = comment + 1 + up_comment.size();
+  return value_of_word<UpAxis>(bytes.substr(word, bytes.find_first_of("\r\n", word) - word));
+}
+
+UpAxis axis_of_format(const std::filesystem::path& file) {
+  const std::string extension = lower_case(file.extension().string());
+  const ShapeFormat* const format = shape_formats().find_if(
+      [&](const ShapeFormat& one) { return std::ranges::count(one.extensions, extension) > 0; });
+  return format != nullptr && format->y_is_up ? UpAxis::y : UpAxis::z;
+}
+
+}  // namespace
+
+Parameter up_parameter() {
+  return {.name = "up",
+          .kind = ParameterKind::choice,
+          .default_value = word_of(UpAxis::automatic),
+          .choices = words_of<UpAxis>,
+          .description =
+              "Axis that points up in pictures and views. auto: as the file states in a comment (\"# up: "
+              "z\"), otherwise y for OFF, OBJ and glTF, z for other formats."};
+}
+
+Eigen::Vector3d up_direction(UpAxis axis, const std::filesystem::path& file) {
+  if (axis == UpAxis::automatic) axis = stated_axis(file).value_or(UpAxis::automatic);
+  if (axis == UpAxis::automatic) axis = axis_of_format(file);
+  const std::string_view word = word_of(axis);
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  up[word.back() - 'x'] = word.size() > 1 ? -1 : 1;
+  return up;
+}
+
+}  // namespace shapegauge
