@@ -91,9 +91,9 @@ int run(CheckArguments& arguments) {
     throw InputError("the report is written to standard output; --output must be a file");
   }
   SurfaceWriter write;
-  if (options.keep_surface)
-    write = write =
-        surface_writer(output_name(arguments.files), arguments.unit, value_of_word<UpAxis>(arguments.up).value());
+  if (options.keep_surface) {
+    write = surface_writer(output_name(arguments.files), arguments.unit, value_of_word<UpAxis>(arguments.up).value());
+  }
   std::vector<std::optional<CheckedPart>> checked(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
     CheckedPart part{.name = job.input, .report = check_part(shape, options)};
