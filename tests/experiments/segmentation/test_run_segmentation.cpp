@@ -274,11 +274,8 @@ TEST_F(SegmentationRun, NotesShapesThatAreNotPerturbedAsRequestedFromTheCacheToo
 }
 
 TEST_F(SegmentationRun, NotesOpenShapesFromTheCacheToo) {
-  const SegmentationExperiment run = segmentation_from_json(
-      {{"name", "balls"},
-       {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
-       {"segmentation", {{{"name", "paper"}, {"method", "paper"}, {"field", "offset_sdf"}, {"offset", 0.02}}}}},
-      "x.json", folder_.path());
+  const SegmentationExperiment run =
+      experiment({{{"name", "paper"}, {"method", "paper"}, {"field", "offset_sdf"}, {"offset", 0.02}}});
   Shape open = two_balls();
   open.triangles.conservativeResize(320 + 160, Eigen::NoChange);  // half of the second ball
   write_off(root() / "off/21.off", open);
@@ -287,7 +284,7 @@ TEST_F(SegmentationRun, NotesOpenShapesFromTheCacheToo) {
   }
   for (const char* const again : {"computed", "cached"}) {
     Cache cache(at("cache"));
-    const SegmentationResults results = cut(run, at("none"), {.threads = 1}, cache);
+    const SegmentationResults results = cut(run, cache, {.threads = 1});
     EXPECT_THAT(
         test::publish(at("results"), results).notes,
         testing::ElementsAre(testing::AllOf(
