@@ -18,14 +18,14 @@ struct RenderOptions {
   bool transparent = false;  ///< transparent background instead of white
 };
 
-/// Returns the direction that counts as the front of shapes with that vertical direction: -y if it is z or -z, otherwise
-/// z, projected to the horizontal plane.
+/// Returns the direction that counts as the front of shapes with that vertical direction: -y if it is z or -z,
+/// otherwise z, projected to the horizontal plane.
 Eigen::Vector3d front_of(const Eigen::Vector3d& up);
 
 /// Returns the options with a view in which the shape stands upright: `options.up` is vertical, and the camera is
 /// slightly above and to the side of the shape's broad side. That is the side along which the horizontal second moments
-/// of the surface, or of a cloud's points, are largest. Of the two broad sides, the one closer to front_of() is shown, as
-/// is the front of a shape without a broad side.
+/// of the surface, or of a cloud's points, are largest. Of the two broad sides, the one closer to front_of() is shown,
+/// as is the front of a shape without a broad side.
 RenderOptions upright_view(const Shape& shape, RenderOptions options);
 
 /// Image plane of a parallel projection, in front of the shape.
