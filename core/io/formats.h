@@ -51,7 +51,7 @@ Shape read_off(const std::string& bytes, const std::string& name);
 /// written, a coordinate is not finite or a vertex index is out of range.
 void write_off(const std::filesystem::path& path, const Shape& shape);
 
-/// The same, with a line of text after the keyword, such as a comment.
+/// The same, with a last line of text, such as a comment.
 void write_off(const std::filesystem::path& path, const Shape& shape, std::string_view line);
 
 /// Reads a shape from the bytes of a Wavefront OBJ file: its `v` and `f` statements (`v`, `v/vt`, `v//vn`, `v/vt/vn`;

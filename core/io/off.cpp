@@ -400,7 +400,6 @@ void write_off(const std::filesystem::path& path, const Shape& shape, std::strin
   require_writable(path, shape);
   const bool with_normals = has_cloud_normals(shape);
   std::string text = with_normals ? "NOFF\n" : "OFF\n";
-  if (!line.empty()) text.append(line) += '\n';
   append_number(text, shape.vertices.rows(), ' ');
   append_number(text, shape.triangles.rows(), ' ');
   append_number(text, 0, '\n');
@@ -409,6 +408,7 @@ void write_off(const std::filesystem::path& path, const Shape& shape, std::strin
     if (with_normals) append_numbers(text, shape.normals.row(i));
   }
   for (const auto& triangle : shape.triangles.rowwise()) append_numbers(text += "3 ", triangle);
+  if (!line.empty()) text.append(line) += '\n';
   write_file_atomically(path, text);
 }
 

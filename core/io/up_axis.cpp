@@ -2,13 +2,15 @@
 #include "shapegauge/core/io/up_axis.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <system_error>
 
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 
 namespace shapegauge {
@@ -17,11 +19,14 @@ namespace {
 
 /// Returns the axis that a comment of the file states, if any.
 std::optional<UpAxis> stated_axis(const std::filesystem::path& file) {
-  constexpr std::size_t beginning = 256;
+  constexpr std::uintmax_t length = 256;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
-  const std::string bytes = read_file_bytes(file, beginning);
-  const std::size_t comment = bytes.find(fmt::format("\n{}", up_comment));
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) return std::nullopt;
+  stream.seekg(-static_cast<std::streamoff>(std::min<std::uintmax_t>(length, stream.tellg())), std::ios::end);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t comment = bytes.rfind(fmt::format("\n{}", up_comment));
   if (comment == std::string::npos) return std::nullopt;
   const std::size_t word = comment + 1 + up_comment.size();
   return value_of_word<UpAxis>(bytes.substr(word, bytes.find_first_of("\r\n", word) - word));

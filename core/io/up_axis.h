@@ -19,10 +19,10 @@ inline constexpr std::array<std::string_view, 7> words_of<UpAxis>{"auto", "x", "
 /// Returns the parameter `up`, a word of UpAxis.
 Parameter up_parameter();
 
-/// Comment by which a text file states its axis, before a word of UpAxis.
+/// Comment by which a text file states its axis, before a word of UpAxis. At the end, simple readers do not meet it.
 inline constexpr std::string_view up_comment = "# up: ";
 
-/// Returns the direction of the axis. `automatic` is the axis that a comment in the first 256 bytes of the file states,
+/// Returns the direction of the axis. `automatic` is the axis that a comment in the last 256 bytes of the file states,
 /// as in generated shapes, otherwise the convention of its format (ShapeFormat::y_is_up), by the extension. Without a
 /// known extension, for example for standard input, it is z.
 Eigen::Vector3d up_direction(UpAxis axis, const std::filesystem::path& file);

@@ -53,7 +53,7 @@ using GeneratorProgress = std::function<void(int done, int total)>;
 /// Writes articulated shapes and, after their classes, rigid objects into a folder (created if missing), in the layout
 /// of SHREC'11.
 /// - T0.off, T1.off, ...: closed, manifold, outward-oriented meshes without self-intersections, one component each; z
-///   is up, as a comment states (up_comment).
+///   is up, as a comment at the end states (up_comment).
 /// - T0.seg, T1.seg, ...: a part label per triangle, one integer a line, as in the Princeton segmentation benchmark.
 /// - test.cla: the classification; the models of a class have random numbers.
 /// - parts.json: per class the names of its parts, in the order of labels; an object may lack some.

@@ -34,7 +34,7 @@ TEST(UpDirection, AFileMayStateIt) {
   const auto up_of = [&](const std::string& text) {
     return up_direction(UpAxis::automatic, folder.file("a.off", text));
   };
-  EXPECT_EQ(up_of("OFF\n# up: z\n3 1 0\n"), z_axis);
+  EXPECT_EQ(up_of("OFF\n0 0 0\n" + std::string(1000, '\n') + "# up: z\n"), z_axis);
   EXPECT_EQ(up_of("OFF\r\n# up: -x\r\n3 1 0\r\n"), -x_axis);
   EXPECT_EQ(up_of("OFF\n# up: z"), z_axis);
   for (const char* other : {"OFF\n3 1 0\n", "OFF\n# up: north\n3 1 0\n", "OFF\n# up: auto\n", "OFF\n# make up: z\n"}) {
