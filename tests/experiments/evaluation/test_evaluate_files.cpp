@@ -152,7 +152,7 @@ TEST_F(EvaluateFiles, GivenIdsMustMatchTheMatrix) {
   };
   EXPECT_EQ(opened("same.txt").distances.rows, 3);
   EXPECT_THAT(test::input_error_of([&] { (void)opened("other.txt"); }),
-              AllOf(HasSubstr("row 2 is \"b\" in "), HasSubstr("m.csv but \"c\" in "), HasSubstr("other.txt")));
+              AllOf(HasSubstr("row 2 has the id \"b\" in "), HasSubstr("m.csv, but \"c\" in "), HasSubstr("other.txt")));
 }
 
 /// Warnings for a matrix of four models in two classes.
