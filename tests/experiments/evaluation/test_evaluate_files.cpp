@@ -151,8 +151,9 @@ TEST_F(EvaluateFiles, GivenIdsMustMatchTheMatrix) {
     return open_evaluation_files({.matrix = at("m.csv"), .labels = at("classes.csv"), .ids = at(ids)});
   };
   EXPECT_EQ(opened("same.txt").distances.rows, 3);
-  EXPECT_THAT(test::input_error_of([&] { (void)opened("other.txt"); }),
-              AllOf(HasSubstr("row 2 has the id \"b\" in "), HasSubstr("m.csv, but \"c\" in "), HasSubstr("other.txt")));
+  EXPECT_THAT(
+      test::input_error_of([&] { (void)opened("other.txt"); }),
+      AllOf(HasSubstr("row 2 has the id \"b\" in "), HasSubstr("m.csv, but \"c\" in "), HasSubstr("other.txt")));
 }
 
 /// Warnings for a matrix of four models in two classes.
