@@ -46,13 +46,13 @@ TextTable table_of(const ThinRegions& found, const RegionWords& words, const std
                    std::size_t row_limit) {
   const std::string unit = unit_name.empty() ? "" : fmt::format(" ({})", unit_name);
   TextTable table{
-      .header = {"kind", "region", unit.empty() ? "area" : fmt::format("area ({}²)", unit_name), "least" + unit,
+      .header = {"kind", "region", unit.empty() ? "area" : fmt::format("area ({}²)", unit_name), "minimum" + unit,
                  "median" + unit, "short by" + unit, "x" + unit, "y" + unit, "z" + unit, "faces"},
       .rows = {}};
   for (std::size_t i = 0; i < std::min(row_limit, found.regions.size()); ++i) {
     const ThinRegion& region = found.regions[i];
     std::vector<std::string> row{kind_of(region, words), std::to_string(i + 1)};
-    for (const double value : {region.area, region.least, region.median, found.limit - region.least,
+    for (const double value : {region.area, region.minimum, region.median, found.limit - region.minimum,
                                region.position.x(), region.position.y(), region.position.z()}) {
       row.push_back(short_length(value));
     }
@@ -105,9 +105,9 @@ CheckJson json_of(const ThinRegions& found, const RegionWords& words) {
   for (const ThinRegion& region : found.regions) {
     regions.push_back({{"kind", kind_of(region, words)},
                        {"area", region.area},
-                       {"least", region.least},
+                       {"minimum", region.minimum},
                        {"median", region.median},
-                       {"short_by", found.limit - region.least},
+                       {"short_by", found.limit - region.minimum},
                        {"position", point_json(region.position)},
                        {"opposite", point_json(region.opposite)},
                        {"faces", region.faces}});
@@ -131,7 +131,7 @@ std::vector<ViewRegion> view_regions(const PartReport& report, const std::string
         direction = outwards - outwards.dot(direction) * direction + 1e-3 * found.limit * direction;
       }
       regions.push_back(
-          {.text = fmt::format("{}: least {}{}, area {}", kind_of(region, words), short_length(region.least),
+          {.text = fmt::format("{}: minimum {}{}, area {}", kind_of(region, words), short_length(region.minimum),
                                unit.empty() ? "" : " " + unit, short_length(region.area)),
            .position = region.position,
            .towards_viewer = direction.normalized(),
@@ -181,7 +181,7 @@ nlohmann::ordered_json check_json(const CheckedPart& part, const std::string& un
 }
 
 TextTable check_table(std::span<const CheckedPart> parts) {
-  TextTable table{.header = {"file", "kind", "region", "area", "least", "median", "short_by", "x", "y", "z",
+  TextTable table{.header = {"file", "kind", "region", "area", "minimum", "median", "short_by", "x", "y", "z",
                              "opposite_x", "opposite_y", "opposite_z", "faces"},
                   .rows = {}};
   const auto add = [&](const CheckedPart& part, const ThinRegions& found, const RegionWords& words) {
@@ -189,7 +189,7 @@ TextTable check_table(std::span<const CheckedPart> parts) {
       const ThinRegion& region = found.regions[i];
       std::vector<std::string> row{part.name, kind_of(region, words), std::to_string(i + 1)};
       for (const double value :
-           {region.area, region.least, region.median, found.limit - region.least, region.position.x(),
+           {region.area, region.minimum, region.median, found.limit - region.minimum, region.position.x(),
             region.position.y(), region.position.z(), region.opposite.x(), region.opposite.y(), region.opposite.z()}) {
         row.push_back(fmt::format("{}", value));
       }

@@ -18,7 +18,7 @@ py::list regions(const ThinRegions& found, const char* kind, const char* edge) {
     py::dict entry;
     entry["kind"] = region.is_edge ? edge : kind;
     entry["area"] = region.area;
-    entry["least"] = region.least;
+    entry["minimum"] = region.minimum;
     entry["median"] = region.median;
     entry["position"] = array_of(Eigen::VectorXd(region.position));
     entry["opposite"] = array_of(Eigen::VectorXd(region.opposite));

@@ -193,13 +193,13 @@ ThinRegion region_of(std::span<const ThinCell> cells, const std::vector<std::int
 }
 
 /// Adds the smallest ball of a region.
-void measure_least(const CellSampler& sampler, std::span<const ThinCell> cells,
-                   const std::vector<std::int32_t>& members, ThinRegion& region) {
+void measure_smallest(const CellSampler& sampler, std::span<const ThinCell> cells,
+                      const std::vector<std::int32_t>& members, ThinRegion& region) {
   const auto value = [&](std::int32_t i) { return min_of(at(cells, i)); };
-  const MeasuredPoint least = sampler.min_near(at(cells, *std::ranges::min_element(members, {}, value)));
-  region.least = least.ball.diameter;
-  region.position = least.position;
-  region.opposite = least.ball.contact;
+  const MeasuredPoint smallest = sampler.min_near(at(cells, *std::ranges::min_element(members, {}, value)));
+  region.minimum = smallest.ball.diameter;
+  region.position = smallest.position;
+  region.opposite = smallest.ball.contact;
 }
 
 ThinRegions regions_of(const CellSampler& sampler, std::vector<ThinCell>& cells, const UnitFrame& frame,
@@ -215,7 +215,7 @@ ThinRegions regions_of(const CellSampler& sampler, std::vector<ThinCell>& cells,
       result.small_area += region.area;
       continue;
     }
-    measure_least(sampler, cells, members, region);
+    measure_smallest(sampler, cells, members, region);
     result.regions.push_back(std::move(region));
   }
   std::ranges::stable_sort(result.regions, std::greater{}, &ThinRegion::area);

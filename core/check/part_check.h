@@ -23,7 +23,7 @@ struct CheckOptions {
 /// Connected region of the surface whose thickness, or distance across a gap, is below the limit.
 struct ThinRegion {
   double area = 0;
-  double least = 0;                                    ///< diameter of the smallest ball
+  double minimum = 0;                                  ///< diameter of the smallest ball
   double median = 0;                                   ///< of the diameters, by area
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the smallest ball: where it touches the region
   Eigen::Vector3d opposite = Eigen::Vector3d::Zero();  ///< and the opposite surface

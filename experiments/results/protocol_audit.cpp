@@ -223,7 +223,7 @@ TextTable audit_table(const ProtocolAudit& audit, const std::string& quantity, c
 
 TextTable audit_summary(const ProtocolAudit& audit, const ScoreStyle& style) {
   TextTable table{
-      .header = {"score", "evaluator", "definition", "least change", "largest change", "other ranks", "tau"},
+      .header = {"score", "evaluator", "definition", "minimum change", "maximum change", "other ranks", "tau"},
       .text_columns = 3};
   for (const std::string& quantity : audited_quantities(audit)) {
     const std::vector<const AuditedScore*> scores = scores_of_quantity(audit, quantity);

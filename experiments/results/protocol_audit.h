@@ -52,8 +52,8 @@ std::vector<std::string> audited_quantities(const ProtocolAudit& audit);
 /// column. Intervals and possible ranks are those of shapegauge.
 TextTable audit_table(const ProtocolAudit& audit, const std::string& quantity, const ScoreStyle& style = {});
 
-/// Makes a table with a row for each score that is compared: quantity, evaluator, definition, the smallest and the
-/// largest difference to shapegauge, the number of methods with another rank, and Kendall's tau-b of the two rankings.
+/// Makes a table with a row for each score that is compared: quantity, evaluator, definition, minimum and maximum
+/// of the differences to shapegauge, number of methods with another rank, and Kendall's tau-b of the two rankings.
 TextTable audit_summary(const ProtocolAudit& audit, const ScoreStyle& style = {});
 
 /// Makes a table for files: quantity, evaluator, definition, method, score, rank, and for shapegauge the interval and

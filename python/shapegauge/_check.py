@@ -21,14 +21,14 @@ _SEPARATION = REGISTERED["fields"]["inscribed_ball"]["settings"]["separation_ang
 class ThinRegion:
     """Connected region of the surface below a limit (docs/manual/check.md).
 
-    kind: "wall" or "gap"; "edge" or "notch" for the sides of a sharp one, which is no violation. least: the smallest
+    kind: "wall" or "gap"; "edge" or "notch" for the sides of a sharp one, which is no violation. minimum: the smallest
     thickness or width; it is measured from `position` to `opposite`. faces: indices of the faces that the region covers
     at least partly.
     """
 
     kind: str
     area: float
-    least: float
+    minimum: float
     median: float
     position: _numpy.ndarray
     opposite: _numpy.ndarray
@@ -59,7 +59,7 @@ def check(vertices: Any, faces: Any = None, min_wall: Optional[float] = None, mi
     counted.
 
     >>> report = sg.check(mesh, min_wall=1.2)
-    >>> report.passes, [region.least for region in report.walls]
+    >>> report.passes, [region.minimum for region in report.walls]
     (False, [0.8])
     """
     faces, min_wall, min_gap = settings_after(vertices, faces, (min_wall, None), (min_gap, None))

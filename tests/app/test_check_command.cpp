@@ -41,12 +41,12 @@ TEST_F(CheckCommand, JsonAndCsvListTheRegions) {
   const auto& region = json["walls"]["regions"][0];
   EXPECT_EQ(region["kind"], "wall");
   EXPECT_NEAR(region["area"].get<double>(), 240, 1e-6);
-  EXPECT_NEAR(region["least"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(region["minimum"].get<double>(), 1, 1e-9);
   EXPECT_NEAR(region["short_by"].get<double>(), 0.2, 1e-9);
   EXPECT_EQ(region["faces"].size(), 2);
   const Outcome csv = check("--min-wall 1.2 --format csv");
   EXPECT_EQ(csv.status, 3);
-  EXPECT_THAT(csv.output, testing::StartsWith("file,kind,region,area,least,median,short_by,x,y,z,"));
+  EXPECT_THAT(csv.output, testing::StartsWith("file,kind,region,area,minimum,median,short_by,x,y,z,"));
   EXPECT_EQ(std::ranges::count(csv.output, '\n'), 3);
 }
 

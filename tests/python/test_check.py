@@ -20,7 +20,7 @@ def test_thin_sides_of_a_plate_are_regions_with_their_faces():
     for region in report.walls:
         assert region.kind == "wall"
         assert region.area == pytest.approx(240)
-        assert region.least == pytest.approx(1) and region.median == pytest.approx(1)
+        assert region.minimum == pytest.approx(1) and region.median == pytest.approx(1)
         assert np.linalg.norm(region.position - region.opposite) == pytest.approx(1)
 
 

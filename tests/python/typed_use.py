@@ -12,7 +12,7 @@ vertices, faces, normals = sg.read(pathlib.Path("hand.off"))
 field: sg.ScalarField = sg.sdf(vertices, faces, method="offset_sdf", offset=0.05, at="faces")
 of_cloud: sg.ScalarField = sg.sdf(vertices, offset="auto")
 report: sg.CheckReport = sg.check(vertices, faces, min_wall=1.2)
-thinnest: float = min(wall.least for wall in report.walls)
+thinnest: float = min(wall.minimum for wall in report.walls)
 values, weights = field
 offset: float | None = field.offset
 labels: np.ndarray = sg.segment(vertices, faces, parts=3)

@@ -107,10 +107,10 @@ Shape tube(double outer, double inner, double shift, int sides) {
   return shape;
 }
 
-/// Expected region: `distance` is that of a point to the places where the least value may be.
+/// Expected region: `distance` is that of a point to the places where the minimum may be.
 struct Expected {
   double area;
-  double least;
+  double minimum;
   std::function<double(const Eigen::Vector3d&)> distance;
 };
 
@@ -290,10 +290,10 @@ void expect_regions(const Part& part, const Shape& shape, const Eigen::Matrix3d&
     const ThinRegion& region = found.regions[i];
     const Expected& expected = part.regions[i];
     EXPECT_NEAR(region.area, expected.area, 0.01 * expected.area) << i;
-    EXPECT_NEAR(region.least, expected.least, 0.01 * expected.least) << i;
+    EXPECT_NEAR(region.minimum, expected.minimum, 0.01 * expected.minimum) << i;
     EXPECT_LE(expected.distance(rotation.transpose() * region.position), 0.01 * size) << i;
-    EXPECT_NEAR((region.position - region.opposite).norm(), region.least, 0.03 * region.least) << i;
-    EXPECT_GE(region.median, region.least) << i;
+    EXPECT_NEAR((region.position - region.opposite).norm(), region.minimum, 0.03 * region.minimum) << i;
+    EXPECT_GE(region.median, region.minimum) << i;
     EXPECT_LT(region.median, found.limit) << i;
     EXPECT_FALSE(region.is_edge) << i;
   }
@@ -340,7 +340,7 @@ TEST(PartCheck, CracksAtTJunctionsDoNotSplitRegions) {
 }
 
 /// Noise of 0.1 % of the diagonal moves each side of a wall by up to that much.
-TEST(PartCheck, NoiseMovesTheLeastThicknessByItsAmplitude) {
+TEST(PartCheck, NoiseMovesTheMinimumThicknessByItsAmplitude) {
   for (const Part& part : parts()) {
     SCOPED_TRACE(part.name);
     if (part.curved) continue;
@@ -361,7 +361,7 @@ TEST(PartCheck, NoiseMovesTheLeastThicknessByItsAmplitude) {
     ASSERT_EQ(found.regions.size(), part.regions.size());
     for (std::size_t i = 0; i < found.regions.size(); ++i) {
       const Expected& expected = part.regions[i];
-      EXPECT_NEAR(found.regions[i].least, expected.least, 2 * std::sqrt(3) * noise) << i;
+      EXPECT_NEAR(found.regions[i].minimum, expected.minimum, 2 * std::sqrt(3) * noise) << i;
       EXPECT_NEAR(found.regions[i].area, expected.area, 0.05 * expected.area) << i;
     }
   }
@@ -424,7 +424,7 @@ TEST(PartCheck, SharpEdgesAreNoWalls) {
   EXPECT_TRUE(sharp.passes());
   for (const ThinRegion& region : sharp.walls.regions) {
     EXPECT_TRUE(region.is_edge);
-    EXPECT_LT(region.least, 0.01);
+    EXPECT_LT(region.minimum, 0.01);
     // Both sides of the edge, up to the limit.
     EXPECT_NEAR(region.area, 2 * 10 * wall_limit / (2 * std::tan(std::numbers::pi / 6)), 0.2);
   }
