@@ -59,7 +59,7 @@ int run_audit(const AuditArguments& arguments) {
 
 void add_audit_command(CLI::App& app, int& status) {
   CLI::App* command =
-      app.add_subcommand("audit", "Evaluate the same files as several evaluation programs do, and compare the ranks");
+      app.add_subcommand("audit", "Evaluate files like several evaluation programs, and compare the ranks");
   command->footer(
       "Example: shapegauge audit ours.npy theirs.npy --labels test.cla\n"
       "         shapegauge audit *.txt --labels queries.cla --targets targets.cla\n'evaluate --evaluator' applies one "

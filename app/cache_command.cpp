@@ -68,11 +68,9 @@ void add_action(CLI::App& cache, const char* name, const char* what, int (*actio
 void add_cache_command(CLI::App& app, int& status) {
   CLI::App* cache = app.add_subcommand("cache", "Inspect or clear the cache of runs");
   cache->require_subcommand(1);
-  cache->footer(
-      "Without cached results, runs take longer and have the same results.\n"
-      "Example: shapegauge cache info");
+  cache->footer("Example: shapegauge cache info");
   add_action(*cache, "info", "Print the folder and contents of the cache", show_cache, status);
-  add_action(*cache, "clear", "Remove all cached results", clear, status);
+  add_action(*cache, "clear", "Remove all cached results; later runs compute them again", clear, status);
 }
 
 }  // namespace shapegauge

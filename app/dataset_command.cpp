@@ -228,7 +228,7 @@ void add_dataset_command(CLI::App& app, int& status) {
   const auto validate_arguments = add_look_arguments(validate_command);
   add_threads_option(*validate_command, validate_arguments->threads);
   add_part_option(*validate_command, validate_arguments->part,
-                  "Read only part K of N of the models: K/N, or auto (Slurm job array, srun, mpirun)");
+                  "Read only part K/N of the models; auto: from Slurm or mpirun");
   validate_command->callback([validate_arguments, &status] { status = validate(*validate_arguments); });
 
   CLI::App* labels_command =

@@ -112,8 +112,8 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
       ->check(within<double>(confidence_bounds));
   command
       .add_option("--blocks", arguments.blocks,
-                  "Unit of resampling: queries, for claims about these classes, or classes, for claims about classes "
-                  "like these")
+                  "Unit of resampling: queries (claims about these classes) or classes (claims about classes like "
+                  "these)")
       ->check(one_of(list_of_words<ResamplingUnit>()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")

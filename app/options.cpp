@@ -98,8 +98,8 @@ CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
 void add_colour_options(CLI::App& command, ColourArguments& arguments) {
   command
       .add_option("--range", arguments.range,
-                  "Values at the ends of the colour map, such as 0,4 or 0.5mm,4mm (default: all but the thinnest and "
-                  "thickest 2 % of the area)")
+                  "Values at the ends of the colour map, such as 0,4 or 0.5mm,4mm (default: 2nd and 98th percentile by "
+                  "area)")
       ->type_name("LOW,HIGH");
   command.add_option("--scale", arguments.scale, "Scale of the colour map")
       ->check(one_of({"linear", "log"}))

@@ -33,7 +33,7 @@ void settle(CLI::App& app) {
 void add_program_options(CLI::App& app) {
   app.set_version_flag("-V,--version", fmt::format("shapegauge {} ({})", version(), commit()));
   const auto quiet = app.add_flag_callback(
-      "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print no messages except warnings and errors");
+      "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print warnings and errors only");
   app.add_flag_callback(
          "-v,--verbose", [] { set_verbosity(Verbosity::verbose); }, "Print the run time")
       ->excludes(quiet);
@@ -50,7 +50,7 @@ void add_program_options(CLI::App& app) {
 
 void add_commands(CLI::App& app, int& status) {
   app.formatter(std::make_shared<HelpFormat>());
-  app.set_help_flag("-h", "Print usage and the options needed most");
+  app.set_help_flag("-h", "Print usage and the most important options");
   app.set_help_all_flag("--help", "Print all options");
   add_program_options(app);
   using Add = void (*)(CLI::App&, int&);

@@ -266,11 +266,11 @@ void add_run_command(CLI::App& app, int& status) {
   CLI::Option* const no_cache = command->add_flag("--no-cache", arguments->cache.none, "Do not use a cache")
                                     ->excludes("--cache")
                                     ->group(computation_options);
-  CLI::Option* const part = add_part_option(*command, arguments->part,
-                                            "Compute only part K of N into the cache: K/N, or auto (Slurm job array, "
-                                            "srun, mpirun)")
-                                ->excludes(no_cache)
-                                ->excludes(plot);
+  CLI::Option* const part =
+      add_part_option(*command, arguments->part,
+                      "Compute only part K/N of the work, into the cache; auto: from Slurm or mpirun")
+          ->excludes(no_cache)
+          ->excludes(plot);
   begin_option_group(*command, "Without a run");
   command->add_flag("--dry-run", arguments->dry_run, "Check the configuration and read all inputs only");
   command->add_flag("--print-config", arguments->print_configuration,

@@ -22,8 +22,7 @@ constexpr Eigen::Index columns_at_once = 16;  // two cache lines per row
 
 constexpr std::array diffusion_table = {
     option_of<&DiffusionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
-                                             "Number of nearest models that a random walk can continue to, about half "
-                                             "of a class.",
+                                             "Number of neighbours in the random walk, about half of a class.",
                                              automatic_neighbours),
     option_of<&DiffusionOptions::damping>("damping", {.low = 0, .high = 1, .high_open = true},
                                           "Probability that a random walk continues."),

@@ -110,8 +110,8 @@ std::vector<NamedDistance> own_distances() {
       {"l2", l2_distance, DistanceDomain::any, nullptr, "Euclidean"},
       {"cosine", cosine_distance, DistanceDomain::not_zero, nullptr, "1 - cosine of the angle"},
       {"chi2", chi2_distance, DistanceDomain::not_negative, nullptr, "half the sum of (a - b)² / (a + b)"},
-      {"hellinger", hellinger_distance, DistanceDomain::histograms, nullptr, "Hellinger, from 0 to 1"},
-      {"jensen-shannon", jensen_shannon_distance, DistanceDomain::histograms, nullptr, "Jensen-Shannon, from 0 to 1"},
+      {"hellinger", hellinger_distance, DistanceDomain::histograms, nullptr, "from 0 to 1"},
+      {"jensen-shannon", jensen_shannon_distance, DistanceDomain::histograms, nullptr, "from 0 to 1"},
       {"emd", earth_movers_distance, DistanceDomain::histograms, nullptr, "earth mover's distance in bins"},
   };
 }

@@ -155,9 +155,8 @@ std::string command_reference(const CLI::App& program) {
   std::string page =
       "# Commands\n\n"
       "<!-- Written by the target update_reference from the program's tables of options. -->\n\n"
-      "`-h` prints the options of a command that are needed most, and `--help` all. [Shared options](#shared-options) "
-      "are\n"
-      "described once. See also [exit statuses](definitions.md#exit-status) and [file formats](file_formats.md).\n";
+      "`-h` prints the most important options of a command, `--help` all. See also [shared options](#shared-options),\n"
+      "[exit statuses](definitions.md#exit-status) and [file formats](file_formats.md).\n";
   std::string group;
   for (const CLI::App* command : commands_of(program)) {
     const std::string separator = command->get_group() == group ? ", " : fmt::format("\n- {}: ", command->get_group());

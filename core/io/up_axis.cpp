@@ -42,13 +42,14 @@ UpAxis axis_of_format(const std::filesystem::path& file) {
 }  // namespace
 
 Parameter up_parameter() {
-  return {.name = "up",
-          .kind = ParameterKind::choice,
-          .default_value = word_of(UpAxis::automatic),
-          .choices = words_of<UpAxis>,
-          .description =
-              "Axis that points up in pictures and views. auto: as the file states in a comment (\"# up: "
-              "z\"), otherwise y for OFF, OBJ and glTF, z for other formats."};
+  return {
+      .name = "up",
+      .kind = ParameterKind::choice,
+      .default_value = word_of(UpAxis::automatic),
+      .choices = words_of<UpAxis>,
+      .description =
+          "Axis that points up in pictures and views. auto: from a comment \"# up: z\" in the file, otherwise y for "
+          "OFF, OBJ and glTF, z for others."};
 }
 
 Eigen::Vector3d up_direction(UpAxis axis, const std::filesystem::path& file) {
