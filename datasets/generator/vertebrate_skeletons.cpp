@@ -193,9 +193,36 @@ Skeleton flamingo_skeleton() {
   return s;
 }
 
-// Makes a finger from its knuckle, in a direction in the plane of the palm; z is the back of the hand.
 namespace {
 
+void add_human_arms(Skeleton& s, int torso) {
+  const Eigen::Vector3d forward(1, 0, 0);
+  const Eigen::Vector3d arm(0, 0.82, -0.57);
+  const Eigen::Vector3d up(0, 0.57, 0.82);
+  add_limb_pair(s, {.kind = "arm",
+                    .parent = torso,
+                    .nodes = {{{0, 0.26, 0.8}, 0.125},
+                              {{0, 0.49, 0.64}, 0.1},
+                              {{0, 0.7, 0.5}, 0.078},
+                              {{0, 0.92, 0.345}, 0.072},
+                              {{0, 1.1, 0.22}, 0.052},
+                              {{0.01, 1.2, 0.15}, 0.068},
+                              {{0.02, 1.34, 0.05}, 0.05}},
+                    .joints = {{0, {hinge_towards(arm, up, -25, 55), hinge_towards(arm, forward, -35, 65)}},
+                               {2, {hinge_towards(arm, forward, 0, 110)}},
+                               {4, {hinge_towards(arm, up, -30, 30)}}}});
+}
+
+Limb tail_fin(const std::string& kind, int body, const std::vector<LimbNode>& nodes) {
+  return {.kind = kind,
+          .parent = body,
+          .nodes = nodes,
+          .joints = {{0, {yaw_hinge(-20, 20)}}},
+          .flat_axis = {0, 1, 0},
+          .flatness = 0.42};
+}
+
+// Makes a finger from its knuckle, in a direction in the plane of the palm; z is the back of the hand.
 Limb finger(const std::string& kind, int palm, const Eigen::Vector3d& knuckle, const Eigen::Vector3d& direction,
             double length, double radius) {
   const Eigen::Vector3d down(0, 0, -1);
@@ -315,21 +342,7 @@ Skeleton human_skeleton() {
                .nodes = {{{0, 0, 0.9}, 0.11}, {{0.01, 0, 1.1}, 0.1}, {{0.03, 0, 1.26}, 0.17}, {{0.03, 0, 1.4}, 0.16}},
                .joints = {{0, {pitch_hinge(-10, 20), yaw_hinge(-20, 20)}},
                           {1, {pitch_hinge(-15, 20), yaw_hinge(-40, 40), roll_hinge(-20, 20)}}}});
-  const Eigen::Vector3d forward(1, 0, 0);
-  const Eigen::Vector3d arm(0, 0.82, -0.57);
-  const Eigen::Vector3d up(0, 0.57, 0.82);
-  add_limb_pair(s, {.kind = "arm",
-                    .parent = torso,
-                    .nodes = {{{0, 0.26, 0.8}, 0.125},
-                              {{0, 0.49, 0.64}, 0.1},
-                              {{0, 0.7, 0.5}, 0.078},
-                              {{0, 0.92, 0.345}, 0.072},
-                              {{0, 1.1, 0.22}, 0.052},
-                              {{0.01, 1.2, 0.15}, 0.068},
-                              {{0.02, 1.34, 0.05}, 0.05}},
-                    .joints = {{0, {hinge_towards(arm, up, -25, 55), hinge_towards(arm, forward, -35, 65)}},
-                               {2, {hinge_towards(arm, forward, 0, 110)}},
-                               {4, {hinge_towards(arm, up, -30, 30)}}}});
+  add_human_arms(s, torso);
   add_limb_pair(s, {.kind = "leg",
                     .parent = torso,
                     .nodes = {{{0, 0.14, -0.12}, 0.165},
@@ -373,18 +386,10 @@ Skeleton shark_skeleton() {
                     .blend = 0.3,
                     .flat_axis = {0, 0.35, 1},
                     .flatness = 0.3});
-  add_limb(s, {.kind = "upper tail fin",
-               .parent = body,
-               .nodes = {{{-1.45, 0, 0.06}, 0.12}, {{-1.66, 0, 0.3}, 0.13}, {{-1.86, 0, 0.6}, 0.06}},
-               .joints = {{0, {yaw_hinge(-20, 20)}}},
-               .flat_axis = {0, 1, 0},
-               .flatness = 0.42});
-  add_limb(s, {.kind = "lower tail fin",
-               .parent = body,
-               .nodes = {{{-1.45, 0, 0.02}, 0.11}, {{-1.58, 0, -0.16}, 0.11}, {{-1.68, 0, -0.34}, 0.06}},
-               .joints = {{0, {yaw_hinge(-20, 20)}}},
-               .flat_axis = {0, 1, 0},
-               .flatness = 0.42});
+  add_limb(s, tail_fin("upper tail fin", body,
+                       {{{-1.45, 0, 0.06}, 0.12}, {{-1.66, 0, 0.3}, 0.13}, {{-1.86, 0, 0.6}, 0.06}}));
+  add_limb(s, tail_fin("lower tail fin", body,
+                       {{{-1.45, 0, 0.02}, 0.11}, {{-1.58, 0, -0.16}, 0.11}, {{-1.68, 0, -0.34}, 0.06}}));
   return s;
 }
 

@@ -60,6 +60,25 @@ double radius_at(const Outline& outline, double height) {
   return above == outline.end() ? outline.back().x() : above->x();
 }
 
+/// None, one or two handles opposite to each other, between two heights.
+struct Handles {
+  int count;
+  double high;
+  double low;
+  double reach;
+  double radius;
+};
+
+/// Adds handles to a vessel of this outline, with labels from `first_label`.
+void add_handles(const Handles& handles, const Outline& outline, int first_label, SolidObject& object, Draw& draw) {
+  const Solid filled = revolved(outline, 0);
+  for (int i = 0; i < handles.count; ++i) {
+    const Solid handle = ear({radius_at(outline, handles.high), 0, handles.high},
+                             {radius_at(outline, handles.low), 0, handles.low}, handles.reach, handles.radius, draw);
+    object.parts.push_back({first_label + i, turned_about_z(difference(handle, filled), 180 * i)});
+  }
+}
+
 }  // namespace
 
 SolidObject draw_mug(RandomNumbers& random) {
@@ -75,19 +94,14 @@ SolidObject draw_mug(RandomNumbers& random) {
     const double t = i / 16.0;
     outline.emplace_back(bottom + t * (rim - bottom) + bulge * std::sin(std::numbers::pi * t), t * height);
   }
-  const Solid filled = revolved(outline, 0);
   object.thinnest = wall;
   object.parts.push_back({0, revolved_wall(with_floor(outline, draw(0, 0.08)), wall)});
-  const int handles = draw.from(4, 10) / 5;  // seldom none or two
-  const double high = height * draw(0.65, 0.92);
-  const double low = height * draw(0.1, 0.35);
-  const double reach = draw(0.2, 0.45);
-  const double radius = draw(0.05, 0.09);
-  for (int i = 0; i < handles; ++i) {
-    const Solid handle =
-        ear({radius_at(outline, high), 0, high}, {radius_at(outline, low), 0, low}, reach, radius, draw);
-    object.parts.push_back({1 + i, turned_about_z(difference(handle, filled), 180 * i)});
-  }
+  const Handles handles{.count = draw.from(4, 10) / 5,  // seldom none or two
+                        .high = height * draw(0.65, 0.92),
+                        .low = height * draw(0.1, 0.35),
+                        .reach = draw(0.2, 0.45),
+                        .radius = draw(0.05, 0.09)};
+  add_handles(handles, outline, 1, object, draw);
   return object;
 }
 
@@ -123,16 +137,12 @@ SolidObject draw_vase(RandomNumbers& random) {
   object.parts.push_back({0, intersection(vessel, slab(low - overlap, high + overlap))});
   if (necked) object.parts.push_back({1, intersection(vessel, slab(high, top + 1))});
   if (footed) object.parts.push_back({2, intersection(revolved(outline, 0.02), slab(-1, low + 0.02))});
-  const int handles = draw.happens(0.5) ? 0 : draw.from(1, 2);
-  const double handle_top = necked ? shoulder + draw(0, 0.5) * (top - shoulder) : shoulder - 0.05;
-  const double handle_end = belly_height + draw(-0.1, 0.1);
-  const double reach = draw(0.1, 0.3);
-  const double radius = draw(0.04, 0.07);
-  for (int i = 0; i < handles; ++i) {
-    const Solid handle = ear({radius_at(outline, handle_top), 0, handle_top},
-                             {radius_at(outline, handle_end), 0, handle_end}, reach, radius, draw);
-    object.parts.push_back({3 + i, turned_about_z(difference(handle, revolved(outline, 0)), 180 * i)});
-  }
+  const Handles handles{.count = draw.happens(0.5) ? 0 : draw.from(1, 2),
+                        .high = necked ? shoulder + draw(0, 0.5) * (top - shoulder) : shoulder - 0.05,
+                        .low = belly_height + draw(-0.1, 0.1),
+                        .reach = draw(0.1, 0.3),
+                        .radius = draw(0.04, 0.07)};
+  add_handles(handles, outline, 3, object, draw);
   return object;
 }
 

@@ -13,6 +13,19 @@ namespace shapegauge {
 
 using Eigen::Vector3d;
 
+namespace {
+
+/// Makes a lens around the y axis through a point of the x axis, elliptical as the ring is.
+Solid lens_at(double centre, double width, double height) {
+  const Eigen::Isometry3d upright(Eigen::Translation3d(centre, 0, 0) *
+                                  Eigen::AngleAxisd(std::numbers::pi / 2, Vector3d::UnitX()));
+  const Solid disc = transformed_solid(rounded_cylinder({0, 0, -0.025}, {0, 0, 0.025}, width, 0.01), upright);
+  const double flat = height / width;
+  return {[disc, flat](const Vector3d& p) { return flat * disc.distance({p.x(), p.y(), p.z() / flat}); }, disc.box};
+}
+
+}  // namespace
+
 SolidObject draw_spectacles(RandomNumbers& random) {
   Draw draw(random);
   SolidObject object;
@@ -34,19 +47,7 @@ SolidObject draw_spectacles(RandomNumbers& random) {
       ring.push_back({{centre + width * std::cos(turn), 0, height * std::sin(turn)}, wire});
     }
     object.parts.push_back({side_label, tube(ring)});
-    if (lenses) {
-      Solid lens = rounded_cylinder({0, 0, -0.025}, {0, 0, 0.025}, width, 0.01);
-      Eigen::Isometry3d upright(Eigen::Translation3d(centre, 0, 0) *
-                                Eigen::AngleAxisd(std::numbers::pi / 2, Vector3d::UnitX()));
-      // Of an ellipse, as the ring is.
-      const Solid disc = transformed_solid(lens, upright);
-      const double flat = height / width;
-      object.parts.push_back({side_label,
-                              {[disc, flat](const Vector3d& p) {
-                                 return flat * disc.distance({p.x(), p.y(), p.z() / flat});
-                               },
-                               disc.box}});
-    }
+    if (lenses) object.parts.push_back({side_label, lens_at(centre, width, height)});
     const double hinge = centre + side * (width + 0.5 * wire);
     object.parts.push_back({2 + side_label, tube({{{hinge, 0, 0.1 * height}, 1.2 * wire},
                                                   {{hinge + side * 0.3 * splay, -0.5 * length, 0.1 * height}, wire},

@@ -52,8 +52,6 @@ std::string name_before_number(const fs::path& file) {
   return end == id.size() ? "" : id.substr(0, end);
 }
 
-}  // namespace
-
 Dataset find_shrec07_dataset(const DatasetLocation& location) {
   Dataset dataset;
   for (const std::string_view name : shrec07_classes) dataset.classes.emplace_back(name);
@@ -122,8 +120,6 @@ bool looks_like_named(const fs::path& root) {
          std::ranges::none_of(unvisited(subfolders(root), visited), is_folder);
 }
 
-namespace {
-
 // Returns true for a link to a folder of the tree, which is visited under its own name.
 bool is_link_into(const fs::path& root, const fs::path& path) {
   std::error_code ignored;
@@ -131,8 +127,6 @@ bool is_link_into(const fs::path& root, const fs::path& path) {
   const fs::path target = canonical_or_same(path).lexically_relative(root);
   return std::ranges::none_of(target, [](const fs::path& part) { return part.string().starts_with('.'); });
 }
-
-}  // namespace
 
 Dataset find_tree_dataset(const DatasetLocation& location) {
   Dataset dataset;
@@ -172,8 +166,6 @@ bool looks_like_tree(const fs::path& root) {
   return std::ranges::any_of(folders, holds_folders_only);
 }
 
-namespace {
-
 std::size_t shapenet_column(const CsvRow& header, std::string_view name, const std::string& source) {
   const std::string lower = lower_case(std::string(name));
   if (const auto found = find_column(header, std::array<std::string_view, 1>{lower})) return *found;
@@ -189,8 +181,6 @@ fs::path shapenet_file(const fs::path& root, const std::string& split, const std
   const fs::path nested = root / split / synset / name;
   return !is_there(flat) && is_there(nested) ? nested : flat;
 }
-
-}  // namespace
 
 Dataset find_shapenet_dataset(const DatasetLocation& location) {
   const std::string source = location.classification.string();
@@ -218,6 +208,49 @@ Dataset find_shapenet_dataset(const DatasetLocation& location) {
 bool looks_like_shapenet(const fs::path& root) {
   if (!is_there(root / "all.csv")) return false;
   return lower_case(read_file_bytes(root / "all.csv", 200)).find("synsetid") != std::string::npos;
+}
+
+}  // namespace
+
+DatasetLayout psb_layout() {
+  return {.name = "psb",
+          .description = "Princeton Shape Benchmark as published",
+          .find = find_psb_dataset,
+          .usual_classification = "classification/v1/base/test.cla",
+          .recognises = looks_like_psb};
+}
+
+DatasetLayout shapenet_layout() {
+  return {.name = "shapenet",
+          .description = "ShapeNetCore of SHREC'17 as published",
+          .find = find_shapenet_dataset,
+          .usual_classification = "all.csv",
+          .has_splits = true,
+          .recognises = looks_like_shapenet};
+}
+
+DatasetLayout shrec07_layout() {
+  return {.name = "shrec07",
+          .description = "SHREC'07 as published, 20 models per class, by number",
+          .find = find_shrec07_dataset,
+          .has_classification = false,
+          .recognises = looks_like_shrec07};
+}
+
+DatasetLayout named_layout() {
+  return {.name = "named",
+          .description = "classes in names of files, such as cat0.off",
+          .find = find_named_dataset,
+          .has_classification = false,
+          .recognises = looks_like_named};
+}
+
+DatasetLayout tree_layout() {
+  return {.name = "tree",
+          .description = "folders of classes in folders",
+          .find = find_tree_dataset,
+          .has_classification = false,
+          .recognises = looks_like_tree};
 }
 
 }  // namespace shapegauge

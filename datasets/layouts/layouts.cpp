@@ -221,32 +221,11 @@ Registry<DatasetLayout>& dataset_layouts() {
            .description = "a table id,path,class",
            .find = find_csv_dataset,
            .usual_classification = "models.csv"},
-          {.name = "psb",
-           .description = "Princeton Shape Benchmark as published",
-           .find = find_psb_dataset,
-           .usual_classification = "classification/v1/base/test.cla",
-           .recognises = looks_like_psb},
-          {.name = "shapenet",
-           .description = "ShapeNetCore of SHREC'17 as published",
-           .find = find_shapenet_dataset,
-           .usual_classification = "all.csv",
-           .has_splits = true,
-           .recognises = looks_like_shapenet},
-          {.name = "shrec07",
-           .description = "SHREC'07 as published, 20 models per class, by number",
-           .find = find_shrec07_dataset,
-           .has_classification = false,
-           .recognises = looks_like_shrec07},
-          {.name = "named",
-           .description = "classes in names of files, such as cat0.off",
-           .find = find_named_dataset,
-           .has_classification = false,
-           .recognises = looks_like_named},
-          {.name = "tree",
-           .description = "folders of classes in folders",
-           .find = find_tree_dataset,
-           .has_classification = false,
-           .recognises = looks_like_tree},
+          psb_layout(),
+          shapenet_layout(),
+          shrec07_layout(),
+          named_layout(),
+          tree_layout(),
       },
       has_functions<&DatasetLayout::find>);
   return all;
@@ -279,7 +258,7 @@ DatasetLocation recognise_dataset(const fs::path& root, const fs::path& classifi
   require_folder(root);
   if (!classification.empty()) {
     const bool table = is_model_table(classification);
-    const std::string layout = table ? "csv" : looks_like_psb(root) ? "psb" : "shrec11";
+    const std::string layout = table ? "csv" : psb_layout().recognises(root) ? "psb" : "shrec11";
     return {.layout = layout, .root = root, .classification = classification};
   }
   for (const DatasetLayout& layout : dataset_layouts().entries()) {

@@ -148,19 +148,24 @@ Json to_json(const std::vector<SignatureConfiguration>& signatures) {
 
 Json to_json(const GeneratorOptions& generator) { return options_json(generator_table(), generator); }
 
+Json shared_settings_json(const ExperimentSettings& settings) {
+  Json json{{"name", settings.name},
+            {"seed", settings.seed},
+            {"preparation", to_json(settings.preparation)},
+            {"on_error", word_of(settings.on_error)}};
+  if (!settings.description.empty()) json["description"] = settings.description;
+  return json;
+}
+
 Json to_json(const Configuration& configuration) {
-  Json json{{"name", configuration.name},
-            {"dataset", dataset_to_json(configuration)},
-            {"perturbations", to_json(configuration.perturbations)},
-            {"seed", configuration.seed},
-            {"preparation", to_json(configuration.preparation)},
-            {"evaluation", evaluation_json(configuration.evaluation)},
-            {"on_error", word_of(configuration.on_error)},
-            {"signatures", to_json(configuration.signatures)},
-            {"distance", configuration.distance},
-            {"keep_distances", configuration.keep_distances},
-            {"report", report_to_json(configuration)}};
-  if (!configuration.description.empty()) json["description"] = configuration.description;
+  Json json = shared_settings_json(configuration);
+  json["dataset"] = dataset_to_json(configuration);
+  json["perturbations"] = to_json(configuration.perturbations);
+  json["evaluation"] = evaluation_json(configuration.evaluation);
+  json["signatures"] = to_json(configuration.signatures);
+  json["distance"] = configuration.distance;
+  json["keep_distances"] = configuration.keep_distances;
+  json["report"] = report_to_json(configuration);
   for (const Protocol protocol : configuration.protocols) json["protocol"].push_back(name_of(protocol));
   return json;
 }

@@ -74,18 +74,22 @@ struct ReportConfiguration {
   UpAxis up = UpAxis::automatic;  ///< in pictures and views
 };
 
-/// Complete, validated experiment with all defaults.
-struct Configuration {
+/// Settings that experiments on shapes share.
+struct ExperimentSettings {
   std::string name;
   std::string description;
+  std::uint64_t seed = 1;          ///< seed of the perturbations
+  PreparationOptions preparation;  ///< of every shape, after the perturbations
+  OnError on_error = OnError::stop;
+};
+
+/// Complete, validated experiment with all defaults.
+struct Configuration : ExperimentSettings {
   std::optional<DatasetLocation> location;    ///< data set on disk, or
   std::optional<GeneratorOptions> generator;  ///< generated data set
   std::vector<Perturbation> perturbations;    ///< applied to every model after reading
-  std::uint64_t seed = 1;                     ///< seed of the perturbations
-  PreparationOptions preparation;             ///< of every model, after the perturbations
   std::vector<Protocol> protocols{Protocol::psb};
   EvaluationOptions evaluation;  ///< under each of the protocols, whose measures are the default
-  OnError on_error = OnError::stop;
   std::vector<SignatureConfiguration> signatures;
   std::string distance = "l1";
   bool keep_distances = true;  ///< in result files
@@ -122,6 +126,9 @@ nlohmann::json to_json(const GeneratorOptions& generator);
 
 /// Formats a data set on disk as a configuration's "dataset", with absolute paths.
 nlohmann::json to_json(const DatasetLocation& location);
+
+/// Formats the shared settings, with all defaults.
+nlohmann::json shared_settings_json(const ExperimentSettings& settings);
 
 /// Formats a configuration with all defaults and absolute paths; reading restores it.
 nlohmann::json to_json(const Configuration& configuration);

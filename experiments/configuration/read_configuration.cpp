@@ -194,22 +194,18 @@ EvaluationOptions read_evaluation(const Json& setting, const std::vector<Protoco
 /// Reads a document that the schema has accepted.
 Configuration checked_configuration(const Json& document, const fs::path& folder) {
   Configuration configuration;
-  configuration.name = document.at("name");
-  configuration.description = document.value("description", "");
+  read_shared_settings(document, configuration);
   const Json& dataset = document.at("dataset");
   if (dataset.contains("generate")) {
     configuration.generator = at_key("dataset", [&] { return read_generator(dataset); });
   } else {
     configuration.location = at_key("dataset", [&] { return read_location(dataset, folder); });
   }
-  configuration.seed = read_seed(document);
-  if (document.contains("preparation")) configuration.preparation = read_preparation(document["preparation"]);
   if (document.contains("perturbations")) configuration.perturbations = make_perturbations(document["perturbations"]);
   if (document.contains("protocol")) configuration.protocols = protocols_of(document["protocol"]);
   configuration.evaluation = at_key("evaluation", [&] {
     return read_evaluation(document.value("evaluation", Json::object()), configuration.protocols);
   });
-  configuration.on_error = read_on_error(document);
   configuration.distance = document.value("distance", configuration.distance);
   configuration.keep_distances = document.value("keep_distances", configuration.keep_distances);
   configuration.signatures = at_key("signatures", [&] { return read_signatures(document.at("signatures")); });
@@ -257,7 +253,14 @@ std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
   return signatures;
 }
 
-PreparationOptions read_preparation(const Json& settings) { return read_options(preparation_table, settings); }
+void read_shared_settings(const Json& document, ExperimentSettings& settings) {
+  const ParameterValues values = read_parameters(experiment_parameters(), document);
+  settings = {.name = document.at("name"),
+              .description = document.value("description", ""),
+              .seed = static_cast<std::uint64_t>(values.integer("seed")),
+              .preparation = read_options(preparation_table, document.value("preparation", Json::object())),
+              .on_error = member_value<OnError>(values.value("on_error"))};
+}
 
 DatasetLocation read_location(const Json& dataset, const fs::path& folder) {
   DatasetLocation location;
@@ -288,14 +291,6 @@ GeneratorOptions read_generator(const Json& dataset) {
     }
   }
   return at_key("generate", [&] { return read_options(generator_table(), dataset.at("generate")); });
-}
-
-OnError read_on_error(const Json& experiment) {
-  return member_value<OnError>(read_parameters(experiment_parameters(), experiment).value("on_error"));
-}
-
-std::uint64_t read_seed(const Json& experiment) {
-  return static_cast<std::uint64_t>(read_parameters(experiment_parameters(), experiment).integer("seed"));
 }
 
 Configuration configuration_from_json(const Json& given, const std::string& source, const fs::path& folder) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -41,7 +40,7 @@ std::vector<std::filesystem::path> apply_overrides(nlohmann::json& document, con
 Configuration configuration_from_json(const nlohmann::json& document, const std::string& source,
                                       const std::filesystem::path& folder);
 
-/// Sections shared by retrieval experiments and comparisons, after validation by the schema.
+/// Sections that several kinds of experiments share, after validation by the schema.
 /// @{
 
 /// Returns the names of the entries of a list with that key. Throws ConfigurationError for a repeated one.
@@ -55,8 +54,8 @@ std::size_t index_of_name(const std::string& name, const std::vector<std::string
 /// `concatenate`, and settings that contradict each other.
 std::vector<SignatureConfiguration> read_signatures(const nlohmann::json& settings);
 
-/// Reads a configuration's "preparation".
-PreparationOptions read_preparation(const nlohmann::json& settings);
+/// Reads the settings of an experiment that all kinds share.
+void read_shared_settings(const nlohmann::json& document, ExperimentSettings& settings);
 
 /// Reads the generator's options from a configuration's "dataset". Throws ConfigurationError for other settings next to
 /// them.
@@ -65,12 +64,6 @@ GeneratorOptions read_generator(const nlohmann::json& dataset);
 /// Reads the location of a data set on disk from a configuration's "dataset". Relative paths are relative to the
 /// folder. Throws ConfigurationError for settings that the layout does not have.
 DatasetLocation read_location(const nlohmann::json& dataset, const std::filesystem::path& folder);
-
-/// Reads the setting "on_error" of an experiment.
-OnError read_on_error(const nlohmann::json& experiment);
-
-/// Reads the setting "seed" of an experiment.
-std::uint64_t read_seed(const nlohmann::json& experiment);
 
 /// @}
 

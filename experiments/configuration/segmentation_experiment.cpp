@@ -47,8 +47,7 @@ DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
 
 SegmentationExperiment checked_experiment(const Json& document, const fs::path& folder) {
   SegmentationExperiment experiment;
-  experiment.name = document.at("name");
-  experiment.description = document.value("description", "");
+  read_shared_settings(document, experiment);
   const Json& dataset = document.at("dataset");
   if (dataset.contains("generate")) {
     experiment.generator = at_key("dataset", [&] { return read_generator(dataset); });
@@ -60,9 +59,6 @@ SegmentationExperiment checked_experiment(const Json& document, const fs::path& 
   experiment.cuts = values.boolean("cuts");
   experiment.pictures = values.boolean("pictures");
   experiment.up = member_value<UpAxis>(values.value("up"));
-  experiment.on_error = read_on_error(document);
-  experiment.seed = read_seed(document);
-  if (document.contains("preparation")) experiment.preparation = read_preparation(document["preparation"]);
   experiment.methods = at_key("segmentation", [&] { return methods_of(document.at("segmentation")); });
   return experiment;
 }
@@ -123,15 +119,11 @@ Json to_json(const SegmentationMethod& method) {
 }
 
 Json to_json(const SegmentationExperiment& experiment) {
-  Json json{{"name", experiment.name},
-            {"by", word_of(experiment.by)},
-            {"cuts", experiment.cuts},
-            {"pictures", experiment.pictures},
-            {"up", word_of(experiment.up)},
-            {"seed", experiment.seed},
-            {"on_error", word_of(experiment.on_error)},
-            {"preparation", to_json(experiment.preparation)}};
-  if (!experiment.description.empty()) json["description"] = experiment.description;
+  Json json = shared_settings_json(experiment);
+  json["by"] = word_of(experiment.by);
+  json["cuts"] = experiment.cuts;
+  json["pictures"] = experiment.pictures;
+  json["up"] = word_of(experiment.up);
   if (experiment.generator) {
     json["dataset"]["generate"] = to_json(*experiment.generator);
   } else {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -32,19 +31,14 @@ struct SegmentationMethod {
 
 /// Complete, validated segmentation experiment with all defaults: segments the shapes of a benchmark and compares the
 /// parts with human segmentations.
-struct SegmentationExperiment {
-  std::string name;
-  std::string description;
+struct SegmentationExperiment : ExperimentSettings {
   DatasetLocation location;                   ///< on disk: segmentation_layout or a layout of retrieval data sets, or
   std::optional<GeneratorOptions> generator;  ///< generated shapes, whose parts are the ground truth
   std::vector<SegmentationMethod> methods;    ///< at least one
   TriangleWeights by = TriangleWeights::faces;
-  bool cuts = false;               ///< also compute the cut discrepancy
-  bool pictures = true;            ///< in the report
-  UpAxis up = UpAxis::automatic;   ///< in pictures and views
-  std::uint64_t seed = 1;          ///< seed of the perturbations
-  PreparationOptions preparation;  ///< of every shape, after the perturbations
-  OnError on_error = OnError::stop;
+  bool cuts = false;              ///< also compute the cut discrepancy
+  bool pictures = true;           ///< in the report
+  UpAxis up = UpAxis::automatic;  ///< in pictures and views
 };
 
 /// Return the parameters of a method except its name, and those of the experiment.

@@ -59,8 +59,7 @@ std::vector<ComparedShape> shapes_of(const Json& settings, const fs::path& folde
 
 ShapeComparison checked_comparison(const Json& document, const fs::path& folder) {
   ShapeComparison comparison;
-  comparison.name = document.at("name");
-  comparison.description = document.value("description", "");
+  read_shared_settings(document, comparison);
   const Json& shapes = document.at("shapes");
   const std::vector<std::string> names = at_key("shapes", [&] { return unique_names(shapes, "shapes"); });
   comparison.shapes = at_key("shapes", [&] { return shapes_of(shapes, folder); });
@@ -70,9 +69,6 @@ ShapeComparison checked_comparison(const Json& document, const fs::path& folder)
     throw ConfigurationError{"registered", "needs a \"reference\" that the shapes are compared with"};
   }
   comparison.registered = document.value("registered", comparison.reference.has_value());
-  comparison.seed = read_seed(document);
-  if (document.contains("preparation")) comparison.preparation = read_preparation(document["preparation"]);
-  comparison.on_error = read_on_error(document);
   comparison.distance = document.value("distance", comparison.distance);
   comparison.signatures = at_key("signatures", [&] { return read_signatures(document.at("signatures")); });
   return comparison;
@@ -88,14 +84,10 @@ Json to_json(const GeneratedModel& generated) {
 }
 
 Json to_json(const ShapeComparison& comparison) {
-  Json json{{"name", comparison.name},
-            {"seed", comparison.seed},
-            {"preparation", to_json(comparison.preparation)},
-            {"on_error", word_of(comparison.on_error)},
-            {"signatures", to_json(comparison.signatures)},
-            {"distance", comparison.distance}};
+  Json json = shared_settings_json(comparison);
+  json["signatures"] = to_json(comparison.signatures);
+  json["distance"] = comparison.distance;
   for (const ComparedShape& shape : comparison.shapes) json["shapes"].push_back(to_json(shape));
-  if (!comparison.description.empty()) json["description"] = comparison.description;
   if (comparison.reference) {
     json["reference"] = comparison.shapes[*comparison.reference].name;
     json["registered"] = comparison.registered;

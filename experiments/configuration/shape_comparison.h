@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -24,15 +23,10 @@ struct ComparedShape {
 };
 
 /// Complete, validated shape comparison with all defaults: compares shapes with a reference.
-struct ShapeComparison {
-  std::string name;
-  std::string description;
+struct ShapeComparison : ExperimentSettings {
   std::vector<ComparedShape> shapes;
   std::optional<std::size_t> reference;  ///< index of the reference shape, if any
-  bool registered = true;          ///< shapes are aligned with the reference; required for comparing values and normals
-  std::uint64_t seed = 1;          ///< seed of the perturbations
-  PreparationOptions preparation;  ///< of every shape, after the perturbations
-  OnError on_error = OnError::stop;
+  bool registered = true;  ///< shapes are aligned with the reference; required for comparing values and normals
   std::vector<SignatureConfiguration> signatures;  ///< histograms of a field only
   std::string distance = "l1";
 };
