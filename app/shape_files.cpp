@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns the extensions of shape formats without their dots.
-std::vector<std::string> input_formats() {
+std::vector<std::string> shape_input_formats() {
   std::vector<std::string> formats;
   for (const std::string_view extension : shape_extensions()) formats.emplace_back(extension.substr(1));
   return formats;
@@ -114,7 +114,7 @@ Shape read_input(const fs::path& input, const std::string& format) {
   }
   throw InputError(
       fmt::format("{}: unknown format: neither the name nor the content identifies it; use --input-format ({})",
-                  source.name, fmt::join(input_formats(), ", ")));
+                  source.name, fmt::join(shape_input_formats(), ", ")));
 }
 
 /// Runs one job. Output for standard output is written to a file first, because writers need a name.
@@ -138,7 +138,7 @@ void print(const Remarks& remarks, const std::string& prefix) {
 }  // namespace
 
 void add_shape_inputs(CLI::App& command, ShapeFiles& files) {
-  const std::vector<std::string> formats = input_formats();
+  const std::vector<std::string> formats = shape_input_formats();
   begin_option_group(command, input_options);
   command
       .add_option_function<std::vector<std::string>>(

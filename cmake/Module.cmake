@@ -80,7 +80,7 @@ endfunction()
 function(shapegauge_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD ${SHAPEGAUGE_UNITY_BUILD}
-                                             UNITY_BUILD_BATCH_SIZE 16)
+                                             UNITY_BUILD_BATCH_SIZE 24)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
                                            -Wcast-align -Woverloaded-virtual
                                            $<$<BOOL:${SHAPEGAUGE_WARNINGS_AS_ERRORS}>:-Werror>)
@@ -115,10 +115,7 @@ endfunction()
 function(shapegauge_optimise_little)
   foreach(target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-    get_target_property(headers ${target} PRECOMPILE_HEADERS_REUSE_FROM)
-    if(headers)
-      shapegauge_precompile_headers(${target} -O1)
-    endif()
+    shapegauge_precompile_headers(${target} -O1)
   endforeach()
 endfunction()
 function(shapegauge_optimise_moderately)
@@ -126,7 +123,7 @@ function(shapegauge_optimise_moderately)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
   endforeach()
 endfunction()
-# The heaviest headers, parsed once for all position-independent targets of a build in batches, and once more for those at -O1
+# The heaviest headers, parsed once for all targets of a build in batches, and once more for those at -O1
 # (another argument), since GCC 13 and later refuse headers precompiled with more optimisation; the sources still include
 # what they use. A compiler cache is more efficient without them.
 function(shapegauge_precompile_headers target)
@@ -145,5 +142,6 @@ function(shapegauge_precompile_headers target)
                               <tbb/parallel_for.h> <tbb/parallel_reduce.h> <algorithm> <filesystem> <fstream>
                               <functional> <map> <memory> <mutex> <optional> <string> <vector>)
   endif()
+  target_compile_options(${target} PRIVATE -fPIC) # as those headers are, also in programs
   target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/pages/collection_map.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "shapegauge/core/base/decompositions.h"
 
 namespace shapegauge {
 
@@ -41,7 +42,7 @@ Eigen::MatrixX2d plane_embedding(const Eigen::MatrixXd& distances) {
   const Eigen::VectorXd means = squares.rowwise().mean();
   Eigen::MatrixXd products = -0.5 * ((squares.colwise() - means).rowwise() - means.transpose());
   products.array() -= 0.5 * means.mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(products);
+  const auto solver = eigen_decomposition(products);
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     Eigen::VectorXd along = solver.eigenvectors().col(count - 1 - axis);
     Eigen::Index largest = 0;

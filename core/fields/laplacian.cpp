@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/core/fields/laplacian.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <Spectra/SymEigsShiftSolver.h>
@@ -17,6 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/random_numbers.h"
@@ -147,7 +147,7 @@ Eigen::Index count_below(const SparseMatrix& matrix, double value) {
 /// which symmetric shapes have. Missing ones are counted and computed in the complement of the known eigenvectors.
 Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, double shift) {
   if (matrix.rows() <= 2 * count + 20) {  // too few for Lanczos iterations
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(matrix)};
+    const auto solver = eigen_decomposition(Eigen::MatrixXd(matrix));
     if (solver.info() != Eigen::Success) throw InputError("the eigenvalues of the mesh's Laplacian did not converge");
     return first_of({solver.eigenvalues(), solver.eigenvectors()}, count);
   }

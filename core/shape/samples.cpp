@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/core/shape/samples.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
@@ -179,8 +179,7 @@ void settle_cancelled_normals(const Shape& shape, const Eigen::VectorXd& total_a
   }
   for (Eigen::Index v = 0; v < sums.rows(); ++v) {
     if (place[static_cast<std::size_t>(v)] < 0) continue;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-        squares[static_cast<std::size_t>(place[static_cast<std::size_t>(v)])]);
+    const auto solver = eigen_decomposition(squares[static_cast<std::size_t>(place[static_cast<std::size_t>(v)])]);
     if (solver.eigenvalues()[2] < agreed * solver.eigenvalues().sum()) continue;
     const Eigen::RowVector3d direction = solver.eigenvectors().col(2).transpose();
     sums.row(v) = total_angles[v] * (direction.dot(sums.row(v)) < 0 ? -direction : direction);

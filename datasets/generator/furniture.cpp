@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/datasets/generator/drawn_objects.h"
 
 namespace shapegauge {
@@ -17,7 +18,7 @@ Solid post(const Vector3d& from, const Vector3d& to, double radius, bool square)
   const Vector3d middle = (from + to) / 2;
   const Vector3d half(radius, radius, (to - from).norm() / 2);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to - from).toRotationMatrix();
+  motion.linear() = rotation_between(Vector3d::UnitZ(), to - from);
   motion.translation() = middle;
   return transformed_solid(rounded_box(Vector3d::Zero(), half, radius / 3), motion);
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/datasets/generator/implicit_surface.h"
 
 namespace shapegauge {
@@ -82,7 +83,7 @@ Solid rounded_cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, d
   const double length = (to - from).norm();
   const Outline outline = {{radius - rounding, rounding}, {radius - rounding, length - rounding}};
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from).toRotationMatrix();
+  motion.linear() = rotation_between(Eigen::Vector3d::UnitZ(), to - from);
   motion.translation() = from;
   return transformed_solid(revolved(outline, rounding), motion);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
 
-#include <Eigen/Eigenvalues>
 #include <Spectra/MatOp/DenseSymMatProd.h>
 #include <Spectra/SymEigsSolver.h>
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
@@ -46,8 +46,7 @@ Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index
   check_interruption();
   const Eigen::Index basis = 3 * count;
   if (matrix.rows() <= 2 * basis) {  // faster directly
-    return descending_sizes(
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues(), count);
+    return descending_sizes(eigen_decomposition(matrix, Eigen::EigenvaluesOnly).eigenvalues(), count);
   }
   Spectra::DenseSymMatProd<double> product(matrix);
   Spectra::SymEigsSolver<Spectra::DenseSymMatProd<double>> solver(product, count, basis);

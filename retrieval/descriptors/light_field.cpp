@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
@@ -128,11 +129,6 @@ std::array<Eigen::Quaterniond, light_field_sets> set_turns() {
   return turns;
 }
 
-/// Returns the rotation that maps an axis to z.
-Eigen::Matrix3d looking_along(const Eigen::Vector3d& axis) {
-  return Eigen::Quaterniond::FromTwoVectors(axis, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-}
-
 /// Mesh for drawing: the used vertices, one a column.
 struct DrawnMesh {
   Eigen::Matrix3Xf vertices;
@@ -209,7 +205,7 @@ Eigen::VectorXf light_field(const Shape& shape, const LightFieldOptions& options
   for (const Eigen::Quaterniond& turn : turns) {
     for (const Eigen::Vector3d& axis : axes) {
       check_interruption();
-      const Eigen::Matrix3d rotation = looking_along(turn * axis);
+      const Eigen::Matrix3d rotation = rotation_between(turn * axis, Eigen::Vector3d::UnitZ());
       for (const double feature : (*features_of)(silhouette(mesh.vertices, mesh.triangles, rotation, options.pixels))) {
         features[next++] = static_cast<float>(std::round(255 * std::min(feature, 1.0)));
       }

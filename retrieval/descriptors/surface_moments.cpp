@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegauge/retrieval/descriptors/surface_moments.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+
+#include "shapegauge/core/base/decompositions.h"
 
 namespace shapegauge {
 
@@ -32,7 +33,7 @@ SurfaceMoments surface_moments(const Shape& mesh) {
 }
 
 Eigen::Matrix3d principal_axes(const Eigen::Matrix3d& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric);
+  const auto solver = eigen_decomposition(symmetric);
   Eigen::Matrix3d axes;
   axes.row(0) = solver.eigenvectors().col(2).transpose();
   axes.row(1) = solver.eigenvectors().col(1).transpose();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -26,6 +25,11 @@ using test::nearest_of;
 using test::no_neighbour;
 using test::with_gaps;
 
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& positive_definite) {
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(positive_definite.rows(), positive_definite.cols());
+  return positive_definite.llt().solve(identity);
+}
+
 /// (I - damping D^-1/2 A D^-1/2)^-1 by direct evaluation of its definition.
 Eigen::MatrixXd affinity_reference(const DistanceMatrix& distances, std::size_t k, double damping) {
   const Eigen::Index n = distances.rows();
@@ -48,7 +52,7 @@ Eigen::MatrixXd affinity_reference(const DistanceMatrix& distances, std::size_t 
       if (a(i, j) > 0) system(i, j) -= damping * a(i, j) / std::sqrt(degrees[i] * degrees[j]);
     }
   }
-  return system.inverse();
+  return inverse_of(system);
 }
 
 /// Distances from similarities and the weighted original distances, by definition; not symmetrized.
@@ -109,8 +113,7 @@ TEST(Diffusion, InverseMatchesEigenToTheBit) {
     const DistanceMatrix distances = distances_of(arcs(size, 1, 1));
     const DiffusionOptions options{.neighbours = 5, .tie = 0};
     const Eigen::MatrixXd graph = diffusion_graph(nearest_models(size, 5, rows_of(distances)), 5);
-    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(size, size);
-    const Eigen::MatrixXd affinities = (identity - options.damping * graph).llt().solve(identity);
+    const Eigen::MatrixXd affinities = inverse_of(Eigen::MatrixXd::Identity(size, size) - options.damping * graph);
     const DistanceMatrix walked = 1 - (1 - options.damping) * affinities.array();
     DistanceMatrix expected = walked / 2 + walked.transpose() / 2;
     expected.diagonal().setZero();
@@ -184,7 +187,7 @@ TEST(DiffusedDiagonal, MatchesTheInverse) {
   for (const double damping : {0.0, 0.3, 0.95}) {
     const auto graph = diffusion_graph(nearest_models(120, 7, rows_of(distances)), 7);
     const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(120, 120) - damping * Eigen::MatrixXd(graph);
-    const Eigen::VectorXd expected = system.inverse().diagonal();
+    const Eigen::VectorXd expected = inverse_of(system).diagonal();
     // The tolerance of the series and of the row solver.
     EXPECT_LT((diffused_diagonal(graph, damping) - expected).cwiseAbs().maxCoeff(), 2e-6 * expected.maxCoeff())
         << damping;

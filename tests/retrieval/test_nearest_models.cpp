@@ -9,13 +9,13 @@
 namespace shapegauge {
 namespace {
 
-constexpr double unreachable = std::numeric_limits<double>::infinity();
+constexpr double no_distance = std::numeric_limits<double>::infinity();
 
 DistanceMatrix with_a_far_model() {
-  return DistanceMatrix{{0, 2, 1, unreachable},
-                        {2, 0, 2, unreachable},
-                        {1, 2, 0, unreachable},
-                        {unreachable, unreachable, unreachable, 0}};
+  return DistanceMatrix{{0, 2, 1, no_distance},
+                        {2, 0, 2, no_distance},
+                        {1, 2, 0, no_distance},
+                        {no_distance, no_distance, no_distance, 0}};
 }
 
 TEST(NearestModels, AreSortedWithTiesByIndexAndExcludeInfiniteDistances) {
@@ -25,7 +25,7 @@ TEST(NearestModels, AreSortedWithTiesByIndexAndExcludeInfiniteDistances) {
   EXPECT_EQ(nearest.indices.row(1), (Eigen::RowVector2i{0, 2}));
   EXPECT_EQ(nearest.indices.row(3), (Eigen::RowVector2i{-1, -1}));
   EXPECT_EQ(nearest.distances.row(2), (Eigen::RowVector2d{1, 2}));
-  EXPECT_EQ(nearest.distances(3, 0), unreachable);
+  EXPECT_EQ(nearest.distances(3, 0), no_distance);
   EXPECT_EQ(nearest.largest, 2);
 }
 
@@ -78,7 +78,7 @@ TEST(OverflowSafeMean, OfHugeDistancesIsFinite) {
 
 TEST(MeanDistance, IgnoresInfiniteOnesIfThereAreFiniteOnes) {
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, 2, 6}}), 3);
-  EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, unreachable, 3}}), 2);
+  EXPECT_EQ(mean_distance(Eigen::RowVectorXd{{1, no_distance, 3}}), 2);
   EXPECT_EQ(mean_distance(Eigen::RowVectorXd(0)), 0);
 }
 

@@ -88,8 +88,8 @@ struct Refusal {
 /// Checks that the call throws an InputError with the word for each input.
 template <typename Call>
 void expect_refused(const std::vector<Refusal>& refusals, const Call& call) {
-  for (const auto& [input, word] : refusals) {
-    EXPECT_THAT(input_error_of([&] { call(input); }), testing::HasSubstr(word)) << input;
+  for (const Refusal& refusal : refusals) {
+    EXPECT_THAT(input_error_of([&] { call(refusal.input); }), testing::HasSubstr(refusal.word)) << refusal.input;
   }
 }
 

@@ -120,7 +120,7 @@ TEST_F(AtomicFileTest, RefusesPathsThatCannotBeWritten) {
   for (const auto& [path, reason] :
        {std::pair(folder_.path() / "absent" / "out", "No such file or directory"),
         std::pair(folder_.path(), "Is a directory"), std::pair(fs::path("/dev/full"), "No space left on device")}) {
-    EXPECT_THAT([&] { write_file_atomically(path, "x"); }, throws_cannot_write(path, reason));
+    EXPECT_THAT([&path = path] { write_file_atomically(path, "x"); }, throws_cannot_write(path, reason));
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -72,15 +72,20 @@ std::optional<Eigen::Vector3d> projection_of(ProjectionProblem problem, double l
   std::optional<Eigen::Vector3d> best;
   for (unsigned chosen = 0; chosen < 1U << half_spaces_per_problem; ++chosen) {
     if (std::popcount(chosen) > 3) continue;
-    Eigen::Matrix<double, half_spaces_per_problem, 3> planes = decltype(planes)::Zero();
-    Eigen::Matrix<double, half_spaces_per_problem, 1> heights = decltype(heights)::Zero();
+    Eigen::Matrix3d planes = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d heights = Eigen::Vector3d::Zero();
+    Eigen::Index count = 0;
     for (std::size_t i = 0; i < half_spaces_per_problem; ++i) {
       if ((chosen >> i & 1U) == 0) continue;
-      planes.row(static_cast<Eigen::Index>(i)) = problem.normals[i];
-      heights[static_cast<Eigen::Index>(i)] = problem.heights[i];
+      planes.row(count) = problem.normals[i];
+      heights[count++] = problem.heights[i];
     }
-    const Eigen::Vector3d x = planes.completeOrthogonalDecomposition().solve(heights);
-    if (largest_violation(problem, x) > 1e-9 || (best && x.norm() >= best->norm())) continue;
+    // The point of one or two planes that is nearest to the origin is also on the perpendicular planes through the
+    // origin.
+    if (count == 1) planes.row(1) = planes.row(0).unitOrthogonal();
+    if (count < 3) planes.row(2) = planes.row(0).cross(planes.row(1));
+    const Eigen::Vector3d x = planes.inverse() * heights;
+    if (!x.allFinite() || largest_violation(problem, x) > 1e-9 || (best && x.norm() >= best->norm())) continue;
     best = x;
   }
   return best;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/core/render/camera.h"
 #include "tests/support/test_shapes.h"
 
@@ -78,7 +79,7 @@ const std::vector<Eigen::Vector3d> directions_up = {{1, 0, 0}, {-1, 0, 0}, {0, 1
 
 TEST(UprightView, TheTopIsAboveTheBottomHoweverTheShapeIsTurnedAboutUp) {
   for (const Eigen::Vector3d& up : directions_up) {
-    const Eigen::Matrix3d raise = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
+    const Eigen::Matrix3d raise = rotation_between(Eigen::Vector3d::UnitZ(), up);
     for (double degrees = 0; degrees < 360; degrees += 40) {
       const Eigen::Matrix3d rotation = raise * rotation_about(Eigen::Vector3d::UnitZ(), degrees);
       const Shape shape = turned(figure(), rotation);

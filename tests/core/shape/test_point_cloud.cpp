@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/point_cloud.h"
@@ -108,7 +108,7 @@ Points normals_of_min_variance(const Points& points) {
     Eigen::MatrixX3d around(13, 3);
     around << points.row(i), points(nearest.indices.row(i), Eigen::all);
     around.rowwise() -= around.colwise().mean().eval();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(around.transpose() * around);
+    const auto solver = eigen_decomposition(Eigen::Matrix3d(around.transpose() * around));
     normals.row(i) = solver.eigenvectors().col(0).transpose();
   }
   return normals;

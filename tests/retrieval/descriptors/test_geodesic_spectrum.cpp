@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
@@ -23,7 +23,7 @@ Eigen::VectorXf spectrum_of(const Shape& shape) {
 TEST(DominantEigenvalues, AreTheLargestOfAllBySize) {
   const Eigen::MatrixXd random = Eigen::MatrixXd::Random(300, 300);
   const Eigen::MatrixXd symmetric = random + random.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(symmetric, Eigen::EigenvaluesOnly);
+  const auto all = eigen_decomposition(symmetric, Eigen::EigenvaluesOnly);
   std::vector<double> sizes;
   for (const double value : all.eigenvalues()) sizes.push_back(std::abs(value));
   std::sort(sizes.rbegin(), sizes.rend());

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "shapegauge/core/base/decompositions.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/light_field.h"
 #include "shapegauge/retrieval/descriptors/silhouette.h"
@@ -94,8 +95,7 @@ TEST(LightField, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
 TEST(LightField, BeginsWithTheRoundedFeaturesOfTheFirstView) {
   // A box whose corners are on the unit sphere, seen along the first vertex of the dodecahedron.
   const Shape box = test::box(Eigen::Vector3d(1, 2, 4) * 2 / std::sqrt(21.0), 1);
-  const Eigen::Matrix3d rotation =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(1, 1, 1), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d rotation = rotation_between({1, 1, 1}, Eigen::Vector3d::UnitZ());
   const auto features = SilhouetteFeatures(coarse.pixels)(
       silhouette(box.vertices.transpose().cast<float>(), box.triangles, rotation, coarse.pixels));
   const Eigen::VectorXf found = light_field(box, coarse);
