@@ -68,15 +68,18 @@ class Page:
     def texts(self, selector):
         return self.run("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
 
+    def pointer(self):
+        """Actions of the pointer, which by default takes a quarter of a second for each movement."""
+        return ActionChains(self.driver, duration=0)
+
     def point_at(self, element, x=0, y=0):
         """x and y: from the element's middle, in pixels."""
         self.run("arguments[0].scrollIntoView({block: 'center'})", element)
-        ActionChains(self.driver).move_to_element_with_offset(element, x, y).perform()
+        self.pointer().move_to_element_with_offset(element, x, y).perform()
 
     def drag(self, element, start, way):
         self.run("arguments[0].scrollIntoView({block: 'center'})", element)
-        ActionChains(self.driver).move_to_element_with_offset(element, *start).click_and_hold().move_by_offset(
-            *way).release().perform()
+        self.pointer().move_to_element_with_offset(element, *start).click_and_hold().move_by_offset(*way).release().perform()
         self.drawn()
 
     def click(self, element):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs pytest on this folder; exit status 77 if a package is missing."""
+"""run_tests.py MODULE...: runs pytest on these modules of tests; exit status 77 if a package is missing."""
 
-import os
 import sys
 
 try:
@@ -11,4 +10,4 @@ except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
 
-sys.exit(pytest.main(["-q", "-rs", "-p", "no:cacheprovider", os.path.dirname(os.path.abspath(__file__))]))
+sys.exit(pytest.main(["-q", "-rs", "-p", "no:cacheprovider", *sys.argv[1:]]))

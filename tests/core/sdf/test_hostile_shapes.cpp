@@ -227,17 +227,20 @@ Shape ball_with_slivers(int count) {
 TEST(HostileShapes, SliversHaveValues) {
   const Shape shape = ball_with_slivers(300);
   const Samples faces = sample_shape(shape, SampleSite::faces);
-  // Points on the slivers themselves, too: a third from one end, just inside of the longest side.
-  Samples on_slivers = faces;
-  on_slivers.site = SampleSite::surface;
-  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+  // The centroids, and points on the slivers themselves: a third from one end, just inside of the longest side.
+  const Eigen::Index count = shape.triangles.rows();
+  Samples samples{.site = SampleSite::surface,
+                  .points = faces.points.replicate<2, 1>(),
+                  .normals = faces.normals.replicate<2, 1>(),
+                  .weights = faces.weights.replicate<2, 1>(),
+                  .triangles = {}};
+  for (Eigen::Index i = 0; i < 2 * count; ++i) samples.triangles.push_back(static_cast<std::int32_t>(i % count));
+  for (Eigen::Index f = 0; f < count; ++f) {
     const auto corner = [&](int k) { return shape.vertices.row(shape.triangles(f, k)); };
-    on_slivers.points.row(f) = 0.62 * corner(0) + 0.37 * corner(1) + 0.01 * corner(2);
-    on_slivers.triangles.push_back(static_cast<std::int32_t>(f));
+    samples.points.row(count + f) = 0.62 * corner(0) + 0.37 * corner(1) + 0.01 * corner(2);
   }
   for (const double offset : {0.002, 0.003, 0.01, 0.05}) {
-    EXPECT_EQ(offset_sdf(shape, faces, {.offset = offset}).outcomes.missing, 0U) << offset;
-    EXPECT_EQ(offset_sdf(shape, on_slivers, {.offset = offset}).outcomes.missing, 0U) << offset;
+    EXPECT_EQ(offset_sdf(shape, samples, {.offset = offset}).outcomes.missing, 0U) << offset;
   }
 }
 
