@@ -32,6 +32,15 @@ Eigen::VectorXd ranks_of(const Eigen::VectorXd& values, double& ties) {
   return ranks;
 }
 
+// Returns the probability that random rankings of all data sets are equal, for rankings with these ranks.
+double chance_of_equal_rankings(const Eigen::VectorXd& ranks, double sets) {
+  double log_orders = std::lgamma(static_cast<double>(ranks.size()) + 1);
+  for (const std::vector<std::size_t>& tied : groups_of_equal_scores(ranks)) {
+    log_orders -= std::lgamma(static_cast<double>(tied.size()) + 1);
+  }
+  return std::exp((1 - sets) * log_orders);
+}
+
 FriedmanTest friedman_of(const Eigen::VectorXd& mean_ranks, double sets, double ties) {
   const auto methods = static_cast<double>(mean_ranks.size());
   FriedmanTest test;
@@ -44,7 +53,7 @@ FriedmanTest friedman_of(const Eigen::VectorXd& mean_ranks, double sets, double 
   const double rest = sets * (methods - 1) - test.chi_squared;
   if (rest <= score_rounding * sets * methods) {
     test.f = infinity;
-    test.f_p = 0;
+    test.f_p = chance_of_equal_rankings(mean_ranks, sets);
     return test;
   }
   test.f = (sets - 1) * test.chi_squared / rest;

@@ -17,7 +17,9 @@ struct FriedmanTest {
   double tie_correction = 1;  ///< divisor of the uncorrected statistic; 1 without ties
   double p = 1;               ///< chi-squared distribution with k - 1 degrees of freedom
   double f = 0;               ///< Iman and Davenport's statistic; infinite if all data sets have the same ranks
-  double f_p = 1;             ///< F distribution with k - 1 and (k - 1)(N - 1) degrees of freedom
+  /// F distribution with k - 1 and (k - 1)(N - 1) degrees of freedom; if F is infinite, the exact probability of equal
+  /// ranks
+  double f_p = 1;
 };
 
 /// Difference between two methods over data sets, first minus second.

@@ -81,9 +81,15 @@ double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
 }
 
 double class_p_value(const Eigen::VectorXd& differences, std::span<const int> classes) {
-  const Eigen::VectorXd means = units_of(differences, classes, ResamplingUnit::classes, Average::macro).values;
+  const auto class_means = [&](const Eigen::VectorXd& values) -> Eigen::ArrayXd {
+    return units_of(values, classes, ResamplingUnit::classes, Average::macro).values;
+  };
+  // Differences that cancel leave the rounding of their sums, relative to their magnitudes.
+  if (std::abs(differences.sum()) <= score_rounding * differences.cwiseAbs().sum()) return 1;
+  Eigen::ArrayXd means = class_means(differences);
+  means = (means.abs() <= score_rounding * class_means(differences.cwiseAbs())).select(0.0, means).eval();
   if (means.size() < 2 || means.mean() * differences.mean() <= 0) return 1;
-  const bool equal = (means.array() - means[0]).abs().maxCoeff() <= score_rounding * std::abs(means[0]);
+  const bool equal = (means - means[0]).abs().maxCoeff() <= score_rounding * std::abs(means[0]);
   return equal ? std::pow(2.0, 1.0 - static_cast<double>(means.size())) : paired_t_p_value(means);
 }
 
@@ -111,6 +117,7 @@ MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<con
     const auto a = static_cast<Eigen::Index>(first);
     const auto b = static_cast<Eigen::Index>(second);
     const Eigen::VectorXd differences = score_differences(units.values.col(a), units.values.col(b));
+    const Eigen::VectorXd query_differences = score_differences(per_query.col(a), per_query.col(b));
     const Eigen::VectorXd resampled_differences = resampled.col(a) - resampled.col(b);
     PairDifference pair{.first = first,
                         .second = second,
@@ -121,8 +128,8 @@ MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<con
     pair.p = p_value(differences, units, resampled_differences, pair.difference, options);
     pair.p_tukey = tukey(a, b);
     pair.effect_size = effect_size(contributions(differences, units.weights));
-    pair.queries = win_tie_loss(score_differences(per_query.col(a), per_query.col(b)));
-    pair.p_classes = class_p_value(per_query.col(a) - per_query.col(b), classes);
+    pair.queries = win_tie_loss(query_differences);
+    pair.p_classes = class_p_value(query_differences, classes);
     comparison.pairs.push_back(pair);
   }
   adjust(comparison.pairs, &PairDifference::p, &PairDifference::p_holm);

@@ -469,11 +469,12 @@ std::vector<double> misses_before_hits(const RankedList& list, std::size_t most)
   for (const RankRun& run : list.runs) {
     const auto term = [&](std::size_t j) {
       return [&, j](double probability, std::size_t t) {
-        return probability * static_cast<double>(std::min(before + t - j, most));
+        return probability * static_cast<double>(most - std::min(before + t - j, most));
       };
     };
     for (std::size_t j = 1; j <= run.hits; ++j) {
-      misses.push_back(mean_over_places(run.hits + run.misses, run.hits, j, term(j)));
+      const double short_of_most = mean_over_places(run.hits + run.misses, run.hits, j, term(j));
+      misses.push_back(static_cast<double>(most) - short_of_most);  // exactly `most` if all places reach it
     }
     before += run.misses;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "shapegauge/core/base/error.h"
@@ -129,8 +130,10 @@ double effect_size(const Eigen::VectorXd& differences) {
   if (differences.size() < 2) throw ArgumentError("an effect size needs at least two differences");
   const double mean = differences.mean();
   if (mean == 0) return 0;
-  const auto count = static_cast<double>(differences.size());
-  return mean / std::sqrt((differences.array() - mean).square().sum() / (count - 1));
+  const Eigen::ArrayXd deviations = differences.array() - mean;
+  const bool constant = deviations.abs().maxCoeff() <= score_rounding * std::abs(mean);
+  if (constant) return std::copysign(std::numeric_limits<double>::infinity(), mean);
+  return mean / std::sqrt(deviations.square().sum() / static_cast<double>(differences.size() - 1));
 }
 
 WinTieLoss win_tie_loss(const Eigen::VectorXd& differences) {

@@ -39,7 +39,7 @@ struct WantedEvaluation {
   std::vector<int> labels;                   ///< of the rows; negative for no class
   std::vector<int> targets;                  ///< of the columns, if they are other models; otherwise empty
   std::vector<int> subclasses;               ///< of the models, see number_subclasses(); empty for none
-  std::optional<Eigen::MatrixXi> relevance;  ///< grades instead of classes; 0 for not relevant
+  std::optional<Eigen::MatrixXi> relevance;  ///< grades instead of classes; 0: not relevant, negative: not judged
   bool square = true;                        ///< row i and column i are the same model
   bool negated = false;                      ///< the values are similarities
   EvaluationOptions options;
@@ -75,14 +75,19 @@ RetrievalTask task_of(const WantedEvaluation& wanted) {
   const Eigen::MatrixXi& grades = *wanted.relevance;
   task.judged.resize(wanted.labels.size());
   task.grades.resize(wanted.labels.size());
+  const bool all_judged = (grades.array() >= 0).all();
+  if (!all_judged) task.judged_irrelevant.resize(wanted.labels.size());
   for (Eigen::Index i = 0; i < grades.rows(); ++i) {
     const auto row = static_cast<std::size_t>(i);
     for (Eigen::Index j = 0; j < grades.cols(); ++j) {
-      if (grades(i, j) <= 0 || j == task.own_column[row]) continue;
-      task.judged[row].push_back(j);
-      task.grades[row].push_back(grades(i, j));
+      if (j == task.own_column[row]) continue;
+      if (grades(i, j) > 0) {
+        task.judged[row].push_back(j);
+        task.grades[row].push_back(grades(i, j));
+      } else if (grades(i, j) == 0 && !all_judged) {
+        task.judged_irrelevant[row].push_back(j);
+      }
     }
-    if (task.judged[row].empty()) task.query_classes[row] = no_class;
   }
   return task;
 }

@@ -353,6 +353,7 @@ RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judge
     std::erase_if(counted.queries, [&](const auto& judged) { return unanswered_queries.contains(judged.query); });
   }
   add_rows(missing, unanswered, ids);
+  if (ids.rows.empty()) throw InputError("none of the queries is judged; lists and judgements need the same ids");
   ids.columns.assign(models.begin(), models.end());
   const Positions columns(ids.columns, std::nullopt);
   RankedTask ranked{.answers = {},

@@ -39,17 +39,22 @@ std::optional<double> fraction_of_percent(const std::string& cell) {
   return percent ? std::optional(*percent / 100) : std::nullopt;
 }
 
-Eigen::RowVectorXd scores_of(const CsvRow& row, std::size_t measures, const std::string& source) {
-  if (row.cells.size() != first_measure + measures) {
+// Returns the largest score of a measure: the first tier of SHREC'21 is 1 + 1 / R for a perfect list.
+double largest_score(const std::string& measure) { return measure == "shrec21.FT" ? 2 : 1; }
+
+Eigen::RowVectorXd scores_of(const CsvRow& row, std::span<const std::string> measures, const std::string& source) {
+  if (row.cells.size() != first_measure + measures.size()) {
     throw InputError(fmt::format("{0}:{1}: expected {3} cells as in the first row, found {2}", source, row.line,
-                                 row.cells.size(), first_measure + measures));
+                                 row.cells.size(), first_measure + measures.size()));
   }
-  Eigen::RowVectorXd scores(static_cast<Eigen::Index>(measures));
-  for (std::size_t i = 0; i < measures; ++i) {
+  Eigen::RowVectorXd scores(std::ssize(measures));
+  for (std::size_t i = 0; i < measures.size(); ++i) {
     const std::string& cell = row.cells[first_measure + i];
     const auto fraction = fraction_of_percent(cell);
-    if (!fraction || !(*fraction >= 0 && *fraction <= 1)) {
-      throw InputError(fmt::format("{}:{}: {} is not a number from 0 to 100", source, row.line, quoted_word(cell)));
+    const double largest = largest_score(measures[i]);
+    if (!fraction || !(*fraction >= 0 && *fraction <= largest)) {
+      throw InputError(
+          fmt::format("{}:{}: {} is not a number from 0 to {}", source, row.line, quoted_word(cell), 100 * largest));
     }
     scores[static_cast<Eigen::Index>(i)] = *fraction;
   }
@@ -199,7 +204,7 @@ std::vector<MethodScores> read_method_scores(const std::filesystem::path& path) 
   std::vector<std::vector<Eigen::RowVectorXd>> scores;
   std::map<std::pair<std::string, std::string>, std::size_t> places;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const Eigen::RowVectorXd of_query = scores_of(rows[i], measures.size(), source);
+    const Eigen::RowVectorXd of_query = scores_of(rows[i], measures, source);
     const std::vector<std::string>& cells = rows[i].cells;
     const auto [place, is_new] = places.emplace(std::pair(cells[0], cells[1]), methods.size());
     if (is_new) {

@@ -34,6 +34,7 @@ void run_stages(const Configuration& configuration, const RunContext& context,
                 const std::vector<fs::path>& distance_files, ExperimentResults& results) {
   Stopwatch stopwatch;
   const Dataset dataset = prepare_dataset(configuration, context);
+  check_queries(dataset.models, configuration.evaluation);
   results.timings.emplace_back("dataset", stopwatch.lap());
 
   ComputedSignatures computed = compute_signatures(dataset, configuration, context);
@@ -72,6 +73,7 @@ PartOutcome run_part_of_experiment(const Configuration& configuration, const Run
   PartOutcome outcome;
   with_threads(context.control, [&] {
     const Dataset dataset = prepare_dataset(configuration, context);
+    check_queries(dataset.models, configuration.evaluation);
     outcome = describe_part(dataset, configuration, context, part);
     if (!has_streamed_methods(configuration, dataset.models.size())) return;
     if (!are_described(dataset, configuration, context)) return;

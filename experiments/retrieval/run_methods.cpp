@@ -307,6 +307,10 @@ class MethodsRun {
 
 }  // namespace
 
+void check_queries(const std::vector<Model>& models, const EvaluationOptions& options) {
+  static_cast<void>(RowEvaluator(leave_one_out(labels_of(models)), options, 0, 0));
+}
+
 void run_methods(const Configuration& configuration, const std::vector<fs::path>& distance_files,
                  const RunContext& context, ComputedSignatures& computed, ExperimentResults& results) {
   MethodsRun(configuration, distance_files, context, results.models, computed.without).run(computed, results);

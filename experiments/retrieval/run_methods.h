@@ -12,6 +12,9 @@
 
 namespace shapegauge {
 
+/// Throws ArgumentError if none of the models is a query, such as for a minimum class size that no class has.
+void check_queries(const std::vector<Model>& models, const EvaluationOptions& options);
+
 /// Computes and evaluates the distances of all methods of a run; adds the methods and their results. Moves the
 /// signatures from `computed` to the results. `distance_files` is as for run_experiment().
 ///

@@ -20,6 +20,7 @@
 #include "shapegauge/experiments/retrieval/experiment_report.h"
 #include "shapegauge/experiments/retrieval/manifest_entries.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
+#include "shapegauge/experiments/retrieval/run_methods.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 #include "shapegauge/pages/report.h"
 
@@ -206,8 +207,11 @@ RunOutcome run_retrieval(const Configuration& configuration, const RunContext& c
 
 nlohmann::json inputs_of(const Configuration& configuration, int threads) {
   nlohmann::json inputs;
-  with_threads(threads,
-               [&] { inputs = dataset_inputs(configuration, find_dataset(configuration.location.value()).models); });
+  with_threads(threads, [&] {
+    const Dataset dataset = find_dataset(configuration.location.value());
+    check_queries(dataset.models, configuration.evaluation);
+    inputs = dataset_inputs(configuration, dataset.models);
+  });
   return inputs;
 }
 

@@ -239,10 +239,10 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
     protocol). ties: "index", "optimistic", "pessimistic" or "expected". missing_labels: "error", or "no_class": a model
     without a label is not a query, and relevant to none. targets: labels of the columns, if they are other models than
     the rows. subclasses: those of the models, which grade models of one class for nDCG@N; None, "" or the label of the
-    model: no subclass. relevance: n x n grades instead of labels, 0 for not relevant. curve: "psb", "paper", "trec",
-    "raw" or "trec_eval" (default: that of the protocol). evaluator: program to reproduce, such as "shrec21", instead of
-    protocol, measures, ties and minimum_class_size. confidence: level of `intervals`, such as 0.95. blocks: unit of
-    resampling, "classes" or "queries".
+    model: no subclass. relevance: n x n grades instead of labels, 0 for not relevant, negative for not judged. curve:
+    "psb", "paper", "trec", "raw" or "trec_eval" (default: that of the protocol). evaluator: program to reproduce, such as
+    "shrec21", instead of protocol, measures, ties and minimum_class_size. confidence: level of `intervals`, such as 0.95.
+    blocks: unit of resampling, "classes" or "queries".
 
     >>> scores = sg.evaluate(distances, labels, protocol="psb")
     >>> scores["FT"]

@@ -62,6 +62,7 @@ TEST_F(SmallRun, DryRunChecksInputsAndPrintsTheConfiguration) {
   const auto configuration = nlohmann::json::parse(printed.output);
   EXPECT_EQ(configuration["signatures"][0]["histogram"]["bins"], 7);
   EXPECT_EQ(configuration["signatures"][0]["field"]["rays"], 25) << "a default";
+  EXPECT_THAT(run_executable(run + " --dry-run --set evaluation.minimum_class_size=100").errors, HasSubstr("no class"));
   EXPECT_FALSE(fs::exists(at("out")));
   ASSERT_EQ(run_executable(run).status, 0);
   EXPECT_THAT(run_executable(run + " --dry-run").output, HasSubstr("replacing"));

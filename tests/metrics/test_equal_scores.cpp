@@ -78,6 +78,7 @@ TEST(EqualScores, AreTiedInComparisons) {
         compare_methods(scores, classes_of_six(), {.test = test, .resampling = {.resamples = 100}});
     EXPECT_EQ(comparison.pairs[0].difference, 0);
     EXPECT_EQ(comparison.pairs[0].p, 1);
+    EXPECT_EQ(comparison.pairs[0].p_classes, 1);
     EXPECT_EQ(comparison.pairs[0].effect_size, 0);
     EXPECT_EQ(comparison.pairs[0].queries.ties, query_count);
   }

@@ -270,6 +270,9 @@ TEST(BinaryPreference, CountsNoMoreMissesThanThereAreHits) {
   EXPECT_DOUBLE_EQ(value("bpref", list_of_runs({{7, 0}, {2, 2}, {5, 0}})), 0);
   EXPECT_DOUBLE_EQ(value("bpref", list_of_runs({{1, 0}, {2, 2}, {5, 0}})), 0.5);
   EXPECT_EQ(value("bpref", list_of_hits({true, true})), 1);
+  for (std::size_t hits = 2; hits < 20; ++hits) {  // in any order of ties, all misses before a hit count as `hits`
+    EXPECT_EQ(value("bpref", list_of_runs({{20, 0}, {2 * hits + 1, hits}})), 0) << hits;
+  }
 }
 
 TEST(BinaryPreference, IsTheMeanOverTheOrdersOfTheTied) {

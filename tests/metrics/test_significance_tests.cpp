@@ -166,6 +166,7 @@ TEST(EffectSize, IsTheMeanInStandardDeviations) {
   EXPECT_DOUBLE_EQ(effect_size((Eigen::VectorXd(3) << 1, 2, 3).finished()), 2);
   EXPECT_EQ(effect_size(Eigen::VectorXd::Zero(3)), 0);
   EXPECT_TRUE(std::isinf(effect_size(Eigen::VectorXd::Ones(3))));
+  EXPECT_TRUE(std::isinf(effect_size(Eigen::Vector3d(0.5 - 0.4, 0.4 - 0.3, 0.3 - 0.2)))) << "equal up to rounding";
   EXPECT_THROW(effect_size(Eigen::VectorXd::Ones(1)), ArgumentError);
 }
 

@@ -178,7 +178,12 @@ def test_relevance_replaces_labels():
     assert by_relevance.protocol == "trec"
     assert by_relevance.micro == by_labels.micro
     same[0] = False  # without relevant models it is not a query
-    assert list(sg.evaluate(distances, relevance=same).queries) == [1, 2, 3, 4, 5, 6]
+    with pytest.warns(UserWarning, match="omitted from all scores: 1 query"):
+        others = sg.evaluate(distances, relevance=same, measures=["mAP"])
+    assert list(others.queries) == [1, 2, 3, 4, 5, 6]
+    counted = sg.evaluate(distances, relevance=same, measures=["mAP"], minimum_class_size=1)
+    assert list(counted.per_query["mAP"]) == [0, *others.per_query["mAP"]]
+    assert len(sg.evaluate(distances, relevance=same, evaluator="trec_eval").queries) == 7
     beyond = np.where(same, 2**32, 0)
     for wrong, words in [(same[:3], "3 x 7"), (same * 0.5, "whole numbers"),
                          (beyond, "grade 4294967296 in row 1, column 0 .* to 2147483647"),
@@ -196,6 +201,14 @@ def test_relevance_replaces_labels():
             sg.evaluate(distances, relevance=wrong)
     with pytest.raises(sg.InputError, match="give them, or relevance"):
         sg.evaluate(distances)
+
+
+def test_negative_relevance_means_not_judged():
+    distances = [[0, 1, 2, 3]] * 4  # the first model has one miss before its hit
+    grades = np.zeros((4, 4), int)
+    for miss, bpref in [(0, 0), (-1, 1)]:
+        grades[0] = [0, miss, 1, 0]
+        assert sg.evaluate(distances, relevance=grades, measures=["bpref"])["bpref"] == bpref
 
 
 def test_rows_may_be_queries_to_other_models():

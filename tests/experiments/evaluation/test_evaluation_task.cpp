@@ -111,6 +111,9 @@ TEST_F(EvaluationTaskTest, ATrecRunUnderJudgements) {
   EXPECT_THAT(input.task.warnings,
               ElementsAre(HasSubstr("1 query has no judgements"), HasSubstr("1 of 3 judged queries have no answer"),
                           HasSubstr("the lists have 2 to 3 of 4 models"), HasSubstr("grades above 1")));
+  const EvaluationFiles other_ids{.matrix = run, .qrels = file("other.txt", "Q1 0 a 1\n")};
+  EXPECT_THAT(test::input_error_of([&] { open_evaluation_files(other_ids); }),
+              HasSubstr("none of the queries is judged"));
 }
 
 TEST_F(EvaluationTaskTest, RankedListsUnderClasses) {

@@ -32,6 +32,7 @@ TEST_F(MethodScoresTest, AreReadByMethodAndAlignedByQuery) {
   ASSERT_EQ(methods.size(), 2U);
   EXPECT_EQ(methods[0].values(1, 1), 0.25);
   const AlignedMethods aligned = align_methods(methods, {});
+  EXPECT_EQ(read("method,protocol,id,class,shrec21.FT\na,psb,1,ant,150\n")[0].values(0, 0), 1.5);
   EXPECT_THAT(aligned.methods, ElementsAre("a", "b"));
   EXPECT_THAT(aligned.measures, ElementsAre("NN", "FT"));
   EXPECT_THAT(aligned.classes, ElementsAre(0, 0));
@@ -74,6 +75,7 @@ TEST_F(MethodScoresTest, FaultsAreOneErrorWithTheLine) {
     EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant," + std::string(figure) + "\n"),
                 HasSubstr("per_query.csv:2: \"" + std::string(figure) + "\" is not a number from 0 to 100"));
   }
+  EXPECT_THAT(error_of("method,protocol,id,class,NN,shrec21.FT\na,psb,1,ant,1,201\n"), HasSubstr("from 0 to 200"));
   EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant,1\na,psb,T1,ant,1\n"),
               HasSubstr("per_query.csv: repeated query \"T1\" for \"a\""));
 }
