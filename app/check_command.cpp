@@ -128,9 +128,10 @@ void add_check_command(CLI::App& app, int& status) {
       ->type_name("LENGTH");
   command->add_option("--min-gap", arguments->min_gap, "Minimum width of gaps")->type_name("LENGTH");
   command
-      ->add_option("--min-area", arguments->min_area,
-                   "Minimum area of listed regions, in squared units of the file, at least (limit / 8)²; smaller ones "
-                   "are only counted")
+      ->add_option(
+          "--min-area", arguments->min_area,
+          "Minimum area of listed regions, in squared units of the file, at least the smaller of (limit / 8)² and "
+          "1 % of the surface; smaller ones are only counted")
       ->type_name("AREA")
       ->capture_default_str();
   static constexpr auto parameters = parameters_of(inscribed_ball_table);
