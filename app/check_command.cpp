@@ -138,10 +138,11 @@ void add_check_command(CLI::App& app, int& status) {
   for (const Parameter& parameter : parameters) {
     add_parameter_option(*command, parameter, arguments->ball[std::string(parameter.name)]);
   }
-  add_shape_outputs(*command, arguments->files,
-                    ".html (interactive page), .ply (surface divided along regions, with diameters as fractions of the "
-                    "limit), .png (picture), .csv or .npy (fractions)")
-      ->required(false);
+  add_shape_outputs(*command, arguments->files, "")
+      ->required(false)
+      ->description(
+          "Output file: .html (interactive page), .ply (surface divided along regions, with diameters as fractions of "
+          "the limit), .png (picture), .csv or .npy (fractions); a folder for several inputs");
   add_up_option(*command, arguments->up);
   command->add_option("--format", arguments->format, "Format of the report; json lists the faces of each region")
       ->check(one_of({"text", "json", "csv"}))

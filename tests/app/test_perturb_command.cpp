@@ -60,7 +60,7 @@ TEST_F(PerturbCommand, WarnsOfCoordinatesTooLargeForStl) {
 
 TEST_F(PerturbCommand, KeepsTheAxisThatTheInputStates) {
   write_off(at("sphere.off"), shape, "# up: -x");
-  for (const std::string name : {"x.off", "x.obj", "sphere.off"}) {
+  for (const char* name : {"x.off", "x.obj", "sphere.off"}) {
     ASSERT_EQ(perturb(name, "--noise 0.01").status, 0);
     EXPECT_THAT(text_of(at(name)), testing::EndsWith("\n# up: -x\n")) << name;
     EXPECT_EQ(read_shape(at(name)).triangles.rows(), shape.triangles.rows()) << name;
