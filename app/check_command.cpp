@@ -128,19 +128,21 @@ void add_check_command(CLI::App& app, int& status) {
       ->type_name("LENGTH");
   command->add_option("--min-gap", arguments->min_gap, "Minimum width of gaps")->type_name("LENGTH");
   command
-      ->add_option("--min-area", arguments->min_area,
-                   "Minimum area of listed regions, in squared units of the file, at least (limit / 8)²; smaller ones "
-                   "are only counted")
+      ->add_option(
+          "--min-area", arguments->min_area,
+          "Minimum area of listed regions, in squared units of the file, at least the smaller of (limit / 8)² and "
+          "1 % of the surface; smaller ones are only counted")
       ->type_name("AREA")
       ->capture_default_str();
   static constexpr auto parameters = parameters_of(inscribed_ball_table);
   for (const Parameter& parameter : parameters) {
     add_parameter_option(*command, parameter, arguments->ball[std::string(parameter.name)]);
   }
-  add_shape_outputs(*command, arguments->files,
-                    ".html (interactive page), .ply (surface divided along regions, with diameters as fractions of the "
-                    "limit), .png (picture), .csv or .npy (fractions)")
-      ->required(false);
+  add_shape_outputs(*command, arguments->files, "")
+      ->required(false)
+      ->description(
+          "Output file: .html (interactive page), .ply (surface divided along regions, with diameters as fractions of "
+          "the limit), .png (picture), .csv or .npy (fractions); a folder for several inputs");
   add_up_option(*command, arguments->up);
   command->add_option("--format", arguments->format, "Format of the report; json lists the faces of each region")
       ->check(one_of({"text", "json", "csv"}))

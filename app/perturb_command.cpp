@@ -20,6 +20,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/formats.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/up_axis.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
 
@@ -101,9 +102,16 @@ std::vector<Perturbation> steps_of(const PerturbArguments& arguments) {
   return steps;
 }
 
-void write_with_remarks(ShapeWriter write, const std::filesystem::path& path, const Shape& shape, Remarks& remarks) {
-  write(path, shape);
-  if (const auto warning = precision_warning(path, shape)) remarks.warnings.push_back(*warning);
+/// Writes the result of a job. In OFF and OBJ files, the comment of the input on its axis (up_axis.h) is kept.
+void write_result(ShapeWriter write, const ShapeJob& job, const Shape& shape, Remarks& remarks) {
+  const std::string up = stated_up(job.input);
+  if (write == off_format().write)
+    write_off(job.output, shape, up);
+  else if (write == obj_format().write)
+    write_obj(job.output, shape, up);
+  else
+    write(job.output, shape);
+  if (const auto warning = precision_warning(job.output, shape)) remarks.warnings.push_back(*warning);
 }
 
 int run(const PerturbArguments& arguments) {
@@ -113,7 +121,7 @@ int run(const PerturbArguments& arguments) {
   return for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
     PerturbedShape perturbed = perturb_model(shape, steps, arguments.seed, "", 0);
     std::ranges::move(perturbed.remarks, std::back_inserter(remarks.warnings));
-    write_with_remarks(write, job.output, perturbed.shape, remarks);
+    write_result(write, job, perturbed.shape, remarks);
   });
 }
 
@@ -145,7 +153,7 @@ void add_convert_command(CLI::App& app, int& status) {
   command->callback([files, &status] {
     const ShapeWriter write = shape_writer(output_name(*files));
     status = for_each_shape(*files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
-      write_with_remarks(write, job.output, shape, remarks);
+      write_result(write, job, shape, remarks);
     });
   });
 }

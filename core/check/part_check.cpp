@@ -202,15 +202,20 @@ void measure_smallest(const CellSampler& sampler, std::span<const ThinCell> cell
   region.opposite = smallest.ball.contact;
 }
 
+/// Returns CheckOptions::min_area with its lower bound for this limit.
+double min_area_of_regions(const Shape& mesh, double limit, const CheckOptions& options) {
+  const double resolution = limit * CellSampler::border_size;
+  return std::max(options.min_area, std::min(resolution * resolution, surface_area(mesh) / 100));
+}
+
 ThinRegions regions_of(const CellSampler& sampler, std::vector<ThinCell>& cells, const UnitFrame& frame,
                        double min_area) {
   ThinRegions result{.limit = sampler.limit(), .regions = {}, .spacing = sampler.spacing()};
-  const double resolution = sampler.limit() * CellSampler::border_size;
   const Links links = links_between(cells, frame);
   settle_edges(cells, links, sampler.limit());
   for (const std::vector<std::int32_t>& members : connected(cells, links)) {
     ThinRegion region = region_of(cells, members);
-    if (region.area < std::max(min_area, resolution * resolution)) {
+    if (region.area < min_area) {
       ++result.small_regions;
       result.small_area += region.area;
       continue;
@@ -237,7 +242,7 @@ CheckedSide check_side(const Shape& mesh, const TouchingBalls& balls, BallSide s
   }
   const CellSampler sampler(mesh, balls, side, limit, options.ball.parallel);
   CheckedSide result{.found = {.regions = {}}, .cells = sampler.divide(std::move(cells))};
-  result.found = regions_of(sampler, result.cells.thin, unit_frame(mesh), options.min_area);
+  result.found = regions_of(sampler, result.cells.thin, unit_frame(mesh), min_area_of_regions(mesh, limit, options));
   return result;
 }
 

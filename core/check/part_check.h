@@ -13,9 +13,11 @@ namespace shapegauge {
 
 /// Limits of check_part(). Lengths and areas are in the shape's units.
 struct CheckOptions {
-  double min_wall = 0;        ///< minimum thickness of walls; 0: not checked
-  double min_gap = 0;         ///< minimum width of gaps; 0: not checked
-  double min_area = 0;        ///< smaller regions are only counted; at least the square of an eighth of the limit
+  double min_wall = 0;  ///< minimum thickness of walls; 0: not checked
+  double min_gap = 0;   ///< minimum width of gaps; 0: not checked
+  /// Smaller regions are only counted. At least the square of an eighth of the limit, but no more than a hundredth of
+  /// the surface: a part much smaller than the limit is a thin wall.
+  double min_area = 0;
   bool keep_surface = false;  ///< fill PartReport::surface
   InscribedBallOptions ball = {};
 };

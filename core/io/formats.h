@@ -68,6 +68,9 @@ Shape read_obj(const std::string& bytes, const std::string& name);
 /// not finite or a vertex index is out of range.
 void write_obj(const std::filesystem::path& path, const Shape& shape);
 
+/// The same, with a last line of text, such as a comment.
+void write_obj(const std::filesystem::path& path, const Shape& shape, std::string_view line);
+
 /// Reads a shape from the bytes of a PLY file, ASCII or binary of either byte order: x, y, z of the element `vertex`
 /// and `vertex_indices` (or `vertex_index`) of the element `face`. Other data is ignored. Polygons become triangles;
 /// faces of fewer than three vertices are dropped. Without faces the shape is a point cloud, with normals from the

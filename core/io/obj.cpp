@@ -194,10 +194,15 @@ void check_obj_header(const std::string& bytes, const std::string& name) {
 
 Shape read_obj(const std::string& bytes, const std::string& name) {
   const std::string text = with_separate_continuations(bytes);
-  return ObjReader(TextScanner(text, name)).read();
+  const TextScanner scanner(text, name);
+  const std::size_t zero = text.find('\0');  // would hide the statement behind it
+  if (zero != std::string::npos) scanner.fail_at(zero, "a zero byte: the file is damaged");
+  return ObjReader(scanner).read();
 }
 
-void write_obj(const std::filesystem::path& path, const Shape& shape) {
+void write_obj(const std::filesystem::path& path, const Shape& shape) { write_obj(path, shape, ""); }
+
+void write_obj(const std::filesystem::path& path, const Shape& shape, std::string_view line) {
   require_writable(path, shape);
   std::string text;
   for (const auto& vertex : shape.vertices.rowwise()) append_numbers(text += "v ", vertex);
@@ -208,6 +213,7 @@ void write_obj(const std::filesystem::path& path, const Shape& shape) {
     const Eigen::Matrix<std::int64_t, 1, 3> from_one = triangle.cast<std::int64_t>().array() + 1;
     append_numbers(text += "f ", from_one);
   }
+  if (!line.empty()) text.append(line) += '\n';
   write_file_atomically(path, text);
 }
 

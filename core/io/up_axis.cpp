@@ -52,6 +52,11 @@ Parameter up_parameter() {
           "OFF, OBJ and glTF, z for others."};
 }
 
+std::string stated_up(const std::filesystem::path& file) {
+  const std::optional<UpAxis> axis = stated_axis(file);
+  return axis ? fmt::format("{}{}", up_comment, word_of(*axis)) : "";
+}
+
 Eigen::Vector3d up_direction(UpAxis axis, const std::filesystem::path& file) {
   if (axis == UpAxis::automatic) axis = stated_axis(file).value_or(UpAxis::automatic);
   if (axis == UpAxis::automatic) axis = axis_of_format(file);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "shapegauge/core/base/parameter.h"
@@ -21,6 +22,9 @@ Parameter up_parameter();
 
 /// Comment by which a text file states its axis, before a word of UpAxis. At the end, simple readers do not meet it.
 inline constexpr std::string_view up_comment = "# up: ";
+
+/// Returns that comment of a file with the axis, as a line without its end, to be written again; empty without one.
+std::string stated_up(const std::filesystem::path& file);
 
 /// Returns the direction of the axis. `automatic` is the axis that a comment in the last 256 bytes of the file states,
 /// as in generated shapes, otherwise the convention of its format (ShapeFormat::y_is_up), by the extension. Without a

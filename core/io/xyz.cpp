@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fmt/format.h>
@@ -18,10 +19,12 @@ namespace shapegauge {
 
 namespace {
 
+bool is_separator(char c) { return c == ',' || c == ';'; }
+
 /// Converts separators to blanks and `//` to `#` for TextScanner. Bytes keep their positions and lines.
 std::string in_words(std::string text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == ',' || text[i] == ';') text[i] = ' ';
+    if (is_separator(text[i])) text[i] = ' ';
     if (text[i] == '/' && i + 1 < text.size() && text[i + 1] == '/') text[i] = '#';
   }
   return text;
@@ -101,6 +104,7 @@ class XyzReader {
     std::vector<std::string> names;
     while (!ahead.at_line_end()) names.push_back(lower_case(std::string(ahead.read_word())));
     if (names.size() < 3 || names[0] != "x" || names[1] != "y" || names[2] != "z") return false;
+    named_columns_ = names.size();
     other_names_ = names.size() >= 6 && !(names[3] == "nx" && names[4] == "ny" && names[5] == "nz");
     scanner_ = ahead;
     return true;
@@ -123,6 +127,7 @@ class XyzReader {
       if (k > 0 && scanner_.at_line_end()) scanner_.fail(fmt::format("expected 3 coordinates of a point, found {}", k));
       scanner_.read_number(position[k], "a coordinate");
     }
+    require_full_cells(begin);
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();  // no number
     Triple more = {};
     std::size_t columns = 3;
@@ -139,11 +144,26 @@ class XyzReader {
     if (columns >= 6) add_columns_4_to_6(more);
   }
 
+  /// Refuses a line with an empty cell before its last coordinate: the others would be taken for it. `begin` is the
+  /// offset of the first coordinate.
+  void require_full_cells(std::size_t begin) const {
+    const std::size_t line = original_.substr(0, begin).find_last_of("\r\n") + 1;  // 0 for the first line
+    const std::size_t end = text_.size() - scanner_.remaining();
+    if (std::ranges::count_if(original_.substr(line, end - line), is_separator) > 2) {
+      scanner_.fail("expected 3 coordinates of a point, found an empty cell");
+    }
+  }
+
   void begin_columns(std::size_t columns, std::size_t begin) {
     columns_ = columns;
     const std::size_t end = text_.size() - scanner_.remaining();
     if (has_decimal_commas(original_.substr(begin, end - begin))) {
       scanner_.fail("commas and other separators are mixed; write decimal points, not commas");
+    }
+    if (named_columns_ > 0 && columns > named_columns_) {
+      scanner_.fail(
+          fmt::format("the first line names {} columns, but the first point has {}: name or remove the others",
+                      named_columns_, columns));
     }
   }
 
@@ -192,6 +212,7 @@ class XyzReader {
   std::string_view text_;
   std::optional<std::size_t> count_;
   std::size_t columns_ = 0;
+  std::size_t named_columns_ = 0;  ///< 0 without names
   std::vector<Triple> positions_;
   std::vector<Triple> columns_4_to_6_;
   std::size_t vectors_ = 0;                ///< finite, non-zero vectors in columns 4 to 6

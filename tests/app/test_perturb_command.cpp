@@ -58,6 +58,19 @@ TEST_F(PerturbCommand, WarnsOfCoordinatesTooLargeForStl) {
   EXPECT_EQ(perturb("near.stl", "--flip 1").errors, "");
 }
 
+TEST_F(PerturbCommand, KeepsTheAxisThatTheInputStates) {
+  write_off(at("sphere.off"), shape, "# up: -x");
+  for (const char* name : {"x.off", "x.obj", "sphere.off"}) {
+    ASSERT_EQ(perturb(name, "--noise 0.01").status, 0);
+    EXPECT_THAT(text_of(at(name)), testing::EndsWith("\n# up: -x\n")) << name;
+    EXPECT_EQ(read_shape(at(name)).triangles.rows(), shape.triangles.rows()) << name;
+  }
+  ASSERT_EQ(run("convert @sphere.off -o @y.off").status, 0);
+  EXPECT_THAT(text_of(at("y.off")), testing::EndsWith("\n# up: -x\n"));
+  ASSERT_EQ(run("convert @sphere.off -o @y.ply").status, 0);
+  EXPECT_EQ(read_shape(at("y.ply")).triangles.rows(), shape.triangles.rows());
+}
+
 TEST_F(PerturbCommand, WritesPointClouds) {
   ASSERT_EQ(perturb("x.ply", "--points 50 --holes 1 --hole-radius 0.02").status, 0);
   EXPECT_THAT(text_of(at("x.ply")), HasSubstr("element vertex 50\n"));

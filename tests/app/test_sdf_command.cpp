@@ -209,7 +209,7 @@ TEST_F(SdfCommand, WarnsOfMissingValues) {
   EXPECT_EQ(
       outcome.errors,
       "shapegauge: warning: 1 of 1 samples missing: parts that are open or inside out (offset_sdf measures these), "
-      "vertices without triangles, or points without normals\n");
+      "triangles without area, vertices without triangles, points without normals or, for gaps, nothing opposite\n");
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("0,nan,0.5"));
 }
 

@@ -564,6 +564,17 @@ TEST(PartCheck, SmallRegionsAreCountedOnly) {
   EXPECT_NEAR(report.walls.small_area, smaller, 0.01 * smaller);
 }
 
+TEST(PartCheck, PartsMuchSmallerThanTheLimitAreThinWalls) {
+  const Shape box = test::box({1, 1, 1}, 1);
+  for (const double limit : {2.0, 30.0, 1e6}) {
+    const PartReport report = check_part(box, {.min_wall = limit});
+    ASSERT_EQ(report.walls.regions.size(), 1) << limit;
+    EXPECT_FALSE(report.passes()) << limit;
+    EXPECT_NEAR(report.walls.regions[0].area, surface_area(box), 1e-9) << limit;
+    EXPECT_NEAR(report.walls.regions[0].least, 1, 1e-9) << limit;
+  }
+}
+
 TEST(PartCheck, IsTheSameOnOneThread) {
   const Shape shape = lattice().shape(1);
   CheckOptions options = lattice().limits;

@@ -97,6 +97,7 @@ TEST(ReadObj, RefusesTextThatIsNotAMesh) {
                         {"v 0 0 0\nv 1 nan 0\n", "t.obj:2: a coordinate is not a finite number"},
                         {"v 0 0 0\nv 1 x 0\n", "t.obj:2: expected a coordinate"},
                         {"v 0 0 0\nv 1 0\nv 0 0 1\n", "t.obj:2: vertex 2 has fewer"},
+                        {obj_vertices + std::string(2, '\0') + "f 1 2 3\n", "t.obj:5: a zero byte"},
                         {obj_vertices + "vn 0 nan 0\n", "t.obj:5: a normal's component"},
                         {obj_vertices + "vn 0 0 1\nvn 1\n", "t.obj:6: normal 2 has fewer"},
                         {obj_vertices + "cstype bezier\ndeg 3\nsurf 0 1 0 1 1 2 3 4\nend\n", "free-form"},
