@@ -8,18 +8,17 @@ function(shapegauge_include_folder target folder)
   target_include_directories(${target} PUBLIC ${include_root})
 endfunction()
 
-# shapegauge_add_library(NAME FOLDER [SEPARATELY] [INTERNAL] [SOURCES sources...] [USES targets...]
-# [USES_PRIVATELY targets...] [PRIVATE_HEADERS headers...]): the library shapegauge_NAME, alias shapegauge::NAME, of
-# sources in a folder of the project and those below it, and its installation. SEPARATELY: its sources are never compiled
-# in batches, since their tables have the same names. INTERNAL: it is not installed. PRIVATE_HEADERS: headers that only
-# its own sources and tests include; they are not installed.
+# shapegauge_add_library(NAME FOLDER [INTERNAL] [SOURCES sources...] [USES targets...] [USES_PRIVATELY targets...]
+# [PRIVATE_HEADERS headers...]): the library shapegauge_NAME, alias shapegauge::NAME, of sources in a folder of the
+# project and those below it, and its installation. INTERNAL: it is not installed. PRIVATE_HEADERS: headers that only its
+# own sources and tests include; they are not installed.
 #
 # A library has the headers of its sources' folders. It sees those of the libraries that it uses and no others: each
 # library's headers are reachable only through an include directory of its own, <build>/include/NAME, which has a link
 # to each. An include across a border that docs/developer/architecture.md does not have is therefore a build error
 # (tests/borders).
 function(shapegauge_add_library name folder)
-  cmake_parse_arguments(arg "SEPARATELY;INTERNAL" "" "SOURCES;USES;USES_PRIVATELY;PRIVATE_HEADERS" ${ARGN})
+  cmake_parse_arguments(arg "INTERNAL" "" "SOURCES;USES;USES_PRIVATELY;PRIVATE_HEADERS" ${ARGN})
   add_library(shapegauge_${name} STATIC)
   add_library(shapegauge::${name} ALIAS shapegauge_${name})
   set(source_folders ${PROJECT_SOURCE_DIR}/${folder})
@@ -33,9 +32,6 @@ function(shapegauge_add_library name folder)
   set_target_properties(shapegauge_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   shapegauge_configure_target(shapegauge_${name})
   shapegauge_precompile_headers(shapegauge_${name})
-  if(arg_SEPARATELY)
-    set_target_properties(shapegauge_${name} PROPERTIES UNITY_BUILD OFF)
-  endif()
 
   set_property(GLOBAL APPEND PROPERTY SHAPEGAUGE_LIBRARIES ${name})
   set(include_root ${PROJECT_BINARY_DIR}/include/${name})

@@ -20,7 +20,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array table = {
+constexpr std::array bag_of_features_table = {
     option_of<&BagOfFeaturesOptions::words>("words", {.low = 1, .high = 10'000}, "Number of words in the codebook."),
     option_of<&BagOfFeaturesOptions::soft>("soft", "Assign each sample to all words, with Gaussian weights."),
     with_unit(
@@ -35,7 +35,7 @@ constexpr std::array table = {
                                                  "Maximum number of k-means iterations."),
     option_of<&BagOfFeaturesOptions::seed>("seed", {.low = 0, .high = 2'147'483'647}, "Seed of the random numbers."),
 };
-constexpr auto parameters = parameters_of(table);
+constexpr auto bag_of_features_parameters = parameters_of(bag_of_features_table);
 
 using Vectors = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -178,7 +178,7 @@ Codebook as_codebook(const LearntFeatures& matrix) {
 }  // namespace
 
 Codebook codebook(std::span<const ShapeFields> shapes, const BagOfFeaturesOptions& options) {
-  check_options("bag_of_features", table, options);
+  check_options("bag_of_features", bag_of_features_table, options);
   if (shapes.empty()) throw ArgumentError("there are no shapes to learn a codebook from");
   Vectors samples = samples_of(shapes, options.samples_per_shape);
   Codebook result{Eigen::RowVectorXf::Ones(samples.cols()), {}};
@@ -191,7 +191,7 @@ Codebook codebook(std::span<const ShapeFields> shapes, const BagOfFeaturesOption
 }
 
 Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, const BagOfFeaturesOptions& options) {
-  check_options("bag_of_features", table, options);
+  check_options("bag_of_features", bag_of_features_table, options);
   check_fields(fields, static_cast<std::size_t>(codebook.words.cols()));
   const double width = options.softness * spacing_of(codebook.words);
   Eigen::VectorXd bag = Eigen::VectorXd::Zero(codebook.words.rows());
@@ -218,20 +218,21 @@ Descriptor bag_of_features_descriptor() {
   return {.name = "bag_of_features",
           .description =
               "Bag of features: shares of the surface by codebook word of several fields (Sivic and Zisserman 2003).",
-          .parameters = parameters,
+          .parameters = bag_of_features_parameters,
           .min_fields = 1,
           .max_fields = max_fields,
           .version = 1,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures& learnt, const DescriptorSettings& settings) {
-                return bag_of_features(input.fields, as_codebook(learnt), options_from(table, settings.values));
+                return bag_of_features(input.fields, as_codebook(learnt),
+                                       options_from(bag_of_features_table, settings.values));
               },
           .distance = l1_distance,
           .learn =
               [](std::span<const DescriptorInput> shapes, const DescriptorSettings& settings) {
                 std::vector<ShapeFields> fields;
                 for (const DescriptorInput& shape : shapes) fields.push_back(shape.fields);
-                return as_matrix(codebook(fields, options_from(table, settings.values)));
+                return as_matrix(codebook(fields, options_from(bag_of_features_table, settings.values)));
               }};
 }
 

@@ -13,14 +13,14 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array table = {
+constexpr std::array d2_table = {
     option_of<&D2Options::points>("points", {.low = 2, .high = 10'000},
                                   "Number of points on the surface; all their pairs are used."),
     option_of<&D2Options::bins>("bins", {.low = 1, .high = 10'000}, "Number of bins of the distance histogram."),
     with_unit("mean distances",
               option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100}, "Upper end of the last bin.")),
 };
-constexpr auto parameters = parameters_of(table);
+constexpr auto d2_parameters = parameters_of(d2_table);
 
 /// Calls visit(distance, weight) for each pair.
 template <typename Visit>
@@ -36,7 +36,7 @@ void for_each_pair(const Samples& samples, Visit visit) {
 }  // namespace
 
 Eigen::VectorXf d2(const Shape& shape, const D2Options& options) {
-  check_options("d2", table, options);
+  check_options("d2", d2_table, options);
   const Samples samples = sample_surface(shape, options.points);
   double sum = 0;
   double total = 0;
@@ -57,11 +57,11 @@ Eigen::VectorXf d2(const Shape& shape, const D2Options& options) {
 Descriptor d2_descriptor() {
   return {.name = "d2",
           .description = "Shape distribution of the distances between points on the surface (Osada et al. 2002).",
-          .parameters = parameters,
+          .parameters = d2_parameters,
           .version = 2,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                return d2(input.shape, options_from(table, settings.values));
+                return d2(input.shape, options_from(d2_table, settings.values));
               },
           .distance = l1_distance};
 }

@@ -19,11 +19,11 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array table = {
+constexpr std::array geodesic_spectrum_table = {
     option_of<&GeodesicSpectrumOptions::eigenvalues>("eigenvalues", {.low = 1, .high = 100},
                                                      "Number of eigenvalues after the largest one."),
 };
-constexpr auto parameters = parameters_of(table);
+constexpr auto geodesic_spectrum_parameters = parameters_of(geodesic_spectrum_table);
 
 /// Returns the distances between landmarks, weighted by the square roots of their areas on both sides.
 Eigen::MatrixXd weighted_distances(const ProxyGeodesics& geodesics) {
@@ -61,7 +61,7 @@ Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index
 }
 
 Eigen::VectorXf geodesic_spectrum(ProxySource& source, const GeodesicSpectrumOptions& options) {
-  check_options("geodesic_spectrum", table, options);
+  check_options("geodesic_spectrum", geodesic_spectrum_table, options);
   const Eigen::VectorXd sizes = dominant_eigenvalues(weighted_distances(source.geodesics()), options.eigenvalues + 1);
   // Far below the smallest ratio of surfaces, which is about 1e-4 for 20 eigenvalues.
   constexpr double least = 1e-9;
@@ -76,11 +76,11 @@ Eigen::VectorXf geodesic_spectrum(ProxySource& source, const GeodesicSpectrumOpt
 Descriptor geodesic_spectrum_descriptor() {
   return {.name = "geodesic_spectrum",
           .description = "Eigenvalues of the geodesic distances between landmarks (after Smeets et al. 2012).",
-          .parameters = parameters,
+          .parameters = geodesic_spectrum_parameters,
           .version = version_on_proxy(1),
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                const GeodesicSpectrumOptions options = options_from(table, settings.values);
+                const GeodesicSpectrumOptions options = options_from(geodesic_spectrum_table, settings.values);
                 return on_proxy(input, [&](ProxySource& source) { return geodesic_spectrum(source, options); });
               },
           .distance = l2_distance};

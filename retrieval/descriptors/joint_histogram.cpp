@@ -20,7 +20,7 @@ namespace shapegauge {
 namespace {
 
 constexpr std::string_view name = "joint_histogram";
-constexpr std::array table = {
+constexpr std::array joint_histogram_table = {
     option_of<&JointAxis::bins>("bins", {.low = 1, .high = 1000}, "Number of bins of the axis."),
     with_unit("bins",
               option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
@@ -31,7 +31,7 @@ constexpr std::array table = {
     option_of<&JointAxis::per_shape>("per_shape", "Use each shape's own range instead."),
     option_of<&JointAxis::over_data_set>("over_data_set", "Use the range over the data set instead."),
 };
-constexpr auto parameters = parameters_of(table);
+constexpr auto joint_histogram_parameters = parameters_of(joint_histogram_table);
 constexpr std::array options_table = {
     option_of<&JointHistogramOptions::square_roots>(
         "square_roots", "Compare the square roots of the shares, which gives small ones more weight."),
@@ -61,7 +61,7 @@ double unit_of(const ScalarField& field, bool divide_by_mean) {
 }
 
 void check_axis(const JointAxis& axis) {
-  check_options(name, table, axis);
+  check_options(name, joint_histogram_table, axis);
   if (!(axis.low < axis.high)) {
     throw InputError(
         fmt::format("the range of an axis of a joint histogram must be ascending, not [{}, {}]", axis.low, axis.high));
@@ -180,7 +180,7 @@ namespace {
 
 std::vector<JointAxis> axes_from(const DescriptorSettings& settings) {
   std::vector<JointAxis> axes;
-  for (const ParameterValues& of_axis : settings.axes) axes.push_back(options_from(table, of_axis));
+  for (const ParameterValues& of_axis : settings.axes) axes.push_back(options_from(joint_histogram_table, of_axis));
   return axes;
 }
 
@@ -215,7 +215,7 @@ Descriptor joint_histogram_descriptor() {
   return {.name = name,
           .description = "Joint histogram of fields; of diameter and centricity: Gal, Shamir, Cohen-Or 2007.",
           .parameters = options_parameters,
-          .axis_parameters = parameters,
+          .axis_parameters = joint_histogram_parameters,
           .min_fields = 2,
           .max_fields = max_fields,
           .version = 2,

@@ -27,11 +27,11 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array table = {
+constexpr std::array light_field_table = {
     with_unit("pixels", option_of<&LightFieldOptions::pixels>("pixels", {.low = 16, .high = 1024},
                                                               "Width and height of a silhouette.")),
 };
-constexpr auto parameters = parameters_of(table);
+constexpr auto light_field_parameters = parameters_of(light_field_table);
 
 constexpr std::size_t light_field_sets = 10;
 constexpr std::size_t light_field_views = 10;
@@ -195,7 +195,7 @@ std::uint32_t l1_of_views(const std::uint8_t* a, const std::uint8_t* b) {
 }  // namespace
 
 Eigen::VectorXf light_field(const Shape& shape, const LightFieldOptions& options) {
-  check_options("light_field", table, options);
+  check_options("light_field", light_field_table, options);
   const DrawnMesh mesh = in_unit_ball(shape);
   static const std::array<Eigen::Quaterniond, light_field_sets> turns = set_turns();
   const Axes axes = dodecahedron_axes();
@@ -241,11 +241,11 @@ double light_field_distance(std::span<const float> a, std::span<const float> b) 
 Descriptor light_field_descriptor() {
   return {.name = "light_field",
           .description = "Silhouettes from all sides, as Zernike moments and Fourier coefficients (Chen et al. 2003).",
-          .parameters = parameters,
+          .parameters = light_field_parameters,
           .version = 3,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                return light_field(input.shape, options_from(table, settings.values));
+                return light_field(input.shape, options_from(light_field_table, settings.values));
               },
           .distance = light_field_distance};
 }

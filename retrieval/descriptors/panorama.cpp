@@ -22,7 +22,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array table = {
+constexpr std::array panorama_table = {
     option_of<&PanoramaOptions::angles>("angles", {.low = 64, .high = 1024},
                                         "Number of cells around a cylinder; a multiple of 64."),
     option_of<&PanoramaOptions::heights>("heights", {.low = 64, .high = 1024},
@@ -35,7 +35,7 @@ constexpr std::array table = {
     with_unit("root mean squares of the distance from the centroid",
               option_of<&PanoramaOptions::radius>("radius", {.low = 0.1, .high = 100}, "Radius of the cylinders.")),
 };
-constexpr auto parameters = parameters_of(table);
+constexpr auto panorama_parameters = parameters_of(panorama_table);
 
 constexpr std::size_t poses = 2;
 constexpr std::size_t maps = 6;  // maps of a pose: distances and cosines for each axis
@@ -168,7 +168,7 @@ std::array<Eigen::Matrix3d, poses> rotations_into_poses(const SurfaceMoments& mo
 }  // namespace
 
 Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options) {
-  check_options("panorama", table, options);
+  check_options("panorama", panorama_table, options);
   constexpr int coarsest = 1 << wavelet_levels;
   if (options.angles % coarsest != 0 || options.heights % coarsest != 0) {
     throw InputError("the descriptor panorama needs angles and heights that are multiples of 64, not " +
@@ -216,11 +216,11 @@ Descriptor panorama_descriptor() {
       .description =
           "Fourier magnitudes and wavelet statistics of the views from cylinders about principal axes (Papadakis et "
           "al. 2010).",
-      .parameters = parameters,
+      .parameters = panorama_parameters,
       .version = 3,
       .describe =
           [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-            return panorama(input.shape, options_from(table, settings.values));
+            return panorama(input.shape, options_from(panorama_table, settings.values));
           },
       .distance = panorama_distance};
 }

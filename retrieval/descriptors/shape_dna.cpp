@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array table = {
+constexpr std::array shape_dna_table = {
     option_of<&ShapeDnaOptions::eigenvalues>("eigenvalues", {.low = 1, .high = 1000},
                                              "Number of positive eigenvalues, smallest first."),
     option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank", "Divide the k-th eigenvalue by k."),
@@ -26,12 +26,12 @@ struct ShapeDnaSettings {
 };
 
 constexpr std::array settings_table = {
-    nested_option<&ShapeDnaSettings::options, table, 0>(),
-    nested_option<&ShapeDnaSettings::options, table, 1>(),
+    nested_option<&ShapeDnaSettings::options, shape_dna_table, 0>(),
+    nested_option<&ShapeDnaSettings::options, shape_dna_table, 1>(),
     option_of<&ShapeDnaSettings::on>(
         "on", "mesh: the mesh's own Laplacian; proxy: that of the surface proxy, for damaged meshes and clouds too."),
 };
-constexpr auto parameters = parameters_of(settings_table);
+constexpr auto shape_dna_parameters = parameters_of(settings_table);
 
 Eigen::VectorXf features_of(const Spectrum& spectrum, double area, const ShapeDnaOptions& options) {
   Eigen::VectorXf features = Eigen::VectorXf::Zero(options.eigenvalues);
@@ -46,20 +46,20 @@ Eigen::VectorXf features_of(const Spectrum& spectrum, double area, const ShapeDn
 }  // namespace
 
 Eigen::VectorXf shape_dna(const Shape& mesh, const ShapeDnaOptions& options) {
-  check_options("shape_dna", table, options);
+  check_options("shape_dna", shape_dna_table, options);
   require_usable(mesh);
   return features_of(laplacian_spectrum(mesh, options.eigenvalues + 1), surface_area(mesh), options);
 }
 
 Eigen::VectorXf shape_dna_on_proxy(ProxySource& source, const ShapeDnaOptions& options) {
-  check_options("shape_dna", table, options);
+  check_options("shape_dna", shape_dna_table, options);
   return features_of(source.spectrum(options.eigenvalues + 1), source.proxy().areas.sum(), options);
 }
 
 Descriptor shape_dna_descriptor() {
   return {.name = "shape_dna",
           .description = "The first eigenvalues of the surface's Laplacian (Reuter, Wolter, Peinecke 2006).",
-          .parameters = parameters,
+          .parameters = shape_dna_parameters,
           .version = version_on_proxy(3),
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {

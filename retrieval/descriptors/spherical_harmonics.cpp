@@ -21,7 +21,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array table = {
+constexpr std::array spherical_harmonics_table = {
     option_of<&SphericalHarmonicsOptions::shells>("shells", {.low = 1, .high = 256}, "Number of concentric spheres."),
     option_of<&SphericalHarmonicsOptions::bandwidth>("bandwidth", {.low = 1, .high = 64},
                                                      "Number of frequencies per sphere, from 0."),
@@ -30,7 +30,7 @@ constexpr std::array table = {
                                                            "Width of the Gaussian of the distance to the surface.")),
     option_of<&SphericalHarmonicsOptions::voxels>("voxels", "Use the voxelised surface instead of the Gaussian."),
 };
-constexpr auto parameters = parameters_of(table);
+constexpr auto spherical_harmonics_parameters = parameters_of(spherical_harmonics_table);
 
 /// Nodes and weights of Gauss-Legendre quadrature over [-1, 1].
 struct Quadrature {
@@ -180,7 +180,7 @@ Eigen::VectorXd HarmonicTransform::norms(const Eigen::VectorXd& values) const {
 }
 
 Eigen::VectorXf spherical_harmonics(const Shape& shape, const SphericalHarmonicsOptions& options) {
-  check_options("spherical_harmonics", table, options);
+  check_options("spherical_harmonics", spherical_harmonics_table, options);
   constexpr Eigen::Index places = 20'000;  // that find the centroid and the mean distance to a hundredth
   const Samples samples = sample_surface(shape, places);
   const Shape unit = centred(shape, samples);
@@ -202,11 +202,11 @@ Eigen::VectorXf spherical_harmonics(const Shape& shape, const SphericalHarmonics
 Descriptor spherical_harmonics_descriptor() {
   return {.name = "spherical_harmonics",
           .description = "Norms of spherical harmonics on concentric shells (Kazhdan et al. 2003).",
-          .parameters = parameters,
+          .parameters = spherical_harmonics_parameters,
           .version = 2,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                return spherical_harmonics(input.shape, options_from(table, settings.values));
+                return spherical_harmonics(input.shape, options_from(spherical_harmonics_table, settings.values));
               },
           .distance = l2_distance};
 }

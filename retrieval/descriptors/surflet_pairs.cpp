@@ -19,7 +19,7 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::array table = {
+constexpr std::array surflet_pairs_table = {
     option_of<&SurfletPairsOptions::distance_bins>("distance_bins", {.low = 2, .high = 64},
                                                    "Number of bins of the distance."),
     option_of<&SurfletPairsOptions::angle_bins>("angle_bins", {.low = 2, .high = 16},
@@ -27,7 +27,7 @@ constexpr std::array table = {
     option_of<&SurfletPairsOptions::largest_distance>("largest_distance", {.low = 1, .high = 100},
                                                       "Upper end of the distance axis, in mean distances."),
 };
-constexpr auto parameters = parameters_of(table);
+constexpr auto surflet_pairs_parameters = parameters_of(surflet_pairs_table);
 
 constexpr std::size_t dimensions = 4;
 
@@ -99,7 +99,7 @@ double mean_pair_distance(const Points& points, const Eigen::VectorXd& areas) {
 }  // namespace
 
 Eigen::VectorXf surflet_pairs(ProxySource& source, const SurfletPairsOptions& options) {
-  check_options("surflet_pairs", table, options);
+  check_options("surflet_pairs", surflet_pairs_table, options);
   const Eigen::VectorXd areas = source.geodesics().areas / source.geodesics().areas.sum();
   const Points& points = source.proxy().points;
   const Points& normals = source.proxy().normals;
@@ -121,11 +121,11 @@ Eigen::VectorXf surflet_pairs(ProxySource& source, const SurfletPairsOptions& op
 Descriptor surflet_pairs_descriptor() {
   return {.name = "surflet_pairs",
           .description = "Distances and angles of pairs of points with normals (after Wahl et al. 2003).",
-          .parameters = parameters,
+          .parameters = surflet_pairs_parameters,
           .version = version_on_proxy(1),
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                const SurfletPairsOptions options = options_from(table, settings.values);
+                const SurfletPairsOptions options = options_from(surflet_pairs_table, settings.values);
                 return on_proxy(input, [&](ProxySource& source) { return surflet_pairs(source, options); });
               },
           .distance = l1_distance};
