@@ -203,7 +203,7 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
       methods.classes.size(), count_text(comparisons[0].classes, "class", "classes"), methods.protocol,
       name_of(options.average), 100 * options.confidence, name_of(options.blocks),
       options.blocks == ResamplingUnit::queries ? "these classes" : "classes like these", name_of(options.test),
-      1 - options.confidence);
+      significance_level(options.confidence));
 }
 
 void write_compared(const CompareArguments& arguments, ComparedInputs& compared, const AlignedMethods& aligned,

@@ -14,6 +14,11 @@
 
 namespace shapegauge {
 
+double significance_level(double confidence) {
+  constexpr double steps = 1e12;
+  return std::round((1 - confidence) * steps) / steps;
+}
+
 namespace {
 
 std::map<int, double> sizes_of(std::span<const int> classes) {

@@ -42,6 +42,9 @@ inline constexpr std::array resampling_table = {
 /// Valid confidence levels of intervals.
 inline constexpr Bounds confidence_bounds{.low = 0.5, .high = 0.9999};
 
+/// Returns 1 - confidence without its rounding error, which would make 1 - 0.9 less than a p-value of 0.1.
+double significance_level(double confidence);
+
 /// Values of methods by independent unit, a class or a query.
 struct UnitValues {
   Eigen::MatrixXd values;   ///< units x methods: means over the unit's queries

@@ -32,7 +32,7 @@ std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::
   std::vector<std::size_t> order;
   for (const std::vector<std::size_t>& group : equal) order.insert(order.end(), group.begin(), group.end());
   const std::size_t methods = order.size();
-  const double alpha = 1 - options.confidence;
+  const double alpha = significance_level(options.confidence);
   const auto differ = [&](std::size_t i, std::size_t j) {
     return p_values(static_cast<Eigen::Index>(order[i]), static_cast<Eigen::Index>(order[j])) <= alpha;
   };

@@ -90,8 +90,7 @@ bool is_reversed(const RankedAnswers::Answer& answer, std::span<const double> ra
   for (std::size_t i = 0; i < ranks.size(); ++i) by_rank.emplace_back(ranks[i], answer.models[i].second);
   std::ranges::sort(by_rank);
   const auto distances = by_rank | std::views::values;
-  return by_rank.front().first < by_rank.back().first && distances.front() > distances.back() &&
-         std::ranges::is_sorted(distances, std::greater());
+  return distances.front() > distances.back() && std::ranges::is_sorted(distances, std::greater());
 }
 
 RankedAnswers read_folder_of_lists(const std::filesystem::path& folder) {

@@ -111,7 +111,7 @@ void compare_on_all(const JudgingOptions& options, DatasetLeaderboards& all) {
   MultiDatasetResults& results = all.results;
   results.methods = common_methods(all);
   results.main_measure = all.boards.front().measures[all.boards.front().rank_by];
-  results.alpha = 1 - options.standings.confidence;
+  results.alpha = significance_level(options.standings.confidence);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < all.datasets.size(); ++i) {
     results.datasets.push_back(evaluated_dataset(all.datasets[i], all.boards[i], results.methods));

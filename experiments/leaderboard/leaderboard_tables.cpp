@@ -131,7 +131,7 @@ std::string significance_words(const Leaderboard& board, const StandingOptions& 
       "{:g} % bootstrap intervals. {} Randomised Tukey HSD, p > {:.3g}: it compares all methods at once, and one that "
       "is "
       "far worse than the others can hide differences between these.",
-      100 * options.confidence, letter_words(options), 1 - options.confidence);
+      100 * options.confidence, letter_words(options), significance_level(options.confidence));
   if (const auto few = few_classes_warning(board, options)) words += fmt::format(" {}.", *few);
   return words;
 }
@@ -140,7 +140,7 @@ std::optional<std::string> few_classes_warning(const Leaderboard& board, const S
   const Eigen::Index classes = std::ssize(board.submissions.front().evaluation.classes);
   const Eigen::Index methods = std::ssize(board.submissions);
   const double smallest = smallest_tukey_p_value(methods, classes, options.resampling);
-  if (methods < 2 || smallest <= 1 - options.confidence) return std::nullopt;
+  if (methods < 2 || smallest <= significance_level(options.confidence)) return std::nullopt;
   return fmt::format(
       "{} of {} cannot differ significantly on classes like these: no p-value of the test over classes is below {:.3g}",
       count_text(methods, "method", "methods"), count_text(classes, "class", "classes"), smallest);

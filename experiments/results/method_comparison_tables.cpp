@@ -88,7 +88,7 @@ TextTable comparison_summary(const AlignedMethods& methods, std::span<const Meth
                              const ComparisonOptions& options, const ScoreStyle& style) {
   TextTable table{.header = {"", "method"}, .rows = {}, .text_columns = 2};
   table.header.insert(table.header.end(), methods.measures.begin(), methods.measures.end());
-  const double alpha = 1 - options.confidence;
+  const double alpha = significance_level(options.confidence);
   for (std::size_t method = 0; method < methods.methods.size(); ++method) {
     table.rows.push_back({mark_of(method, methods.methods.size()), methods.methods[method]});
     for (std::size_t k = 0; k < comparisons.size(); ++k) {
@@ -153,7 +153,7 @@ OrderedJson comparison_json(const AlignedMethods& methods, std::span<const Metho
 std::optional<std::string> few_units_warning(const MethodComparison& comparison, const ComparisonOptions& options) {
   const double smallest = smallest_p_value(options, comparison.units);
   const auto pairs = static_cast<double>(comparison.pairs.size());
-  const double alpha = 1 - options.confidence;
+  const double alpha = significance_level(options.confidence);
   if (pairs * smallest <= alpha) return few_classes_warning(comparison, alpha);
   const bool few_resamples = smallest * (1.0 + options.resampling.resamples) <= 1;
   const std::string more_blocks =

@@ -32,6 +32,17 @@ TEST_F(CheckCommand, StatusSaysWhetherThePartPasses) {
   EXPECT_THAT(thick.output, HasSubstr("\npasses\n"));
 }
 
+TEST_F(CheckCommand, NoneOfThePartsMayHaveThinWallsOrNarrowGaps) {
+  const Shape block = test::box({20, 12, 9}, 1);
+  write_off(at("block.off"), block);
+  EXPECT_EQ(run("check @block.off @plate.off --min-wall 1.2").status, 3);
+  const Shape above = test::transformed(block, 1, Eigen::Matrix3d::Identity(), {0, 0, 9.4});
+  write_off(at("slot.off"), test::joined({block, above}));
+  const Outcome slot = run("check @slot.off --min-wall 1.2 --min-gap 0.5");
+  EXPECT_EQ(slot.status, 3);
+  EXPECT_THAT(slot.output, HasSubstr("does not pass: 2 narrow gaps\n"));
+}
+
 TEST_F(CheckCommand, JsonAndCsvListTheRegions) {
   const auto json = nlohmann::json::parse(check("--min-wall 1.2 --format json").output);
   EXPECT_EQ(json["passes"], false);

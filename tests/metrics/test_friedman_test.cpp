@@ -110,6 +110,17 @@ TEST(RankIntervals, ConstantRanksHaveIntervalsOfWidthZero) {
   EXPECT_THROW(rank_intervals(ranks.topRows(1)), ArgumentError);
 }
 
+TEST(RankIntervals, AreRoundedOutwardsAtBothEnds) {
+  const auto value = [](Eigen::Index i, Eigen::Index j) { return std::sin(static_cast<double>(7 * i + 3 * j * j)); };
+  const Eigen::MatrixXd ranks = Eigen::MatrixXd::NullaryExpr(6, 4, value);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const ResamplingOptions options{.resamples = 19, .seed = seed};
+    const std::vector<RankInterval> intervals = rank_intervals(ranks, 0.6, options);
+    const std::vector<RankInterval> reversed = rank_intervals(-ranks, 0.6, options);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(reversed[i].best, 5 - intervals[i].worst) << seed;
+  }
+}
+
 TEST(RankComparison, ListsNoPairsOfManyMethods) {
   const Eigen::MatrixXd values = Eigen::RowVectorXd::LinSpaced(51, 0, 1).replicate(3, 1);
   EXPECT_EQ(compare_by_ranks(values.leftCols(50)).pairs.size(), 1225U);

@@ -93,6 +93,10 @@ TEST(MethodStandings, ShareLettersExactlyWhereTheTestFindsNoDifference) {
     EXPECT_EQ(standings[a].best_rank, better + 1) << a;
     EXPECT_EQ(standings[a].worst_rank, standings.size() - worse) << a;
   }
+  // A p-value of 0.1 at the level 0.1.
+  const auto at_level =
+      standings_of(steady_methods({0.3, 0.9}), pairs_of_queries(), {.confidence = 0.9, .resampling = {.resamples = 9}});
+  EXPECT_EQ(at_level[1].worst_rank, 1U);
 }
 
 TEST(MethodStandings, OneClassOrOneMethodHasNoDifferences) {

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "shapegauge/metrics/chance.h"
+#include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/metrics/retrieval_task.h"
 
 namespace shapegauge {
@@ -30,6 +32,15 @@ TEST(RetrievalTask, JudgementsCountWithoutTheQuery) {
   task.judged = {{0, 2}, {0, 2}, {}};
   EXPECT_THAT(relevant_counts(task), ElementsAre(1, 2, 0));
   EXPECT_TRUE(Relevance(task).is_relevant(1, 2));
+}
+
+TEST(NearestByChance, IsTheShareOfRelevantModelsAmongTheOtherTargets) {
+  RetrievalTask task;
+  task.query_classes = {3, 5};
+  task.target_classes = {3, 3, 5, 5, no_class};
+  task.own_column = {-1, 2};
+  const Evaluation evaluation = evaluate(DistanceMatrix::Zero(2, 5), task, {});
+  EXPECT_DOUBLE_EQ(nearest_by_chance(evaluation, task)->expected, (2.0 / 4 + 1.0 / 3) / 2);
 }
 
 }  // namespace

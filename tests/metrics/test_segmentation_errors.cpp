@@ -215,6 +215,12 @@ TEST(CutDiscrepancy, TakesLengthsOfWaysAndCutsAsTheyAre) {
   EXPECT_NEAR(cut_discrepancy(two_cuts, one_cut, edges, 10, 1.0), (2 * 1 + 4 * 1.5) / 6 + 1, of_sums);
 }
 
+TEST(CutDiscrepancy, IgnoresSeparatePartsWithoutCuts) {
+  std::vector<MeshEdge> edges = ladder(3);
+  edges.push_back({.vertices = {8, 9}, .triangles = {3, -1}, .length = 1});
+  EXPECT_NEAR(cut_discrepancy(Labels{0, 1, 1, 1}, Labels{0, 0, 1, 1}, edges, 10, 1.0), 2, of_sums);
+}
+
 TEST(CutDiscrepancy, IsUndefinedAgainstNoCuts) {
   const std::vector<MeshEdge> edges = ladder(3);
   EXPECT_EQ(cut_discrepancy(Labels{0, 0, 0}, Labels{5, 5, 5}, edges, 8, 1.0), 0);

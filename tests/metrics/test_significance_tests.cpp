@@ -143,6 +143,12 @@ TEST(TukeyHsd, HasItsSmallestPValueWhereAllUnitsAgree) {
   EXPECT_EQ(smallest_tukey_p_value(9, 1, {}), 1);
   const UnitValues agreed{Eigen::RowVector3d(0.1, 0.5, 0.9).replicate(3, 1), Eigen::Vector3d::Constant(1.0 / 3)};
   EXPECT_NEAR(tukey_hsd_p_values(agreed)(0, 2), 1.0 / 36, 4 * std::sqrt(1.0 / 36 / 10000));
+  for (unsigned seed = 0; seed < 5; ++seed) {  // sums that differ by rounding are equal
+    UnitValues units = random_units(8, 2, seed);
+    units.values.col(0) = units.values.col(0).cwiseAbs();
+    units.values.col(1).setZero();
+    EXPECT_NEAR(tukey_hsd_p_values(units)(0, 1), 1.0 / 128, 4 * std::sqrt(1.0 / 128 / 10000)) << seed;
+  }
 }
 
 TEST(TukeyHsd, RefusesNoResamples) {
@@ -150,8 +156,8 @@ TEST(TukeyHsd, RefusesNoResamples) {
 }
 
 TEST(Holm, AdjustsInAscendingOrderAndNeverDownwards) {
-  // Ascending: 0.01 * 4, 0.02 * 3, 0.03 * 2 (as much as the one before), 0.5 * 1.
-  EXPECT_THAT(adjust_by_holm(std::vector<double>{0.5, 0.01, 0.03, 0.02}),
+  // Ascending: 0.01 * 4, 0.02 * 3, 0.025 * 2 (less than the one before), 0.5 * 1.
+  EXPECT_THAT(adjust_by_holm(std::vector<double>{0.5, 0.01, 0.025, 0.02}),
               ElementsAre(DoubleEq(0.5), DoubleEq(0.04), DoubleEq(0.06), DoubleEq(0.06)));
 }
 

@@ -27,7 +27,7 @@ test('a narrow diagram of critical differences leaves room for its ruler', () =>
 });
 
 test('a contest is seen from both sides', () => {
-  const rows = contests({ pairs: [{ first: 0, second: 2, p: 0.04, counts: [3, 1, 2] }] }, 3);
+  const rows = contests({ pairs: [{ first: 0, second: 2, p: 0.05, counts: [3, 1, 2] }] }, 3);
   assert.deepEqual(rows[0][2], { text: '3 / 1 / 2', wins: 3, significant: true });
   assert.deepEqual(rows[2][0], { text: '2 / 1 / 3', wins: 2, significant: true });
   assert.equal(rows[0][1], null);

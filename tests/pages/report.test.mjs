@@ -77,11 +77,11 @@ test('classes by value, lowest or highest first', () => {
 });
 
 test('confusions are counted, most frequent first', () => {
-  const { totals, wrong } = countConfusions([[[0, 3], [1, 1]], [[0, 2], [2, 2]], []]);
-  assert.deepEqual(totals, [4, 4, 0]);
+  const { totals, wrong } = countConfusions([[[0, 3], [1, 1]], [[0, 2], [2, 2]], [[1, 2], [2, 2]], []]);
+  assert.deepEqual(totals, [4, 4, 4, 0]);
   assert.deepEqual(wrong, [
     { label: 1, other: 0, count: 2, part: 0.5 }, { label: 1, other: 2, count: 2, part: 0.5 },
-    { label: 0, other: 1, count: 1, part: 0.25 },
+    { label: 2, other: 1, count: 2, part: 0.5 }, { label: 0, other: 1, count: 1, part: 0.25 },
   ]);
 });
 

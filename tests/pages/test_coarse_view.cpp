@@ -55,6 +55,7 @@ TEST(CoarseShape, KeepsTheLargestFacesWhereNoGridKeepsAny) {
   const Shape coarse = coarse_shape(needles, 200);
   EXPECT_EQ(coarse.triangles.rows(), 200);
   EXPECT_GT(surface_area(coarse), 0.2 * surface_area(needles));
+  EXPECT_TRUE(std::ranges::is_sorted(coarse.triangles.col(0)));
 }
 
 TEST(CoarseShape, KeepsSmallShapes) {
@@ -84,11 +85,24 @@ TEST(CarriedValues, AConstantStaysAndALinearFieldHardlyChanges) {
   EXPECT_GT((directions.array() * to.points.array()).rowwise().sum().minCoeff(), 0.97) << "normals of a sphere";
 }
 
+TEST(CarriedValues, CountByArea) {
+  Samples from;
+  from.points = Points{{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {10, 0, 0}};
+  from.normals = Points{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+  from.weights = Eigen::Vector4d(1, 1, 3, 1);
+  Samples to = from;
+  to.points.col(0) << 0, 10, 20, 30;
+  const CarriedValues carried(from, to);
+  EXPECT_DOUBLE_EQ(carried.means(Eigen::Vector4d(1, 2, 4, 0))[0], (1 + 2 + 3 * 4) / 5.0);
+  EXPECT_EQ(carried.labels({7, 7, 9, 0})[0], 9);
+}
+
 TEST(CarriedValues, TheTwoSidesOfASheetStayApart) {
   const Shape sheet = test::box({1, 1, 1e-4}, 12);
   const Samples places = sample_shape(sheet, SampleSite::faces);
   const Eigen::VectorXd side = places.normals.col(2);
-  const Shape shifted = test::transformed(sheet, 1, Eigen::Matrix3d::Identity(), {0.02, 0.01, 0});
+  const Shape shifted =
+      test::transformed(sheet, 1, Eigen::Matrix3d::Identity(), {0.02, 0.01, 8e-5});  // nearer to the other side
   const Samples others = sample_shape(shifted, SampleSite::faces);
   const Eigen::VectorXd carried = CarriedValues(places, others).means(side);
   for (Eigen::Index i = 0; i < carried.size(); ++i) {

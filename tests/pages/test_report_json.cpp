@@ -118,6 +118,30 @@ TEST(ReportJson, LargeDataSetsListNeighboursOfTheWorstQueriesOnly) {
   EXPECT_EQ(method["heat_map"]["block"], 3);
 }
 
+TEST(ReportJson, LeavesOutInfiniteDistancesAndListsTheWorstByAveragePrecision) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const DistanceMatrix distances{
+      {0, 1, 2, infinity}, {1, 0, 3, infinity}, {2, 3, 0, infinity}, {infinity, infinity, infinity, 0}};
+  const std::vector<int> labels{0, 0, 1, 1};
+  const std::vector<Evaluation> evaluations = {evaluate(distances, labels, {})};
+  const DistanceOverview overview = overview_of(distances, labels);
+  Report report;
+  report.classes = {"x", "y"};
+  report.ids = {"a", "b", "c", "d"};
+  report.labels = labels;
+  report.methods.push_back({.name = "x",
+                            .distance = {},
+                            .settings = {},
+                            .distances = &overview,
+                            .evaluations = evaluations,
+                            .intervals = {},
+                            .histograms = {}});
+  const auto method = report_json(report)["methods"][0];
+  EXPECT_EQ(method["nearest"]["lists"].dump(), "[[1,2],[0,2],[0,1],[]]");
+  EXPECT_EQ(method["confusion"].dump(), "[[[0,2]],[[0,1]]]");
+  EXPECT_EQ(method["evaluations"][0]["worst"].dump(), "[3,2,0,1]") << "of 3 nothing is found, of 2 at rank 3";
+}
+
 TEST(ReportJson, HistogramsAreOfTheMethodOrOfItsParts) {
   const test_report::SampleReport& sample = test_report::hostile_report();
   const auto methods = report_json(sample.report)["methods"];

@@ -63,6 +63,8 @@ test('a cloud has the hexagons of splats()', () => {
 
 test('a mesh has the area of each face and its values', () => {
   const shape = unpackShape(sample.balls);
+  const corners = Array.from({ length: shape.positions.length / 3 }, (_, i) => vectorAt(shape.positions, 3 * i));
+  near(Math.max(...corners.map(length)), 1, 1e-6);
   const half = shape.places / 2; // the large ball of diameter 2, then the small one of 0.5
   near(shape.weights.subarray(0, half).reduce((sum, weight) => sum + weight), 16 / 17, 1e-4);
   assert.deepEqual([...new Set(shape.fields[0].values.subarray(0, half))], [2]);
@@ -132,6 +134,7 @@ test('a view lists what its shapes have', () => {
   assert.deepEqual(channelsOf(shapes).map(({ name }) => name), ['thickness', 'height', 'Parts', 'Normals', 'Nothing']);
   assert.deepEqual(channelsOf(shapes.slice(1)).map(({ name }) => name), ['thickness', 'Nothing']);
   assert.equal(channelsOf(shapes)[1].of(shapes[1]), null);
+  assert.equal(shownBy(channelsOf(shapes)[2], shapes[0], null).to, 1);
 });
 
 test('parts have a bin each, values 64', () => {
@@ -167,6 +170,7 @@ test('a value has the colour of its scale, of its part, or of what is not known 
   assert.equal(valueColour(scale, 4), ramp[255]);
   assert.equal(valueColour({ ...scale, root: true }, 1), rampColour(0.5));
   assert.equal(valueColour({ ...scale, below: 1 }, 0.9), belowColour);
+  assert.equal(valueColour({ ...scale, below: 1 }, 1), rampColour(0.25));
   assert.equal(valueColour(scale, NaN), unknownColour);
   assert.equal(valueColour({ ...scale, colours: ['#000000', '#0000ff'] }, 1), '#0000ff');
 });
@@ -178,6 +182,7 @@ test('a GLB file has the corners with their colours and values', () => {
   const view = new DataView(file.buffer);
   assert.deepEqual([0, 4, 8].map((at) => view.getUint32(at, true)), [0x46546c67, 2, file.length]);
   const jsonLength = view.getUint32(12, true);
+  assert.equal(jsonLength % 4, 0);
   const gltf = JSON.parse(new TextDecoder().decode(file.subarray(20, 20 + jsonLength)));
   const begin = 20 + jsonLength + 8;
   assert.equal(view.getUint32(begin - 8, true), file.length - begin);

@@ -214,15 +214,6 @@ RC_GTEST_PROP(GaussianSmoothing, AgreesWithTheSumWrittenOut, ()) {
   RC_ASSERT(difference.cwiseAbs().maxCoeff() <= 1e-12 * (1 + histogram.sum()));
 }
 
-RC_GTEST_PROP(GaussianSmoothing, KeepsTheSumAndTheUniformHistogram, ()) {
-  const Eigen::VectorXd histogram = *histograms();
-  const double deviation = deviation_up_to(histogram.size());
-  const double sum = smooth_gaussian(histogram, deviation).sum();
-  RC_ASSERT(std::abs(sum - histogram.sum()) <= 1e-12 * (1 + histogram.sum()));
-  const Eigen::VectorXd uniform = Eigen::VectorXd::Ones(histogram.size());
-  RC_ASSERT((smooth_gaussian(uniform, deviation) - uniform).cwiseAbs().maxCoeff() <= 1e-12);
-}
-
 Eigen::VectorXf vector_of(const std::vector<float>& entries) {
   return Eigen::Map<const Eigen::VectorXf>(entries.data(), static_cast<Eigen::Index>(entries.size()));
 }

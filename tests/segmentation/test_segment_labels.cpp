@@ -59,6 +59,13 @@ TEST(SegmentLabels, SliversJoinTheNeighbourOfTheLongestBorder) {
   EXPECT_EQ(without_slivers(graph, labels, 0.01), halves);
 }
 
+TEST(SegmentLabels, SliversJoinFromTheSmallestOnAndKeepTheirBorders) {
+  const SurfaceGraph graph = test::hand_made_graph({100, 2, 1, 97}, test::chain({1, 3, 2}));
+  const Labels labels = {0, 1, 2, 3};
+  EXPECT_EQ(without_slivers(graph, labels, 0.0125), (Labels{0, 1, 1, 3})) << "2 + 1 is above 2.5";
+  EXPECT_EQ(without_slivers(graph, labels, 0.02), (Labels{0, 3, 3, 3})) << "a border of 2 with 3, and of 1 with 0";
+}
+
 TEST(SegmentLabels, TheLargestPartHasTheFirstColour) {
   const std::vector<Colour> colours =
       label_colours(test::hand_made_graph({1, 5, 3}, test::chain({1, 1})), Labels{0, 1, 2});

@@ -150,6 +150,17 @@ TEST(SampleVertices, HaveNoNormalIfUnusedOrIfNormalsCancel) {
   EXPECT_NEAR(samples.weights.sum(), 1, 1e-14);
 }
 
+TEST(SampleVertices, NormalsOfReversedTrianglesHaveTheirAxisIfTheyAreNearlyParallel) {
+  const auto apex = [](double height, const Triangles& triangles) -> Eigen::RowVector3d {
+    const Shape pyramid{Points{{0, 0, height}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, triangles};
+    return sample_shape(pyramid, SampleSite::vertices).normals.row(0);
+  };
+  // The sum of these normals is horizontal.
+  EXPECT_NEAR(std::abs(apex(0.3, Triangles{{0, 2, 1}, {0, 3, 2}, {0, 3, 4}, {0, 4, 1}}).z()), 1, 1e-12);
+  // A needle's normals nearly cancel, but have no common axis.
+  EXPECT_NEAR(apex(5, Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}).z(), 1, 1e-12);
+}
+
 TEST(SampleVertices, OfADoubledSheetHaveTheNormalsOfTheFirst) {
   Shape sheet = test::soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   sheet.triangles.conservativeResize(2, 3);

@@ -24,11 +24,10 @@ class MatFile {
   MatFile& operator=(const MatFile&) = delete;
   ~MatFile() { Mat_Close(file_); }
 
-  // Two rows of three numbers, in column-major order.
+  // Two rows of three numbers, in column-major order, or the first numbers in another size.
   template <typename Number>
   void add(const char* name, matio_classes numbers, matio_types type, std::array<Number, 6> columns,
-           matio_compression compression = MAT_COMPRESSION_ZLIB) {
-    std::array<std::size_t, 2> size = {2, 3};
+           matio_compression compression = MAT_COMPRESSION_ZLIB, std::array<std::size_t, 2> size = {2, 3}) {
     matvar_t* const variable = Mat_VarCreate(name, numbers, type, 2, size.data(), columns.data(), 0);
     Mat_VarWrite(file_, variable, compression);
     Mat_VarFree(variable);
@@ -51,6 +50,11 @@ TEST_F(MatFileTest, ReadsASingleMatrixByColumns) {
   }
   EXPECT_THAT(test::input_error_of([&] { read_matrix(at("a.mat"), TableShape::square); }),
               AllOf(HasSubstr("a.mat"), HasSubstr("square"), HasSubstr("2 x 3")));
+}
+
+TEST_F(MatFileTest, ReadsANumberIfThereIsNoLargerMatrix) {
+  MatFile(at("a.mat")).add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {7}, MAT_COMPRESSION_ZLIB, {1, 1});
+  EXPECT_EQ(read_mat(at("a.mat")), DistanceMatrix::Constant(1, 1, 7));
 }
 
 TEST_F(MatFileTest, RejectsImpossibleSizes) {

@@ -96,7 +96,7 @@ TEST_F(EvaluationTaskTest, ATrecRunUnderJudgements) {
   const auto run = file("r.run",
                         "q1 Q0 a 1 0.9 t\nq1 Q0 b 2 0.8 t\nq1 Q0 c 3 0.7 t\n"
                         "q2 Q0 a 1 0.5 t\nq2 Q0 b 2 0.5 t\nq3 Q0 a 1 1 t\n");
-  const auto qrels = file("j.txt", "q1 0 a 1\nq1 0 c 1\nq1 0 x 2\nq1 0 b 0\nq2 0 b 1\nq4 0 a 1\n");
+  const auto qrels = file("j.txt", "q1 0 a 1\nq1 0 c 1\nq1 0 x 2\nq1 0 b 0\nq1 0 d 0\nq1 0 e 0\nq2 0 b 1\nq4 0 a 1\n");
   const EvaluationData input = open_evaluation_files({.matrix = run, .qrels = qrels});
   EXPECT_THAT(input.task.query_ids, ElementsAre("q1", "q2"));
   // q1: (1 + 2/3 + 0) / 3; q2: equal scores, the larger id first as trec_eval has it: b is first.
@@ -106,11 +106,11 @@ TEST_F(EvaluationTaskTest, ATrecRunUnderJudgements) {
   EXPECT_DOUBLE_EQ(measure(input, "R-prec"), (2.0 / 3 + 1) / 2);
   // q1: a gains 1, c at rank 3 gains 1/2; the best list is x (grade 2), a, c.
   EXPECT_DOUBLE_EQ(measure(input, "nDCG"), (1.5 / (2 + 1 / std::log2(3) + 0.5) + 1) / 2);
-  // q1: b, the one model that is judged and not relevant, is before c, and x is never found; q2 has none such.
-  EXPECT_DOUBLE_EQ(measure(input, "bpref"), ((1 + 0 + 0) / 3.0 + 1) / 2);
+  // q1: of three models that are judged and not relevant b is before c, and x is never found; q2 has none such.
+  EXPECT_DOUBLE_EQ(measure(input, "bpref"), ((1 + 2.0 / 3 + 0) / 3.0 + 1) / 2);
   EXPECT_THAT(input.task.warnings,
               ElementsAre(HasSubstr("1 query has no judgements"), HasSubstr("1 of 3 judged queries have no answer"),
-                          HasSubstr("the lists have 2 to 3 of 4 models"), HasSubstr("grades above 1")));
+                          HasSubstr("the lists have 2 to 3 of 6 models"), HasSubstr("grades above 1")));
   const EvaluationFiles other_ids{.matrix = run, .qrels = file("other.txt", "Q1 0 a 1\n")};
   EXPECT_THAT(test::input_error_of([&] { open_evaluation_files(other_ids); }),
               HasSubstr("none of the queries is judged"));
@@ -129,6 +129,10 @@ TEST_F(EvaluationTaskTest, RankedListsUnderClasses) {
   EXPECT_EQ(coverage.shortest, 1);  // of 11; the query 1 is in its own list
   EXPECT_EQ(coverage.longest, 2);
   EXPECT_EQ(coverage.incomplete, 0U);
+  const auto all = file("all.lists", "1 2 10 11\n2 1 10 11\n10 11 1 2\n11 10 1 2\n");
+  EXPECT_THAT(open_evaluation_files({.matrix = all, .labels = two_classes()}).task.warnings, testing::IsEmpty());
+  const auto tied = file("tied.run", "1 Q0 10 1 0.5 t\n1 Q0 2 2 0.5 t\n");
+  EXPECT_EQ(measure(open_evaluation_files({.matrix = tied, .labels = two_classes()}), "MRR"), 1) << "2 > 10 as text";
 }
 
 TEST_F(EvaluationTaskTest, SubclassesGradeRankedListsAndMatrices) {

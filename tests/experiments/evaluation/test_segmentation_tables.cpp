@@ -103,6 +103,8 @@ TEST(SegmentationTables, ComparisonIsOfTheMeansOfClasses) {
   EXPECT_EQ(pairs.rows[0][1], "people");
   EXPECT_EQ(pairs.rows[0][2], "-0.1000");
   EXPECT_EQ(pairs.rows[0].back(), "1 of 3") << "ants; a class without meshes counts for nobody";
+  scores.errors[0][1].rand_index = 0.5;
+  EXPECT_EQ(pair_table(scores, *comparison).rows[0].back(), "0 of 3") << "nobody wins the ants";
 }
 
 TEST(SegmentationTables, NoComparisonWhereItMeansNothing) {

@@ -24,11 +24,11 @@ struct RepeatedBoard : test_board::SmallBoard {
   }
 };
 
-/// FT of one file, evaluated alone.
-double first_tier(const RepeatedBoard& small, const std::string& name) {
+/// Evaluation of one repetition alone.
+Evaluation evaluation_of(const RepeatedBoard& small, int seed) {
   EvaluationFiles files = small.options().files;
-  files.matrix = small.submissions() / name;
-  return evaluate_files(files, {}).evaluation.micro[1];
+  files.matrix = small.submissions() / fmt::format("fair.seed{}.csv", seed);
+  return evaluate_files(files, {}).evaluation;
 }
 
 TEST(Repetitions, AreOneMethodWithMeanAndStandardDeviation) {
@@ -38,13 +38,19 @@ TEST(Repetitions, AreOneMethodWithMeanAndStandardDeviation) {
   EXPECT_TRUE(board.refused.empty());
   const JudgedSubmission& fair = board.submissions[1];
   EXPECT_EQ(fair.submission.name, "Fair");
-  const Eigen::Vector3d scores(first_tier(small, "fair.seed1.csv"), first_tier(small, "fair.seed2.csv"),
-                               first_tier(small, "fair.seed3.csv"));
+  const std::vector<Evaluation> alone{evaluation_of(small, 1), evaluation_of(small, 2), evaluation_of(small, 3)};
+  const Eigen::Vector3d scores(alone[0].micro[1], alone[1].micro[1], alone[2].micro[1]);
   ASSERT_GT(scores.maxCoeff(), scores.minCoeff());
   EXPECT_NEAR(board.micro[1][1].average, scores.mean(), 1e-12);
   EXPECT_NEAR(fair.evaluation.micro[1], scores.mean(), 1e-12);
   EXPECT_NEAR(fair.evaluation.per_query.col(1).mean(), scores.mean(), 1e-12);
   EXPECT_NEAR(fair.micro_deviation[1], std::sqrt((scores.array() - scores.mean()).square().sum() / 2), 1e-12);
+  const auto expect_mean = [&](const auto& precision_of) {
+    EXPECT_NEAR(precision_of(fair.evaluation),
+                (precision_of(alone[0]) + precision_of(alone[1]) + precision_of(alone[2])) / 3, 1e-12);
+  };
+  expect_mean([](const Evaluation& one) { return one.macro_curve.precision.at(3); });
+  expect_mean([](const Evaluation& one) { return one.class_curves.at(0).precision.at(3); });
   EXPECT_EQ(fair.repetitions.size(), 3U);
   EXPECT_EQ(board.submissions[0].micro_deviation.size(), 0);
 }

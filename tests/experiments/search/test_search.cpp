@@ -91,6 +91,12 @@ TEST_F(Search, AnExternalQueryHasTheDistancesOfARun) {
     EXPECT_EQ(answer.nearest[k].model, expected.nearest[k].model);
     EXPECT_EQ(answer.nearest[k].distance, expected.nearest[k].distance);
   }
+  EXPECT_EQ(expected.median, expected.nearest[4].distance) << "of ten with itself, the upper";
+  folder.add("T10.off", "box", 7);
+  OpenIndex with_two = folder.open("d2");
+  const SearchAnswer tied = folder.answer(with_two, folder.at("query.off"));
+  EXPECT_EQ(tied.nearest[0].model, 9) << "of two copies, the first";
+  EXPECT_EQ(tied.nearest[1].model, 10);
 }
 
 TEST_F(Search, AnExternalQueryIsDiffusedWithTheCollection) {
