@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -61,10 +62,9 @@ TEST_F(ShapeFiles, ContinuesAfterAFailedFile) {
 TEST_F(ShapeFiles, RemarksNameTheShape) {
   write_text(at("sheet.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Outcome outcome = succeeded(run("sdf @sphere.off @sheet.off --method cone_sdf -o @out/"));
-  EXPECT_EQ(outcome.errors, fmt::format("shapegauge: warning: {}: 1 of 1 samples missing: parts that are open or "
-                                        "inside out (offset_sdf measures these), "
-                                        "vertices without triangles, or points without normals\n",
-                                        at("sheet.off").string()));
+  EXPECT_THAT(outcome.errors, testing::StartsWith(fmt::format("shapegauge: warning: {}: 1 of 1 samples missing",
+                                                              at("sheet.off").string())));
+  EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << "the sphere has no remarks";
 }
 
 TEST_F(ShapeFiles, DoesNotOverwriteInputsOrOtherOutputs) {
