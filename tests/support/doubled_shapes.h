@@ -35,13 +35,15 @@ void PrintTo(const NamedShape& named, std::ostream* stream);
 /// Meshes without duplicates: closed, open, with an inner wall, and with triangles that share no vertices.
 std::vector<NamedShape> shapes_without_doubles();
 
-/// Calls `check(shape, doubled)` for each doubling of each of these meshes.
-template <typename Check>
-void for_each_doubling(Check check) {
+/// Calls `check(expected, doubled)` for each doubling of each of these meshes; `expected` is what `compute` returns for
+/// the mesh.
+template <typename Compute, typename Check>
+void for_each_doubling(Compute compute, Check check) {
   for (const auto& [name, shape] : shapes_without_doubles()) {
+    const auto expected = compute(shape);
     for (const DoubledShape& doubled : doublings(shape)) {
       SCOPED_TRACE(name + ", " + doubled.name);
-      check(shape, doubled);
+      check(expected, doubled);
     }
   }
 }

@@ -225,7 +225,9 @@ TEST_F(GenerateDataset, RefusesOptionsOutOfRange) {
 }
 
 TEST_F(GenerateDataset, FilesStateTheirVerticalAxis) {
-  generate_dataset(folder_.path(), small_options());
+  GeneratorOptions options = small_options();
+  options.classes = options.models_per_class = 1;
+  generate_dataset(folder_.path(), options);
   EXPECT_EQ(up_direction(UpAxis::automatic, folder_.path() / "T0.off"), Eigen::Vector3d(0, 0, 1));
 }
 
