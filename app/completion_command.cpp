@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,22 +34,25 @@ std::vector<std::string> choices_of(const CLI::Option& option) {
   return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
 }
 
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
+  return names;
+}
+
 /// Command with the words that lead to it, "dataset info".
 struct NamedCommand {
   std::string path;
   const CLI::App* app = nullptr;
 };
 
-void collect(const CLI::App& app, const std::string& path, std::vector<NamedCommand>& all) {
-  all.push_back({.path = path, .app = &app});
+/// Returns a command and those below it.
+std::vector<NamedCommand> all_commands(const CLI::App& app, const std::string& path = "") {
+  std::vector<NamedCommand> all{{.path = path, .app = &app}};
   for (const CLI::App* command : commands_of(app)) {
-    collect(*command, path.empty() ? command->get_name() : path + " " + command->get_name(), all);
+    const std::string below = path.empty() ? command->get_name() : path + " " + command->get_name();
+    std::ranges::move(all_commands(*command, below), std::back_inserter(all));
   }
-}
-
-std::vector<NamedCommand> all_commands(const CLI::App& program) {
-  std::vector<NamedCommand> all;
-  collect(program, "", all);
   return all;
 }
 
@@ -65,8 +70,7 @@ std::string bash_completion(const CLI::App& program) {
   std::string words;
   std::string choices;
   for (const auto& [path, app] : all_commands(program)) {
-    std::vector<std::string> next;
-    for (const CLI::App* command : commands_of(*app)) next.push_back(command->get_name());
+    std::vector<std::string> next = names_of_commands(*app);
     for (const CLI::Option* option : app->get_options()) {
       const std::vector<std::string> names = names_of(*option);
       next.insert(next.end(), names.begin(), names.end());
@@ -109,22 +113,33 @@ std::string zsh_text(std::string_view text) {
   return escaped;
 }
 
+/// Completes one of the words, or the name of a file if there are none.
+std::string zsh_action(const std::vector<std::string>& words) {
+  return words.empty() ? "_files" : fmt::format("({})", fmt::join(words, " "));
+}
+
+/// Formats the options of a command for zsh's _arguments.
+std::string zsh_options(const CLI::App& app) {
+  std::string options;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string value = option->get_items_expected_max() > 0 ? ":value:" + zsh_action(choices_of(*option)) : "";
+    for (const std::string& name : names_of(*option)) {
+      options += fmt::format(" \\\n        '*{}[{}]{}'", name, zsh_text(option->get_description()), value);
+    }
+  }
+  return options;
+}
+
 std::string zsh_completion(const CLI::App& program) {
+  std::string steps;
   std::string cases;
   for (const auto& [path, app] : all_commands(program)) {
-    std::string specifications;
-    for (const CLI::Option* option : app->get_options()) {
-      const std::vector<std::string> values = choices_of(*option);
-      const std::string action = values.empty() ? "_files" : fmt::format("({})", fmt::join(values, " "));
-      const std::string value = option->get_items_expected_max() > 0 ? ":value:" + action : "";
-      for (const std::string& name : names_of(*option)) {
-        specifications += fmt::format(" \\\n        '*{}[{}]{}'", name, zsh_text(option->get_description()), value);
-      }
+    const std::vector<std::string> commands = names_of_commands(*app);
+    for (const std::string& name : commands) {
+      steps += fmt::format("      '{}/{}') command='{}{}{}' ;;\n", path, name, path, path.empty() ? "" : " ", name);
     }
-    std::vector<std::string> names;
-    for (const CLI::App* command : commands_of(*app)) names.push_back(command->get_name());
-    const std::string rest = names.empty() ? "_files" : fmt::format("({})", fmt::join(names, " "));
-    cases += fmt::format("    '{}') _arguments{} \\\n        '*:argument:{}' ;;\n", path, specifications, rest);
+    cases += fmt::format("    '{}') _arguments{} \\\n        '*:argument:{}' ;;\n", path, zsh_options(*app),
+                         zsh_action(commands));
   }
   return fmt::format(R"(#compdef shapegauge
 # zsh completion of shapegauge; made by 'shapegauge completion zsh'
@@ -139,18 +154,7 @@ _shapegauge() {{
 }}
 _shapegauge "$@"
 )",
-                     [&] {
-                       std::string steps;
-                       for (const auto& [path, app] : all_commands(program)) {
-                         for (const CLI::App* command : commands_of(*app)) {
-                           const std::string& name = command->get_name();
-                           steps += fmt::format("      '{}/{}') command='{}{}{}' ;;\n", path, name, path,
-                                                path.empty() ? "" : " ", name);
-                         }
-                       }
-                       return steps;
-                     }(),
-                     cases);
+                     steps, cases);
 }
 
 /// Quotes a text for fish.

@@ -235,6 +235,18 @@ int run(const RunArguments& arguments) {
   return report_run(outcome, arguments, request, folder);
 }
 
+/// Adds the options of the cache and of parts; returns --part. A chart is drawn by the whole run.
+CLI::Option* add_cache_and_part(CLI::App& command, RunArguments& arguments, CLI::Option* plot) {
+  add_cache_option(command, arguments.cache);
+  CLI::Option* const no_cache = command.add_flag("--no-cache", arguments.cache.none, "Do not use a cache")
+                                    ->excludes("--cache")
+                                    ->group(computation_options);
+  return add_part_option(command, arguments.part,
+                         "Compute only part K of N into the cache: K/N, or auto (Slurm job array, srun, mpirun)")
+      ->excludes(no_cache)
+      ->excludes(plot);
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app, int& status) {
@@ -262,15 +274,7 @@ void add_run_command(CLI::App& app, int& status) {
                                                 "File for a chart of the precision-recall curves: .svg, .pdf or .png");
   command->add_flag("--replace", arguments->replace, "Overwrite results of another configuration");
   command->add_flag("--force", arguments->force, "Like --replace, and compute everything again");
-  add_cache_option(*command, arguments->cache);
-  CLI::Option* const no_cache = command->add_flag("--no-cache", arguments->cache.none, "Do not use a cache")
-                                    ->excludes("--cache")
-                                    ->group(computation_options);
-  CLI::Option* const part =
-      add_part_option(*command, arguments->part,
-                      "Compute only part K/N of the work, into the cache; auto: from Slurm or mpirun")
-          ->excludes(no_cache)
-          ->excludes(plot);
+  CLI::Option* const part = add_cache_and_part(*command, *arguments, plot);
   begin_option_group(*command, "Without a run");
   command->add_flag("--dry-run", arguments->dry_run, "Check the configuration and read all inputs only");
   command->add_flag("--print-config", arguments->print_configuration,

@@ -219,8 +219,13 @@ struct Measured {
   ScalarField field;
 };
 
-void print_summaries(const SdfArguments& arguments, const std::vector<NamedSummary>& summaries,
-                     const SummaryWords& words) {
+void print_summaries(const SdfArguments& arguments, const std::vector<Measured>& shapes,
+                     std::optional<double> threshold) {
+  const SummaryWords words{.unit = arguments.offset.unit, .threshold = threshold};
+  std::vector<NamedSummary> summaries;
+  for (const Measured& shape : shapes) {
+    summaries.push_back({.name = shape.name, .summary = summarise(shape.field, threshold)});
+  }
   if (arguments.format == "json") {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const NamedSummary& summary : summaries) all.push_back(summary_json(summary, words));
@@ -305,16 +310,11 @@ int run(SdfArguments& arguments) {
         .field = {.values = std::move(computed.field.values), .weights = std::move(computed.samples.weights)}};
   });
   std::vector<Measured> shapes;
-  std::vector<NamedSummary> summaries;
   for (std::optional<Measured>& shape : measured) {
-    if (!shape) continue;
-    summaries.push_back({.name = shape->name, .summary = summarise(shape->field, picture.threshold)});
-    shapes.push_back(std::move(*shape));
+    if (shape) shapes.push_back(std::move(*shape));
   }
   if (shapes.empty()) return status;
-  if (arguments.summary) {
-    print_summaries(arguments, summaries, {.unit = arguments.offset.unit, .threshold = picture.threshold});
-  }
+  if (arguments.summary) print_summaries(arguments, shapes, picture.threshold);
   if (!arguments.plot.empty()) write_drawing(arguments.plot, histogram_plot(arguments, shapes, picture));
   return status;
 }

@@ -219,6 +219,21 @@ class SearchRun {
   std::vector<SearchAnswer> answers_;
 };
 
+void add_method_options(CLI::App& command, SearchArguments& arguments) {
+  CLI::Option* articulated = command.add_flag("--articulated", arguments.articulated,
+                                              "Use the recommended method for shapes whose pose does not count");
+  for (CLI::Option* option :
+       {command.add_option("--method", arguments.method)->group(""),  // the older name
+        command.add_option("--configuration", arguments.method,
+                           "Retrieval configuration with the method (default: the recommended method)"),
+        command.add_option("--signature", arguments.signature,
+                           "Signature of the --configuration (default: its last suitable one)"),
+        command.add_option("--set", arguments.settings,
+                           "Override a value of the --configuration, key=value; repeatable")}) {
+    articulated->excludes(option);
+  }
+}
+
 }  // namespace
 
 void add_search_command(CLI::App& app, int& status) {
@@ -246,18 +261,7 @@ void add_search_command(CLI::App& app, int& status) {
   begin_option_group(*command, "Index and method");
   command->add_option("--index", arguments->index, "Index file (default: NAME.search-index next to the collection)");
   command->add_flag("--no-update", arguments->no_update, "Use the index without checking the files");
-  CLI::Option* articulated = command->add_flag("--articulated", arguments->articulated,
-                                               "Use the recommended method for shapes whose pose does not count");
-  for (CLI::Option* option :
-       {command->add_option("--method", arguments->method)->group(""),  // the older name
-        command->add_option("--configuration", arguments->method,
-                            "Retrieval configuration with the method (default: the recommended method)"),
-        command->add_option("--signature", arguments->signature,
-                            "Signature of the --configuration (default: its last suitable one)"),
-        command->add_option("--set", arguments->settings,
-                            "Override a value of the --configuration, key=value; repeatable")}) {
-    articulated->excludes(option);
-  }
+  add_method_options(*command, *arguments);
   add_cache_option(*command, arguments->cache);
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = SearchRun(*arguments).run(); });

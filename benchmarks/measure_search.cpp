@@ -87,57 +87,69 @@ void link_models(OpenIndex& index, const std::filesystem::path& folder) {
   index.file = usual_index_path(folder);
 }
 
-int measure(const std::filesystem::path& collection, std::size_t models, const std::filesystem::path& folder) {
-  const bool answers_only = !folder.empty();
-  Cache cache(default_cache_folder());
-  IndexUpdate update;
-  const RunControl control;
-  OpenIndex index =
-      open_index(recommended_search_method(), collection, usual_index_path(collection), control, cache, update);
-  Stopwatch stopwatch;
-  std::clock_t before = std::clock();
-  const auto start = [&] {
+/// Run times, on the clock and of all processors: on a busy machine the latter are more meaningful.
+struct Timer {
+  void start() {
     stopwatch.lap();
-    before = std::clock();
-  };
-  // On a busy machine processor time is more meaningful.
-  const auto report = [&](const std::string& what) {
-    const double processor = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+    processors = std::clock();
+  }
+
+  /// Prints the times since the start or the last report.
+  void report(const std::string& what) {
+    const double processor = static_cast<double>(std::clock() - processors) / CLOCKS_PER_SEC;
     fmt::print("{:<44}{:8.3f} s, {:8.3f} s of processors\n", what, stopwatch.lap(), processor);
     start();
-  };
+  }
+
+  Stopwatch stopwatch;
+  std::clock_t processors = std::clock();
+};
+
+/// Replaces the index by one of the models multiplied, written to a file and read again.
+void multiply_index(OpenIndex& index, std::size_t models, const std::filesystem::path& folder, Timer& timer) {
+  const bool answers_only = !folder.empty();
   const CollectionSum sum = multiplied(index.contents.sum, static_cast<Eigen::Index>(models));
   index.contents = multiplied(index.contents, models);
   fmt::print("{} models\n", models);
-  start();
-  index.contents.sum = answers_only ? sum : sum_of(index.method, index.contents, control);
-  if (!answers_only) report("scales and weights of all pairs");
+  timer.start();
+  index.contents.sum = answers_only ? sum : sum_of(index.method, index.contents, {});
+  if (!answers_only) timer.report("scales and weights of all pairs");
   index.file = std::filesystem::temp_directory_path() / "measure_search.index";
   if (answers_only) link_models(index, folder);
   write_file_atomically(index.file, encode_index(index.contents, index.method.key()));
   fmt::print("index: {:.1f} kB a model\n",
              static_cast<double>(std::filesystem::file_size(index.file)) / 1000 / static_cast<double>(models));
-  start();
+  timer.start();
   IndexFault fault{};
   index.contents = decode_index(map_file(index.file), index.method.key(), fault).value();
-  report("read the index");
+  timer.report("read the index");
   if (!answers_only) std::filesystem::remove(index.file);
-  std::vector<std::string> notes;
+}
+
+int measure(const std::filesystem::path& collection, std::size_t models, const std::filesystem::path& folder) {
+  Cache cache(default_cache_folder());
+  IndexUpdate update;
+  const RunControl control;
+  OpenIndex index =
+      open_index(recommended_search_method(), collection, usual_index_path(collection), control, cache, update);
+  Timer timer;
+  multiply_index(index, models, folder, timer);
   const std::vector<SearchQuery> query{
       {.name = "query", .file = index.collection.file(index.contents.models.front().path)}};
-  search(index, query, {}, control, cache, notes);
-  report("answer to a member");
-  if (answers_only) return EXIT_SUCCESS;
+  const auto answer = [&](const SearchOptions& options, const std::string& what) {
+    std::vector<std::string> notes;
+    search(index, query, options, control, cache, notes);
+    timer.report(what);
+  };
+  answer({}, "answer to a member");
+  if (!folder.empty()) return EXIT_SUCCESS;
   index.contents.nearest = nearest_in(index.method, index.contents, 20, control);
-  report("neighbours of all models, for re-ranking");
-  search(index, query, {.rerank = true}, control, cache, notes);
-  report("re-ranked answer to a member");
+  timer.report("neighbours of all models, for re-ranking");
+  answer({.rerank = true}, "re-ranked answer to a member");
   index.contents.models.front().sha256[0] = 'x';  // the same file is now one from elsewhere
-  start();
-  search(index, query, {}, control, cache, notes);
-  report("answer to another file, described before");
-  search(index, query, {.rerank = true}, control, cache, notes);
-  report("re-ranked answer to it");
+  timer.start();
+  answer({}, "answer to another file, described before");
+  answer({.rerank = true}, "re-ranked answer to it");
   return EXIT_SUCCESS;
 }
 

@@ -193,11 +193,7 @@ ComparedMethods compare_evaluations(const std::vector<std::string>& names,
   });
 }
 
-}  // namespace
-
-void bind_evaluation(py::module_& module) {
-  module.attr("missing_value_words") =
-      py::cast(std::vector<std::string>(missing_value_words.begin(), missing_value_words.end()));
+void bind_evaluation_class(py::module_& module) {
   py::class_<Evaluation, std::shared_ptr<Evaluation>>(module, "Evaluation")
       .def_readonly("measures", &Evaluation::measures)
       .def_readonly("queries", &Evaluation::queries)
@@ -218,6 +214,14 @@ void bind_evaluation(py::module_& module) {
              return table_text(summary_table(one), value_of_word<TableFormat>(format).value());
            })
       .def(py::pickle(&pickled, &unpickled));
+}
+
+}  // namespace
+
+void bind_evaluation(py::module_& module) {
+  module.attr("missing_value_words") =
+      py::cast(std::vector<std::string>(missing_value_words.begin(), missing_value_words.end()));
+  bind_evaluation_class(module);
   module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
                             const std::optional<std::vector<int>>& targets, const std::vector<int>& subclasses,
                             const std::optional<Eigen::MatrixXi>& relevance, const std::string& protocol,

@@ -81,56 +81,60 @@ CleanedShape cleaned(Shape shape, bool remove) {
   return result;
 }
 
+/// Values of a field at samples of a shape, and remarks on them.
+struct ComputedField {
+  Samples samples;
+  FieldValues values;
+  std::optional<double> offset;
+  std::optional<std::string> leak;
+  std::optional<std::string> hollow;
+  std::vector<std::string> warnings;
+};
+
+ComputedField computed_field(const Field& field, const CleanedShape& clean) {
+  const Shape& shape = clean.shape;
+  FieldSource source(shape);
+  ComputedField result;
+  result.samples = take_samples(shape, field.settings.samples);
+  result.values = field.compute(source, result.samples, true);
+  if (const auto chosen = offset_of(field.settings, source)) {
+    result.offset = chosen->offset;
+    result.leak = leak_warning(*chosen);
+    result.hollow = hollow_remark(shape, true);
+  }
+  result.warnings = outcome_warnings(result.values.outcomes);
+  std::ranges::copy(clean.warnings, std::back_inserter(result.warnings));
+  if (auto warning = weights_warning(result.samples)) result.warnings.push_back(*std::move(warning));
+  result.values.values = clean.spread(result.values.values, std::numeric_limits<double>::quiet_NaN());
+  result.values.normals = clean.spread(result.values.normals, 0);
+  result.samples.weights = clean.spread(result.samples.weights, 0);
+  return result;
+}
+
 py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                const Eigen::Ref<const Points>& normals, const std::string& settings, bool remove_outliers,
                int threads) {
-  struct Computed {
-    Samples samples;
-    FieldValues values;
-    std::optional<double> offset;
-    std::optional<std::string> leak;
-    std::optional<std::string> hollow;
-    CleanedShape cleaned;
-    std::optional<std::string> weights;
-  };
-  Computed computed = compute(threads, [&] {
+  ComputedField computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "field", "the field");
     const Field wanted = read_field(json);
-    Computed result;
-    result.cleaned = cleaned(shape_of(vertices, faces, normals), remove_outliers || chooses_offset(wanted));
-    const Shape& shape = result.cleaned.shape;
-    result.samples = take_samples(shape, wanted.settings.samples);
-    FieldSource source(shape);
-    result.values = wanted.compute(source, result.samples, true);
-    if (const auto chosen = offset_of(wanted.settings, source)) {
-      result.offset = chosen->offset;
-      result.leak = leak_warning(*chosen);
-      result.hollow = hollow_remark(shape, true);
-    }
-    result.weights = weights_warning(result.samples);
-    const double missing = std::numeric_limits<double>::quiet_NaN();
-    result.values.values = result.cleaned.spread(result.values.values, missing);
-    result.values.normals = result.cleaned.spread(result.values.normals, 0);
-    result.samples.weights = result.cleaned.spread(result.samples.weights, 0);
+    ComputedField result =
+        computed_field(wanted, cleaned(shape_of(vertices, faces, normals), remove_outliers || chooses_offset(wanted)));
     if (result.samples.site == SampleSite::vertices) result.samples.points = vertices;
     return result;
   });
+  const auto listed = [](const std::optional<std::string>& warning) {
+    return warning ? std::vector{*warning} : std::vector<std::string>();
+  };
   py::dict result;
-  std::vector<std::string> without_value = outcome_warnings(computed.values.outcomes);
-  std::ranges::move(computed.cleaned.warnings, std::back_inserter(without_value));
-  if (computed.weights) without_value.push_back(*computed.weights);
   result["values"] = array_of(std::move(computed.values.values));
   result["weights"] = array_of(std::move(computed.samples.weights));
   result["points"] = array_of(std::move(computed.samples.points));
   result["normals"] = array_of(std::move(computed.values.normals));
   result["offset"] = computed.offset;
-  const auto listed = [](const std::optional<std::string>& warning) {
-    return warning ? std::vector{*warning} : std::vector<std::string>();
-  };
   result["leaks"] = listed(computed.leak);
   result["hollow"] = listed(computed.hollow);
-  result["without_value"] = std::move(without_value);
+  result["without_value"] = std::move(computed.warnings);
   return result;
 }
 
@@ -138,11 +142,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
 py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                   const Eigen::Ref<const Points>& normals, const std::string& settings, bool remove_outliers,
                   int threads) {
-  struct Computed {
-    Eigen::VectorX<std::int32_t> labels;
-    std::vector<std::string> warnings;
-  };
-  Computed computed = compute(threads, [&] {
+  auto [labels, warnings] = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "segmentation_method", "the segmentation");
     if (json.contains("perturbations")) throw InputError("perturbations are of an experiment: use run()");
@@ -151,31 +151,25 @@ py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<con
     const Shape& shape = clean.shape;
     OffsetSdfOutcomes outcomes;
     const std::vector<std::int32_t> parts = segment_shape(shape, method.options, &outcomes);
-    Computed result;
-    result.labels =
+    const Eigen::VectorX<std::int32_t> labels =
         Eigen::Map<const Eigen::VectorX<std::int32_t>>(parts.data(), static_cast<Eigen::Index>(parts.size()));
-    result.labels = clean.spread(result.labels, -1);
-    result.warnings = outcome_warnings(field_outcomes(outcomes));
-    std::ranges::copy(clean.warnings, std::back_inserter(result.warnings));
+    std::vector<std::string> warnings = outcome_warnings(field_outcomes(outcomes));
+    std::ranges::copy(clean.warnings, std::back_inserter(warnings));
     const SegmentationOptions& options = method.options;
     if (options.method == SegmentationAlgorithm::paper && options.field == SegmentedSdf::offset) {
       const auto leak = leak_warning(choose_offset(options.offset, shape));
-      if (leak) result.warnings.push_back(*leak);
+      if (leak) warnings.push_back(*leak);
     }
-    return result;
+    return std::pair(clean.spread(labels, -1), std::move(warnings));
   });
-  return py::make_tuple(array_of(std::move(computed.labels)), computed.warnings);
+  return py::make_tuple(array_of(std::move(labels)), warnings);
 }
 
 /// Returns the features and warnings.
 py::tuple describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                    const Eigen::Ref<const Points>& normals, const std::string& settings, bool remove_outliers,
                    int threads) {
-  struct Computed {
-    Eigen::VectorXf features;
-    std::vector<std::string> warnings;
-  };
-  Computed computed = compute(threads, [&] {
+  auto [features, warnings] = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "descriptor", "the descriptor");
     const DescriptorChoice choice = make_descriptor(json);
@@ -188,12 +182,12 @@ py::tuple describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
     FieldSource source(shape);
     DescriptorFields computed = compute_fields(choice, source);
     std::ranges::copy(clean.warnings, std::back_inserter(computed.warnings));
-    return Computed{.features = compute_features(choice.descriptor,
-                                                 {.shape = shape, .fields = computed.fields, .proxy = &source.proxy()},
-                                                 {}, choice.values),
-                    .warnings = std::move(computed.warnings)};
+    return std::pair(
+        compute_features(choice.descriptor, {.shape = shape, .fields = computed.fields, .proxy = &source.proxy()}, {},
+                         choice.values),
+        std::move(computed.warnings));
   });
-  return py::make_tuple(array_of(std::move(computed.features)), computed.warnings);
+  return py::make_tuple(array_of(std::move(features)), warnings);
 }
 
 }  // namespace

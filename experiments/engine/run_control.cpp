@@ -9,6 +9,7 @@
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <utility>
 
 #include "shapegauge/core/base/cancellation.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -36,21 +37,27 @@ void with_threads(const RunControl& control, const std::function<void()>& work) 
 
 namespace {
 
+/// Returns the failures in the order of the models: only the first if it stopped the rest.
+std::vector<ModelFailure> in_order(std::vector<ModelFailure> failures, bool stop_at_failure) {
+  std::ranges::sort(failures, {}, &ModelFailure::model);
+  if (stop_at_failure && failures.size() > 1) failures.resize(1);
+  return failures;
+}
+
 /// Runs the jobs. `run_workers` calls a function as often as models are worked on at the same time.
 std::vector<ModelFailure> run_jobs(std::span<const std::size_t> models, std::string_view stage, bool stop_at_failure,
                                    const RunControl& control, const std::function<void(std::size_t model)>& job,
                                    const std::function<void(const std::function<void()>&)>& run_workers) {
   std::vector<ModelFailure> failures;
-  bool out_of_memory = false;  // says nothing about the model
   std::mutex mutex;
   std::size_t done = 0;
   std::atomic<bool> stopped = false;
+  std::atomic<bool> out_of_memory = false;  // says nothing about the model
   const auto attempt = [&](std::size_t model) {
     try {
       // Isolated: a thread waiting for its own shape's samples must not start another shape.
       tbb::this_task_arena::isolate([&] { job(model); });
     } catch (const std::bad_alloc&) {
-      const std::scoped_lock lock(mutex);
       out_of_memory = true;
       stopped = true;
     } catch (const std::exception& error) {
@@ -75,9 +82,7 @@ std::vector<ModelFailure> run_jobs(std::span<const std::size_t> models, std::str
   });
   if (control.interrupted() || interruption_requested()) throw Interrupted();
   if (out_of_memory) throw std::bad_alloc();
-  std::ranges::sort(failures, {}, &ModelFailure::model);
-  if (stop_at_failure && failures.size() > 1) failures.resize(1);
-  return failures;
+  return in_order(std::move(failures), stop_at_failure);
 }
 
 }  // namespace

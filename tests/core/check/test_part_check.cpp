@@ -571,7 +571,7 @@ TEST(PartCheck, PartsMuchSmallerThanTheLimitAreThinWalls) {
     ASSERT_EQ(report.walls.regions.size(), 1) << limit;
     EXPECT_FALSE(report.passes()) << limit;
     EXPECT_NEAR(report.walls.regions[0].area, surface_area(box), 1e-9) << limit;
-    EXPECT_NEAR(report.walls.regions[0].least, 1, 1e-9) << limit;
+    EXPECT_NEAR(report.walls.regions[0].minimum, 1, 1e-9) << limit;
   }
 }
 
