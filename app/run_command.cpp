@@ -242,7 +242,7 @@ CLI::Option* add_cache_and_part(CLI::App& command, RunArguments& arguments, CLI:
                                     ->excludes("--cache")
                                     ->group(computation_options);
   return add_part_option(command, arguments.part,
-                         "Compute only part K of N into the cache: K/N, or auto (Slurm job array, srun, mpirun)")
+                         "Compute only part K/N of the work, into the cache; auto: from Slurm or mpirun")
       ->excludes(no_cache)
       ->excludes(plot);
 }
