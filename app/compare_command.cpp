@@ -320,7 +320,7 @@ void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
   command.add_option("--report", arguments.report, "HTML file for a report on all methods; requires distance matrices");
   add_replace_option(command, arguments.replace);
   add_score_format_options(command, arguments.printed,
-                           "Format of the printed result; csv has the pairs, latex the methods");
+                           "Format of the printed result; csv: a row per pair of methods, latex: a row per method");
 }
 
 }  // namespace

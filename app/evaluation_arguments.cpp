@@ -58,7 +58,7 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
       ->excludes(evaluator);
   CLI::Option* missing = command
                              .add_option("--missing-queries", arguments.missing_queries,
-                                         "Treatment of queries without a ranked list; zero: scores of 0")
+                                         "Treatment of queries without a ranked list; zero: they score 0")
                              ->check(one_of(missing_queries))
                              ->capture_default_str();
   command

@@ -389,7 +389,9 @@ void check_measure(const MeasureDefinition& definition) {
   const bool of_list = name.ends_with(list_suffix);
   const std::string stem = at_k || of_list ? name.substr(0, name.size() - ranks_suffix.size()) : name;
   if (stem.empty() || stem.find_first_of(" \t,@") != std::string::npos || name == other_name_of_map) {
-    throw ArgumentError("\"" + name + "\" cannot be the name of a measure");
+    throw ArgumentError("\"" + name +
+                        "\" cannot be the name of a measure: it is empty, reserved, or has a blank, a comma or an @ "
+                        "(other than @k or @N at its end)");
   }
   if ((definition.value != nullptr) == at_k || (definition.value_at != nullptr) != at_k) {
     throw ArgumentError("the measure \"" + name +

@@ -51,8 +51,8 @@ std::optional<std::string> check_features(const DistanceMatrix& features) {
         "distance of features");
   }
   if (const auto column = counting_column(features)) {
-    throw InputError(
-        fmt::format("column {} (counted from 0) counts the rows, which is no feature; remove that column", *column));
+    throw InputError(fmt::format(
+        "column {} (counted from 0) has the numbers of the rows, which are no feature; remove it", *column));
   }
   if (features.array().isFinite().all() && !features.cast<float>().array().isFinite().all()) {
     throw InputError("features are compared in single precision, whose largest number is 3.4e38; scale the features");

@@ -109,8 +109,9 @@ Eigen::MatrixXd component_probabilities(const GaussianMixture& mixture, const Ei
 }
 
 GaussianMixture fit_gaussian_mixture(const Eigen::MatrixXd& points, Eigen::Index components) {
-  if (points.rows() == 0 || points.cols() == 0) throw ArgumentError("a mixture needs points");
-  if (!points.allFinite()) throw ArgumentError("a mixture needs points that are finite");
+  if (points.rows() == 0 || points.cols() == 0)
+    throw ArgumentError("a Gaussian mixture needs at least one point and one dimension");
+  if (!points.allFinite()) throw ArgumentError("a Gaussian mixture needs finite points");
   const Eigen::RowVectorXd least = min_variances(points);
   GaussianMixture best;
   for (std::uint64_t start = 0; start < mixture_starts; ++start) {

@@ -100,8 +100,8 @@ Eigen::RowVector3d barycentric(const Shape& shape, Eigen::Index triangle, const 
 }
 
 [[noreturn]] void refuse(const Shape& shape, const Samples& samples, Eigen::Index expected) {
-  throw InputError(fmt::format("the samples do not match the shape: {} points, but {} sites, of {} vertices",
-                               samples.points.rows(), expected, shape.vertices.rows()));
+  throw InputError(fmt::format("the samples are not those of the shape, which has {} vertices: {} samples, expected {}",
+                               shape.vertices.rows(), samples.points.rows(), expected));
 }
 
 /// Interpolates values to samples at a cloud's points.

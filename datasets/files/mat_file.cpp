@@ -120,8 +120,8 @@ std::string chosen_matrix(const Variables& variables, const std::string& wanted,
   if (found) return wanted;
   if (wanted.empty() && variables.matrices.size() == 1) return variables.matrices.front();
   if (variables.matrices.empty()) {
-    throw InputError(fmt::format("{}: no matrix of real numbers{}{}", source, variables.others.empty() ? "" : ": ",
-                                 listed(variables.others)));
+    throw InputError(fmt::format("{}: no matrix of real numbers{}{}", source,
+                                 variables.others.empty() ? "" : "; other variables: ", listed(variables.others)));
   }
   throw InputError(
       wanted.empty()

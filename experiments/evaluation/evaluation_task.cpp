@@ -144,10 +144,11 @@ EvaluationTask labelled_task(const MatrixIds& ids, const TaskLabels& labels, con
   return task;
 }
 
-void check_all_there(const std::vector<std::string>& models, const Positions& positions, const std::string& source) {
+void check_labelled_models(const std::vector<std::string>& models, const Positions& positions,
+                           const std::string& source) {
   for (const std::string& id : models) {
     if (positions.find(id) >= 0) continue;
-    throw InputError(fmt::format("{}: model {} is classified but is not among the {} models that are there", source,
+    throw InputError(fmt::format("{}: model {} is classified but is none of the {} models that have distances", source,
                                  quoted_word(id), positions.size()));
   }
 }
@@ -288,8 +289,8 @@ EvaluationTask task_of_labels(const MatrixIds& ids, const TaskLabels& labels) {
   const Positions rows(ids.rows, labels.queries.keys);
   const Positions columns(ids.columns, labels.of_targets().keys);
   EvaluationTask task = labelled_task(ids, labels, rows, columns);
-  check_all_there(labels.queries.queries, rows, labels.queries.source);
-  check_all_there(labels.of_targets().targets, columns, labels.of_targets().source);
+  check_labelled_models(labels.queries.queries, rows, labels.queries.source);
+  check_labelled_models(labels.of_targets().targets, columns, labels.of_targets().source);
   return task;
 }
 

@@ -39,11 +39,12 @@ void check_descriptor(const Descriptor& added) {
   const auto reserved = [](const Parameter& parameter) {
     return parameter.name == "type" || parameter.name == "fields" || parameter.name == "axes";
   };
-  if (added.max_fields < added.min_fields || std::ranges::any_of(added.parameters, reserved)) {
-    throw ArgumentError(
-        fmt::format("a descriptor needs at least as many fields at most as at fewest, and parameters that are not "
-                    "called type, fields or axes: \"{}\"",
-                    added.name));
+  if (added.max_fields < added.min_fields) {
+    throw ArgumentError(fmt::format("the descriptor \"{}\" has max_fields below its min_fields", added.name));
+  }
+  if (std::ranges::any_of(added.parameters, reserved)) {
+    throw ArgumentError(fmt::format(
+        "a parameter of the descriptor \"{}\" is called type, fields or axes, which are reserved", added.name));
   }
 }
 

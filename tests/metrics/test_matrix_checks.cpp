@@ -111,7 +111,7 @@ TEST(MatrixChecks, FindATriangularMatrix) {
   EXPECT_FALSE(check_matrix(Matrix(sound(50) + Matrix(sound(50).triangularView<Eigen::Lower>())), true).triangular);
 }
 
-TEST(MatrixChecks, FindSimilarities) {
+TEST(MatrixChecks, DetectSimilarities) {
   const Matrix similarities = 10000.0 - sound(50).array();
   EXPECT_EQ(check_matrix(similarities, true).rows_nearest_to_others, 50);
   EXPECT_EQ(check_matrix(Matrix::Ones(5, 5), true).rows_nearest_to_others, 0);

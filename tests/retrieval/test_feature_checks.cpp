@@ -39,7 +39,7 @@ TEST(CheckFeatures, RefuseAColumnThatCountsTheRows) {
       EXPECT_FALSE(check_features(features));
     } else {
       EXPECT_THAT([&] { check_features(features); },
-                  testing::ThrowsMessage<InputError>(HasSubstr("column 1 (counted from 0) counts the rows")));
+                  testing::ThrowsMessage<InputError>(HasSubstr("column 1 (counted from 0) has the numbers of the rows")));
     }
   }
 }

@@ -37,7 +37,7 @@ TEST(Geodesics, GraphPathsOnASphereAreAtMostAFewPercentTooLong) {
   EXPECT_EQ(found[7], 0);
 }
 
-TEST(Geodesics, SegmentsAcrossEdgesShortenTheWorstCase) {
+TEST(Geodesics, DistanceAlongTheDiagonalsOfAGridIsExact) {
   const int n = 20;
   // Between the two corners without a diagonal, paths along edges are too long by a factor of sqrt 2.
   const Eigen::VectorXd found = geodesic_distances(test::rectangle(1, 1, n, n))(n);

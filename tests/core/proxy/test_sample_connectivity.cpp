@@ -53,7 +53,7 @@ TEST(SampleConnectivity, SidesOfAThinPlateAreNotConnected) {
   EXPECT_FALSE(connected(joined(floor_grid(), below), 44, 100 + 46));
 }
 
-TEST(SampleConnectivity, PathsStayInTheBall) {
+TEST(SampleConnectivity, IgnoresPathsBeyondTheSearchRadius) {
   // Beside a slit 3 wide, connected at its end.
   const DenseSamples right = grid_of({0, 0, 1}, [](double u, double v) { return Eigen::RowVector3d(12 + u, v, 0); });
   DenseSamples horseshoe = joined(floor_grid(), right);

@@ -205,7 +205,7 @@ TEST_F(EvaluationTaskTest, MismatchesAreOneError) {
   }
   const auto few = file("few.txt", "1\n2\n10\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = few}),
-              HasSubstr("model \"11\" is classified but is not"));
+              HasSubstr("model \"11\" is classified but is none of"));
   EXPECT_THAT(error({.matrix = file("r.run", "1 Q0 77 1 1 t\n"), .labels = labels}),
               HasSubstr("model \"77\" is in no class"));
   EXPECT_THAT(error({.matrix = file("r.lists", "1 2 10 T2\n"), .labels = labels}),
@@ -214,7 +214,7 @@ TEST_F(EvaluationTaskTest, MismatchesAreOneError) {
 
 // In Python, row i of the list refers to row i of the matrix. Rows of the CSV: 10 and 2 of one class, 1 of the
 // other.
-TEST_F(EvaluationTaskTest, RowsOfAMatrixFollowAListOfLabels) {
+TEST_F(EvaluationTaskTest, RowsWithoutIdsAreInTheOrderOfTheLabels) {
   const auto labels = file("labels.csv", "id,class\n10,ant\n2,ant\n1,bee\n");
   const auto matrix = file("d.txt", "0 1 5\n1 0 4\n5 4 0\n");
   const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});

@@ -129,7 +129,7 @@ TEST_F(WriteSite, IsIndependentOfTheFolder) {
   }
 }
 
-TEST_F(WriteSite, RanksSubmissionsWithoutReportWithoutAPage) {
+TEST_F(WriteSite, RankedListsAreRankedButHaveNoPage) {
   small.add("lists.lists", "m0 m3 m6\nm1 m4\n");
   const SiteUpdate written = update(site);
   EXPECT_EQ(written.written, 2U);

@@ -27,7 +27,7 @@ ExperimentResults two_methods() {
   return results;
 }
 
-TEST(IncompleteMethods, AreNamedWithTheFirstThreeModels) {
+TEST(IncompleteMethods, AreListedWithTheFirstThreeFailedModels) {
   ExperimentResults results = two_methods();
   EXPECT_THAT(incomplete_methods(results), IsEmpty());
   results.methods[1].failures = {{.model = 0, .message = "empty"},

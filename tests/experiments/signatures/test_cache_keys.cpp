@@ -76,7 +76,7 @@ TEST(CacheKeys, AFieldDependsOnItsSettingsAndItsVersion) {
   EXPECT_EQ(keys.size(), 18U);
 }
 
-TEST(CacheKeys, AComparedShapeDependsOnItsFieldsHistogramsTheReferenceTheVersionAndTheThreads) {
+TEST(CacheKeys, KeyOfAComparedShapeChangesWithEveryInput) {
   const std::vector<HistogramConfiguration> histograms{
       {.options = {.bins = 80}, .range = HistogramRange::per_shape, .fixed = {}},
       {.options = {.bins = 81}, .range = HistogramRange::per_shape, .fixed = {}},

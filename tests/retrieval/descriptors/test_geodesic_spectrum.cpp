@@ -53,7 +53,7 @@ TEST(GeodesicSpectrum, TakesClouds) {
   EXPECT_LT((spectrum_of(shape) - spectrum_of(test::random_points(shape, 10000, 1))).cwiseAbs().mean(), 0.05);
 }
 
-TEST(GeodesicSpectrum, RepeatsTheLastOfFewEigenvalues) {
+TEST(GeodesicSpectrum, PadsMissingEigenvaluesWithTheLastOne) {
   const Eigen::VectorXf found =
       spectrum_of({.vertices = (Points(2, 3) << 0, 0, 0, 1, 0, 0).finished(), .triangles = {}});
   // Two points of equal area at a distance: eigenvalues of either sign and the same size.
