@@ -218,8 +218,8 @@ void add_leaderboard_command(CLI::App& app, int& status) {
       "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n"
       "         shapegauge leaderboard submissions/ --labels test.cla -o site\n"
       "         shapegauge leaderboard shrec11/ psb/ tosca/ -o all.html\n"
-      "foo.json describes foo.npy: name, authors, paper, url, similarity, distance, ids. foo.seed1.npy, foo.fold1.npy, "
-      "... are repetitions of foo.");
+      "foo.json describes foo.npy: name, authors, paper, url, similarity, distance, ids. foo.seed1.npy, foo.seed2.npy, "
+      "... (or fold) are repetitions of foo.");
   const auto arguments = std::make_shared<LeaderboardArguments>();
   command
       ->add_option("submissions", arguments->submissions,

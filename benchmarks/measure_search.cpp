@@ -91,18 +91,18 @@ void link_models(OpenIndex& index, const std::filesystem::path& folder) {
 struct Timer {
   void start() {
     stopwatch.lap();
-    processors = std::clock();
+    processor_start = std::clock();
   }
 
   /// Prints the times since the start or the last report.
   void report(const std::string& what) {
-    const double processor = static_cast<double>(std::clock() - processors) / CLOCKS_PER_SEC;
+    const double processor = static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
     fmt::print("{:<44}{:8.3f} s, {:8.3f} s of processors\n", what, stopwatch.lap(), processor);
     start();
   }
 
   Stopwatch stopwatch;
-  std::clock_t processors = std::clock();
+  std::clock_t processor_start = std::clock();
 };
 
 /// Replaces the index by one of the models multiplied, written to a file and read again.

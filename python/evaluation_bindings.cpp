@@ -88,6 +88,8 @@ RetrievalTask task_of(const WantedEvaluation& wanted) {
         task.judged_irrelevant[row].push_back(j);
       }
     }
+    const bool judged = all_judged || !task.judged[row].empty() || !task.judged_irrelevant[row].empty();
+    if (!judged) task.query_classes[row] = no_class;
   }
   return task;
 }

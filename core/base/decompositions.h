@@ -9,8 +9,10 @@ namespace shapegauge {
 /// Returns the shortest rotation from one direction to another.
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-/// Computes eigenvalues in ascending order and, with `Eigen::ComputeEigenvectors`, eigenvectors of a symmetric matrix.
+/// Returns the eigenvalues, in ascending order, and eigenvectors of a symmetric matrix.
 Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen_decomposition(const Eigen::Matrix3d& symmetric);
+
+/// The same for any size; `options`: with eigenvectors, or Eigen::EigenvaluesOnly.
 Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen_decomposition(const Eigen::MatrixXd& symmetric,
                                                                    int options = Eigen::ComputeEigenvectors);
 

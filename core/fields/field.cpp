@@ -98,7 +98,7 @@ std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes) {
   // The offset SDF counts the samples that it answers directly.
   const char* const missing =
       outcomes.contains("direct")
-          ? "missing: vertices without triangles, or far from the origin, where coordinates are rounded"
+          ? "missing: vertices without triangles, or shapes so far from the origin that their coordinates are rounded"
           : "missing: parts that are open or inside out (offset_sdf measures these), triangles without area, vertices "
             "without triangles, points without normals or, for gaps, nothing opposite";
   const std::array<std::pair<const char*, const char*>, 4> warned{

@@ -144,7 +144,7 @@ class XyzReader {
     if (columns >= 6) add_columns_4_to_6(more);
   }
 
-  /// Refuses a line with an empty cell before its last coordinate: the others would be taken for it. `begin` is the
+  /// Refuses a line with an empty cell before its last coordinate, into which later cells would shift. `begin` is the
   /// offset of the first coordinate.
   void require_full_cells(std::size_t begin) const {
     const std::size_t line = original_.substr(0, begin).find_last_of("\r\n") + 1;  // 0 for the first line

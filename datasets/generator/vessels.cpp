@@ -63,8 +63,8 @@ double radius_at(const Outline& outline, double height) {
 /// None, one or two handles opposite to each other, between two heights.
 struct Handles {
   int count;
-  double high;
-  double low;
+  double upper;
+  double lower;
   double reach;
   double radius;
 };
@@ -73,8 +73,9 @@ struct Handles {
 void add_handles(const Handles& handles, const Outline& outline, int first_label, SolidObject& object, Draw& draw) {
   const Solid filled = revolved(outline, 0);
   for (int i = 0; i < handles.count; ++i) {
-    const Solid handle = ear({radius_at(outline, handles.high), 0, handles.high},
-                             {radius_at(outline, handles.low), 0, handles.low}, handles.reach, handles.radius, draw);
+    const Solid handle =
+        ear({radius_at(outline, handles.upper), 0, handles.upper},
+            {radius_at(outline, handles.lower), 0, handles.lower}, handles.reach, handles.radius, draw);
     object.parts.push_back({first_label + i, turned_about_z(difference(handle, filled), 180 * i)});
   }
 }
@@ -97,8 +98,8 @@ SolidObject draw_mug(RandomNumbers& random) {
   object.thinnest = wall;
   object.parts.push_back({0, revolved_wall(with_floor(outline, draw(0, 0.08)), wall)});
   const Handles handles{.count = draw.from(4, 10) / 5,  // seldom none or two
-                        .high = height * draw(0.65, 0.92),
-                        .low = height * draw(0.1, 0.35),
+                        .upper = height * draw(0.65, 0.92),
+                        .lower = height * draw(0.1, 0.35),
                         .reach = draw(0.2, 0.45),
                         .radius = draw(0.05, 0.09)};
   add_handles(handles, outline, 1, object, draw);
@@ -138,8 +139,8 @@ SolidObject draw_vase(RandomNumbers& random) {
   if (necked) object.parts.push_back({1, intersection(vessel, slab(high, top + 1))});
   if (footed) object.parts.push_back({2, intersection(revolved(outline, 0.02), slab(-1, low + 0.02))});
   const Handles handles{.count = draw.happens(0.5) ? 0 : draw.from(1, 2),
-                        .high = necked ? shoulder + draw(0, 0.5) * (top - shoulder) : shoulder - 0.05,
-                        .low = belly_height + draw(-0.1, 0.1),
+                        .upper = necked ? shoulder + draw(0, 0.5) * (top - shoulder) : shoulder - 0.05,
+                        .lower = belly_height + draw(-0.1, 0.1),
                         .reach = draw(0.1, 0.3),
                         .radius = draw(0.04, 0.07)};
   add_handles(handles, outline, 3, object, draw);

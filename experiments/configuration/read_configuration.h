@@ -54,7 +54,7 @@ std::size_t index_of_name(const std::string& name, const std::vector<std::string
 /// `concatenate`, and settings that contradict each other.
 std::vector<SignatureConfiguration> read_signatures(const nlohmann::json& settings);
 
-/// Reads the settings of an experiment that all kinds share.
+/// Reads the settings that experiments on shapes share.
 void read_shared_settings(const nlohmann::json& document, ExperimentSettings& settings);
 
 /// Reads the generator's options from a configuration's "dataset". Throws ConfigurationError for other settings next to

@@ -38,7 +38,7 @@ void with_threads(const RunControl& control, const std::function<void()>& work) 
 namespace {
 
 /// Returns the failures in the order of the models: only the first if it stopped the rest.
-std::vector<ModelFailure> in_order(std::vector<ModelFailure> failures, bool stop_at_failure) {
+std::vector<ModelFailure> sort_failures(std::vector<ModelFailure> failures, bool stop_at_failure) {
   std::ranges::sort(failures, {}, &ModelFailure::model);
   if (stop_at_failure && failures.size() > 1) failures.resize(1);
   return failures;
@@ -82,7 +82,7 @@ std::vector<ModelFailure> run_jobs(std::span<const std::size_t> models, std::str
   });
   if (control.interrupted() || interruption_requested()) throw Interrupted();
   if (out_of_memory) throw std::bad_alloc();
-  return in_order(std::move(failures), stop_at_failure);
+  return sort_failures(std::move(failures), stop_at_failure);
 }
 
 }  // namespace

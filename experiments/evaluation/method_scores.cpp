@@ -39,8 +39,8 @@ std::optional<double> fraction_of_percent(const std::string& cell) {
   return percent ? std::optional(*percent / 100) : std::nullopt;
 }
 
-// Returns the largest score of a measure: the first tier of SHREC'21 is 1 + 1 / R for a perfect list.
-double largest_score(const std::string& measure) { return measure == "shrec21.FT" ? 2 : 1; }
+// Returns the maximum of a measure: the first tier of SHREC'21 is 1 + 1 / R for a perfect list.
+double max_score(const std::string& measure) { return measure == "shrec21.FT" ? 2 : 1; }
 
 Eigen::RowVectorXd scores_of(const CsvRow& row, std::span<const std::string> measures, const std::string& source) {
   if (row.cells.size() != first_measure + measures.size()) {
@@ -51,10 +51,10 @@ Eigen::RowVectorXd scores_of(const CsvRow& row, std::span<const std::string> mea
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const std::string& cell = row.cells[first_measure + i];
     const auto fraction = fraction_of_percent(cell);
-    const double largest = largest_score(measures[i]);
-    if (!fraction || !(*fraction >= 0 && *fraction <= largest)) {
+    const double max = max_score(measures[i]);
+    if (!fraction || !(*fraction >= 0 && *fraction <= max)) {
       throw InputError(
-          fmt::format("{}:{}: {} is not a number from 0 to {}", source, row.line, quoted_word(cell), 100 * largest));
+          fmt::format("{}:{}: {} is not a number from 0 to {}", source, row.line, quoted_word(cell), 100 * max));
     }
     scores[static_cast<Eigen::Index>(i)] = *fraction;
   }

@@ -62,7 +62,11 @@ TEST_F(SmallRun, DryRunChecksInputsAndPrintsTheConfiguration) {
   const auto configuration = nlohmann::json::parse(printed.output);
   EXPECT_EQ(configuration["signatures"][0]["histogram"]["bins"], 7);
   EXPECT_EQ(configuration["signatures"][0]["field"]["rays"], 25) << "a default";
-  EXPECT_THAT(run_executable(run + " --dry-run --set evaluation.minimum_class_size=100").errors, HasSubstr("no class"));
+  for (const std::string option : {" --dry-run", " --part 1/2"}) {
+    const Outcome without_queries = run_executable(run + option + " --set evaluation.minimum_class_size=100");
+    EXPECT_EQ(without_queries.status, 1) << option;
+    EXPECT_THAT(without_queries.errors, HasSubstr("no class")) << option;
+  }
   EXPECT_FALSE(fs::exists(at("out")));
   ASSERT_EQ(run_executable(run).status, 0);
   EXPECT_THAT(run_executable(run + " --dry-run").output, HasSubstr("replacing"));

@@ -76,6 +76,10 @@ TEST(DiscountedCumulativeGain, CountsTheFirstTwoRanksTheSame) {
 }
 
 // Example in the style of Manning, Raghavan and Schuetze: hits at ranks 1, 3, 6.
+TEST(AveragePrecision, IsOneForAPerfectList) {
+  EXPECT_EQ(value("mAP", list_of_hits({true, true, true, false, false})), 1);
+}
+
 TEST(AveragePrecision, IsTheMeanPrecisionAtTheHits) {
   EXPECT_DOUBLE_EQ(value("mAP", list_of_hits({true, false, true, false, false, true})),
                    (1.0 / 1 + 2.0 / 3 + 3.0 / 6) / 3);

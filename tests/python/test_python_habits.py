@@ -211,6 +211,8 @@ def test_negative_relevance_means_not_judged():
     for miss, bpref in [(0, 0), (-1, 1)]:
         grades[0] = [0, miss, 1, 0]
         assert sg.evaluate(distances, relevance=grades, measures=["bpref"])["bpref"] == bpref
+    grades[3] = -1  # not a query
+    assert list(sg.evaluate(distances, relevance=grades, evaluator="trec_eval").queries) == [0, 1, 2]
 
 
 def test_rows_may_be_queries_to_other_models():

@@ -214,6 +214,11 @@ RC_GTEST_PROP(GaussianSmoothing, AgreesWithTheSumWrittenOut, ()) {
   RC_ASSERT(difference.cwiseAbs().maxCoeff() <= 1e-12 * (1 + histogram.sum()));
 }
 
+RC_GTEST_PROP(GaussianSmoothing, KeepsTheUniformHistogram, ()) {
+  const Eigen::VectorXd uniform = Eigen::VectorXd::Ones(histograms()->size());
+  RC_ASSERT((smooth_gaussian(uniform, deviation_up_to(uniform.size())) - uniform).cwiseAbs().maxCoeff() <= 1e-12);
+}
+
 Eigen::VectorXf vector_of(const std::vector<float>& entries) {
   return Eigen::Map<const Eigen::VectorXf>(entries.data(), static_cast<Eigen::Index>(entries.size()));
 }

@@ -5,6 +5,7 @@
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/diagnostics.h"
+#include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/preparation/tube_area.h"
 #include "shapegauge/core/shape/connectivity.h"
@@ -50,6 +51,12 @@ TEST(DoubledTriangles, DoNotChangeClosedness) {
   for_each_doubling(closedness, [&](const std::array<bool, 2>& expected, const test::DoubledShape& doubled) {
     EXPECT_EQ(closedness(doubled.shape), expected);
   });
+}
+
+TEST(DoubledTriangles, DoNotChangeTheWidestGap) {
+  const auto widest = [](const Shape& shape) { return gap_sizes(shape).widest; };
+  for_each_doubling(
+      widest, [&](double expected, const test::DoubledShape& doubled) { EXPECT_EQ(widest(doubled.shape), expected); });
 }
 
 TEST(DoubledTriangles, DoNotChangeTheScale) {

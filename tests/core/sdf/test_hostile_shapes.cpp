@@ -100,7 +100,7 @@ TEST(HostileShapes, WhatHasNoExtentIsAnInputError) {
   EXPECT_EQ(cone.missing, static_cast<std::size_t>(point.triangles.rows()));
 }
 
-TEST(HostileShapes, TwoPartsFarApart) {
+TEST(HostileShapes, DistantPartsStaySeparateUntilTheirOffsetsMeet) {
   const double distance = 1e6;
   const Shape parts = test::joined({tetrahedron_at({0, 0, 0}, 1), tetrahedron_at({distance, 0, 0}, 1)});
   for (const double offset : {0.01, 0.4}) {  // r is 10,000 and 400,000: neither joins the two balls
@@ -242,6 +242,7 @@ TEST(HostileShapes, SliversHaveValues) {
   for (const double offset : {0.002, 0.003, 0.01, 0.05}) {
     EXPECT_EQ(offset_sdf(shape, samples, {.offset = offset}).outcomes.missing, 0U) << offset;
   }
+  EXPECT_EQ(offset_sdf(shape, faces, {.offset = 0.01}).outcomes.missing, 0U);
 }
 
 }  // namespace
