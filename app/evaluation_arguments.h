@@ -20,7 +20,7 @@ class App;
 
 namespace shapegauge {
 
-/// Options shared by `evaluate`, `compare` and `leaderboard`, as given.
+/// Values of the options that `evaluate`, `compare` and `leaderboard` share, as given on the command line.
 struct EvaluationArguments {
   EvaluationFiles files;
   std::string order;
@@ -34,62 +34,63 @@ struct EvaluationArguments {
   int minimum_class_size = EvaluationOptions{}.minimum_class_size;
 };
 
-/// Options that describe files of distances and labels or how they are evaluated, and act on nothing else.
+/// Names of the options that only affect how files of distances and labels are read and evaluated.
 inline constexpr std::array<std::string_view, 15> options_of_distances{
     "--evaluator",       "--variable",    "--labels",        "--targets",    "--shared-ids", "--qrels",
     "--level",           "--ids",         "--order",         "--similarity", "--distance",   "--ties",
     "--missing-queries", "--all-queries", "--min-class-size"};
 
-/// Returns which of the options were given.
+/// Returns which of `options` were given on the command line.
 std::vector<std::string> given_options(const CLI::App& command, std::span<const std::string_view> options);
 
-/// Options of resampling, as given.
+/// Values of the options of resampling, as given on the command line.
 struct ResamplingArguments {
   std::string blocks = "classes";
-  double confidence = 0;
+  double confidence = 0;  ///< confidence level of intervals; 0 for no intervals
   ResamplingOptions resampling;
 };
 
-/// Format of printed scores, as given.
+/// Values of the options for the format of printed scores, as given on the command line.
 struct ScoreFormat {
   std::string format = "table";
-  bool fractions = false;  ///< instead of percent
+  bool fractions = false;  ///< true for fractions instead of percent
   std::optional<int> digits = {};
 };
 
-/// Adds --format, described as given, --fractions and --digits.
+/// Adds the options --format (with `description` as its help text), --fractions and --digits.
 void add_score_format_options(CLI::App& command, ScoreFormat& arguments, const std::string& description);
 
 /// Returns the style of scores in tables. Default: 2 decimal places, or 4 for csv; 2 more for fractions.
 ScoreStyle style_of(const ScoreFormat& arguments);
 
-/// Adds the options for labels and evaluation, and --threads. `missing_queries` are the values of --missing-queries,
-/// the default first.
+/// Adds the options for labels and evaluation, and --threads. `missing_queries` lists the valid values of
+/// --missing-queries, the default first.
 void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments,
                             const std::vector<std::string>& missing_queries = list_of_words<Unanswered>());
 
 /// Adds the options that describe files of distances and labels.
 void add_file_options(CLI::App& command, EvaluationArguments& arguments);
 
-/// Adds --confidence, --blocks, --resamples and --seed.
+/// Adds the options of resampling: --confidence, --blocks, --resamples and --seed.
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments);
 
-/// Returns the protocol of the arguments; by default psb, or trec with judgements.
+/// Returns the evaluation protocol of the arguments. Default: psb, or trec with TREC relevance judgements.
 Protocol chosen_protocol(const EvaluationArguments& arguments);
 
 /// Returns the evaluation options of the arguments. Throws InputError for an unknown measure.
 EvaluationOptions evaluation_options(const EvaluationArguments& arguments);
 
-/// Returns the files of the evaluation and their interpretation, without the matrix.
+/// Returns the input files of an evaluation and how they are read. The path of the matrix stays empty.
 EvaluationFiles files_as_given(const EvaluationArguments& arguments);
 
-/// Returns the files of classes, judgements and ids, for check_output_files(); files that are not given are empty.
+/// Returns the paths of the files of classes, judgements and ids, for check_output_files(); empty if not given.
 std::vector<std::filesystem::path> label_files(const EvaluationArguments& arguments);
 
-/// Evaluates the matrix, or the ranked lists, at the path, with a progress line on the terminal.
+/// Evaluates the distance matrix or the ranked lists at `path`, with a progress line on the terminal.
 EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments);
 
-/// Prints each warning as a line on standard error. Called after everything else succeeded: an error is printed alone.
+/// Prints each warning as a line on standard error. Call after everything else succeeded: an error is printed without
+/// warnings.
 void print_warnings(std::span<const std::string> warnings);
 
 }  // namespace shapegauge

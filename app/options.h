@@ -24,57 +24,57 @@ class Option;
 
 namespace shapegauge {
 
-/// Adds --threads, for with_threads().
+/// Adds the option --threads, the number of threads for with_threads().
 void add_threads_option(CLI::App& command, int& threads);
 
-/// Adds --part, for parse_part(). Returns it.
+/// Adds the option --part, for parse_part(), with `description` as its help text. Returns the option.
 CLI::Option* add_part_option(CLI::App& command, std::string& part, const std::string& description);
 
-/// Adds --replace, for check_output_files().
+/// Adds the switch --replace, which permits overwriting existing outputs (check_output_files()).
 void add_replace_option(CLI::App& command, bool& replace);
 
-/// Adds --format: a TableFormat or json.
+/// Adds the option --format, whose values are the words of TableFormat and json.
 void add_format_option(CLI::App& command, std::string& format, const std::string& description);
 
-/// Adds --at: faces or vertices, words of SampleSite.
+/// Adds the option --at, which places samples at faces or vertices (words of SampleSite).
 void add_site_option(CLI::App& command, std::string& site);
 
-/// Adds --up, a word of UpAxis.
+/// Adds the option --up, the vertical axis of the shapes (a word of UpAxis).
 void add_up_option(CLI::App& command, std::string& up);
 
-/// Adds --seed, a non-negative integer.
+/// Adds the option --seed, a non-negative integer that initialises random numbers.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 
-/// What to do with a shape before it is measured.
+/// Preprocessing of a shape before it is measured.
 struct CleaningArguments {
-  bool denoise = false;
-  bool remove_outliers = false;
+  bool denoise = false;          ///< smooth a clearly noisy mesh
+  bool remove_outliers = false;  ///< remove isolated points of a point cloud
 };
 
-/// Adds --denoise and --remove-outliers.
+/// Adds the switches --denoise and --remove-outliers.
 void add_cleaning_options(CLI::App& command, CleaningArguments& arguments);
 
-/// Adds --unit.
+/// Adds the option --unit, the unit of the files' coordinates.
 void add_unit_option(CLI::App& command, std::string& unit);
 
-/// Values of --offset and --unit. `offset` holds the default.
+/// Values of the options --offset and --unit. `offset` holds the default.
 struct OffsetArguments {
   std::string offset = "auto";
-  std::string unit = {};       ///< of the files' coordinates; empty if unknown
-  bool unit_of_files = false;  ///< whether the unit is that of the files' format, not given
+  std::string unit = {};       ///< unit of the files' coordinates; empty if unknown
+  bool unit_of_files = false;  ///< true if the unit comes from the file format, not from --unit
 };
 
-/// Sets the unit to metres if it is not given and all files are glTF, whose unit that is. Returns whether it did.
-/// Throws InputError if another unit is given for such a file.
+/// Sets an empty unit to metres if all files are glTF, whose coordinates are in metres. Returns true if it set the
+/// unit. Throws InputError if a file is glTF and the unit is neither empty nor metres.
 bool take_unit_of_files(std::string& unit, const std::vector<std::filesystem::path>& files);
 
-/// Adds --offset and --unit, for parse_offset(). Returns --offset.
+/// Adds the options --offset and --unit, for parse_offset(). Returns the option --offset.
 CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments);
 
 /// Parsed value of --offset: a fraction of the bounding-box diagonal, a length, or neither for "auto".
 struct GivenOffset {
-  std::optional<double> fraction = {};
-  std::optional<double> length = {};  ///< in the files' units
+  std::optional<double> fraction = {};  ///< fraction of the bounding-box diagonal
+  std::optional<double> length = {};    ///< length in the files' units
 
   [[nodiscard]] bool is_automatic() const { return !fraction && !length; }
 
@@ -83,63 +83,63 @@ struct GivenOffset {
   [[nodiscard]] std::optional<double> fraction_of(const Shape& shape) const;
 };
 
-/// Cache folder requested by the user.
+/// Folder of the cache as requested by the user.
 struct CacheOption {
-  std::filesystem::path named;  ///< empty: default_cache_folder()
-  bool none = false;
+  std::filesystem::path named;  ///< requested folder; if empty, default_cache_folder()
+  bool none = false;            ///< true to use no cache
 };
 
-/// Adds --cache.
+/// Adds the option --cache, the folder of the cache.
 void add_cache_option(CLI::App& command, CacheOption& option);
 
-/// Returns the cache folder; empty for no cache.
+/// Returns the folder of the cache; empty for no cache.
 std::filesystem::path chosen_cache(const CacheOption& option);
 
-/// Parses --offset. Throws InputError for an invalid text, for a fraction out of the range of offset_sdf fields, and
-/// for a length with a unit if --unit is not given.
+/// Parses the value of --offset. Throws InputError for an invalid text, for a fraction out of the range of offset_sdf
+/// fields, and for a length with a unit if --unit is not given.
 GivenOffset parse_offset(const OffsetArguments& arguments);
 
-/// Parses an option that takes a length and returns it in the files' units: 2, or 2mm if `unit`, that of the files, is
-/// known. Throws InputError for any other text.
+/// Parses the length given for the option `name` and returns it in the files' units. Accepts "2" and, if the files'
+/// `unit` is known, "2mm". Throws InputError for any other text.
 double parse_length_option(std::string_view name, const std::string& text, const std::string& unit);
 
-/// Options of the mapping of values to colours.
+/// Values of the options --range, --scale and --below, which map values to colours.
 struct ColourArguments {
-  std::string range = {};  ///< LOW,HIGH; empty for the range of the values
-  std::string scale = "linear";
-  std::string below = {};  ///< threshold; empty for none
+  std::string range = {};        ///< values "LOW,HIGH" at the ends of the colour map; empty by default
+  std::string scale = "linear";  ///< linear or log
+  std::string below = {};        ///< threshold as a length; empty for none
 };
 
-/// Adds --range, --scale and --below.
+/// Adds the colour options --range, --scale and --below.
 void add_colour_options(CLI::App& command, ColourArguments& arguments);
 
-/// Parsed colour options, in the files' units.
+/// Parsed values of --range, --scale and --below, in the files' units.
 struct ColourChoice {
   std::optional<Interval> range = {};
   bool logarithmic = false;
   std::optional<double> threshold = {};
 };
 
-/// Parses the colour options. Throws InputError for an invalid length and for a range that is empty or, with a
-/// logarithmic scale, not above 0.
+/// Parses the values of --range, --scale and --below. Throws InputError for an invalid length and for a range that is
+/// empty or, with a logarithmic scale, not above 0.
 ColourChoice parse_colours(const ColourArguments& arguments, const std::string& unit);
 
-/// Remarks on hollow bodies: warns if offset SDF values are those of the hull, and notes that other thicknesses are
-/// those of the wall.
+/// Adds a remark if the shape is hollow. With `measures_hull`, this is a warning that the offset SDF measures the hull;
+/// otherwise a note that values are thicknesses of the wall.
 void remark_on_cavities(const Shape& shape, bool measures_hull, Remarks& remarks);
 
-/// Notes an automatically chosen offset, and warns of an offset smaller than the gaps of the shape.
+/// Adds a note about an automatically chosen offset, and a warning if the offset is smaller than the shape's gaps.
 void remark_on(const ChosenOffset& chosen, Remarks& remarks);
 
-/// Adds the warnings about samples (outcome_warnings()).
+/// Adds the warnings of outcome_warnings() about the samples of a field.
 void remark_on(const FieldOutcomes& outcomes, Remarks& remarks);
 
-/// Returns the offset for `--timings`: `offset`, `automatic`, `gap_fraction`; for "auto" also `noise_fraction`,
+/// Encodes the offset as JSON for `--timings`: `offset`, `automatic`, `gap_fraction`; for "auto" also `noise_fraction`,
 /// `sufficient`.
 nlohmann::ordered_json to_json(const ChosenOffset& chosen);
 
-/// Removes outliers (without_outliers()) and smooths noise (denoised()) as requested, with remarks on both. With
-/// `automatic`, outliers are removed anyway; otherwise those that stay are warned of.
+/// Removes outliers (without_outliers()) and smooths noise (denoised()) as requested, and adds remarks about both.
+/// With `automatic` (--offset auto), always removes outliers; otherwise adds a warning about outliers that stay.
 Shape cleaned(Shape shape, const CleaningArguments& arguments, bool automatic, Remarks& remarks);
 
 }  // namespace shapegauge

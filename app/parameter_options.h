@@ -16,22 +16,22 @@
 /// values and defaults.
 namespace shapegauge {
 
-/// Text of an option for a parameter.
+/// Text given for the option of a parameter.
 struct ParameterText {
   std::string option;  ///< name of the option in messages
-  std::string text;    ///< empty if not given
+  std::string text;    ///< value as text; empty if not given
 };
 
-/// Texts by parameter. References to entries stay valid.
+/// Texts of options by the parameter's name. Adding entries does not invalidate references to others.
 using ParameterTexts = std::map<std::string, ParameterText, std::less<>>;
 
 /// Returns the parameter's meaning and valid values, for --help; with its default if `with_default`.
 std::string meaning_of(const Parameter& parameter, bool with_default = true);
 
-/// Returns a description of a registry entry in the form of --help, without its full stop.
+/// Returns a sentence without its full stop, as --help prints descriptions of registry entries.
 std::string without_full_stop(std::string_view sentence);
 
-/// Returns a check of an option's number by closed bounds. Unlike CLI::Range, it refuses NaN.
+/// Returns a validator that an option's number is within closed bounds. Unlike CLI::Range, it refuses NaN.
 template <typename Number>
 CLI::Validator within(const Bounds& bounds) {
   const CLI::Range range(static_cast<Number>(bounds.low), static_cast<Number>(bounds.high));
@@ -42,16 +42,16 @@ CLI::Validator within(const Bounds& bounds) {
           range.get_description()};
 }
 
-/// Returns a check that an option's value is one of the words. Its message suggests the word that was meant.
+/// Returns a validator that an option's value is one of the words. Its error message suggests the most similar word.
 CLI::Validator one_of(std::vector<std::string> words);
 
-/// Adds an option, or a flag for a boolean, that fills `given`. `names` as in CLI11; if empty, `--` and the parameter's
-/// name. `meaning` is meaning_of() if empty.
+/// Adds an option, or a flag for a boolean, that fills `given`. `names` has CLI11's syntax; if empty, the name is `--`
+/// and the parameter's name. `meaning` is the help text; if empty, meaning_of().
 CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,
                                   std::string names = {}, std::string meaning = {});
 
-/// Parses the texts of options, with defaults for parameters without one. `subject` follows "applies to" in messages.
-/// Throws InputError for an invalid text, and for an option whose parameter is not in the list.
+/// Parses the texts of options, with defaults for parameters without a text. `subject` follows "applies to" in
+/// messages. Throws InputError for an invalid text, and for an option whose parameter is not in the list.
 ParameterValues parameter_values(std::span<const Parameter> parameters, const ParameterTexts& given,
                                  std::string_view subject);
 

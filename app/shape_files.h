@@ -20,14 +20,14 @@ class Option;
 
 namespace shapegauge {
 
-/// Input and output files of such a command.
+/// Input and output files of a command that processes shapes.
 struct ShapeFiles {
-  std::vector<std::filesystem::path> inputs = {};  ///< "-" for standard input
-  std::string input_format = {};                   ///< extension without the dot; if empty, by name and first bytes
-  std::filesystem::path output = {};  ///< a file, "-" (standard output) or a folder; empty for a command without output
-  std::string output_format = {};     ///< extension without the dot, for folders and "-"
-  bool replace = false;               ///< outputs may exist and replace inputs
-  std::vector<OutputFile> others{};   ///< further outputs of the command, checked together with those of the shapes
+  std::vector<std::filesystem::path> inputs = {};  ///< paths of the shapes; "-" for standard input
+  std::string input_format = {};                   ///< extension without the dot; if empty, found by name and content
+  std::filesystem::path output = {};  ///< file, folder or "-" (standard output); empty for a command without output
+  std::string output_format = {};     ///< extension of outputs without the dot, for folders and "-"
+  bool replace = false;               ///< true to allow that outputs exist, or replace inputs
+  std::vector<OutputFile> others{};   ///< further outputs of the command, checked together with the shapes' outputs
   int threads = 0;
 };
 
@@ -38,7 +38,7 @@ void add_shape_inputs(CLI::App& command, ShapeFiles& files);
 /// `files.output_format`. Returns -o, which is required.
 CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& description);
 
-/// Returns a name with the format of the outputs, to select the writer before anything is read.
+/// Returns a file name with the extension of the outputs, to select the writer before anything is read.
 std::filesystem::path output_name(const ShapeFiles& files);
 
 /// Remarks on one shape, as sentences without the file's name.
@@ -47,19 +47,19 @@ struct Remarks {
   std::vector<std::string> warnings;
 };
 
-/// Adds a note if values are by triangle but the faces of the mesh's file are polygons.
+/// Adds a note if values are per triangle although the faces in the shape's file are polygons.
 void remark_on_polygons(const Shape& shape, SampleSite site, Remarks& remarks);
 
-/// One of the shapes and the destination of its result.
+/// Input shape of a command and the destination of its result.
 struct ShapeJob {
-  std::size_t index = 0;         ///< among the inputs
-  std::string input;             ///< name in messages
-  std::filesystem::path output;  ///< output file; its extension is the format
-  double read_seconds = 0;
+  std::size_t index = 0;         ///< index in ShapeFiles::inputs
+  std::string input;             ///< name of the input in messages
+  std::filesystem::path output;  ///< path of the output; its extension selects the format
+  double read_seconds = 0;       ///< time to read the input, in seconds
 };
 
-/// Reads every input and processes it: several in parallel, with a progress line. `work` may run in several threads at
-/// once. Remarks are printed at the end, in the order of inputs. Returns the exit status.
+/// Reads each input and processes it by `work`: several inputs in parallel, with a progress line. `work` may run in
+/// several threads at once. Remarks are printed at the end, in the order of inputs. Returns the exit status.
 ///
 /// Errors of `work` name the input. With a single input, errors are thrown. With several, failures are reported by name
 /// and the others are processed (exit status 1). Several outputs go into a folder, created if missing, each under the

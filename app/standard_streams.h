@@ -24,7 +24,7 @@ void write_standard_output(std::string_view bytes);
 /// Temporary folder that exists for the lifetime of the object, for readers and writers that need a file name.
 class ScratchFolder {
  public:
-  /// Throws InputError if the folder cannot be created.
+  /// Creates the folder. Throws InputError if it cannot be created.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

@@ -17,12 +17,12 @@
 namespace shapegauge {
 
 enum class Verbosity {
-  quiet,   ///< -q: warnings and errors only
-  normal,  ///< also notes and progress
-  verbose  ///< also steps and their run times
+  quiet,   ///< warnings and errors only (-q)
+  normal,  ///< warnings, errors, notes and progress
+  verbose  ///< all messages, and the run times of the steps (-v)
 };
 
-/// Sanitises text of several lines for a terminal: printable(), but keeps ends of lines, tabs and the
+/// Sanitises text of several lines for a terminal like printable(), but keeps ends of lines, tabs and the escape
 /// sequences of bold cells (to_plain_text()).
 std::string printable_lines(std::string_view text);
 
@@ -35,10 +35,11 @@ void write_output(std::string_view text);
 /// Flushes standard output. Returns the error (errno) of the first failed write, or 0.
 int output_error();
 
-/// Returns the width for text on standard output: that of $COLUMNS or of the terminal, from 60 to 100; 100 otherwise.
+/// Returns the line width for standard output in characters: $COLUMNS or the width of the terminal, clamped to 60 to
+/// 100; 100 if unknown.
 std::size_t terminal_width();
 
-/// Sets the verbosity of the functions below; normal by default.
+/// Sets which messages are printed; Verbosity::normal by default.
 void set_verbosity(Verbosity verbosity);
 Verbosity verbosity();
 
@@ -48,19 +49,19 @@ void print_output(fmt::format_string<Values...> format, Values&&... values) {
   write_output(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Makes the option of a setting: "--on-error".
+/// Returns the option for a setting, such as "--on-error" for "on_error".
 std::string option_name(std::string_view setting);
 
-/// Spells the settings that a message names in backquotes as options (spell_settings()).
+/// Replaces settings in backquotes in a message, such as `replace=true`, by options, such as --replace.
 std::string with_options(std::string_view message);
 
-/// Prints "shapegauge: error: <text>" on one line, whatever the text; like the functions below, with_options().
+/// Prints "shapegauge: error: <text>" on standard error, always as one line, with settings as with_options().
 void print_error(std::string text);
 
-/// Prints "shapegauge: <text>" unless quiet.
+/// Prints "shapegauge: <text>" on standard error unless the verbosity is quiet.
 void note(std::string_view text);
 
-/// Prints "shapegauge: warning: <text>".
+/// Prints "shapegauge: warning: <text>" on standard error.
 void warn(std::string_view text);
 
 /// Progress line on a terminal: count, rate, remaining time. Silent if standard error is not a terminal or the program
@@ -76,7 +77,7 @@ class ProgressLine {
   /// Updates the progress of a stage; redraws a few times a second.
   void show(std::string_view stage, std::size_t done, std::size_t total);
 
-  /// Returns a function that calls show() of this line.
+  /// Returns a progress callback that calls show() of this line, which must outlive the callback.
   [[nodiscard]] auto receiver() {
     return [this](std::string_view stage, std::size_t done, std::size_t total) { show(stage, done, total); };
   }

@@ -8,7 +8,7 @@
 
 namespace shapegauge {
 
-/// Returns the indices of the values of a vector or span in ascending order of the values; equal ones keep their order.
+/// Returns the indices that sort a vector or span in ascending order; equal values keep their order.
 template <typename Values>
 std::vector<std::size_t> ascending_order(const Values& values) {
   using Index = decltype(values.size());

@@ -7,14 +7,15 @@
 
 namespace shapegauge {
 
-/// Nearest neighbours of all queries, compared with those of a random order of the targets.
+/// Mean nearest-neighbour score (NN) of an evaluation, compared with that of a random order of the targets.
 struct NearestByChance {
-  double found = 0;        ///< mean NN
-  double expected = 0;     ///< mean NN of a random order
-  double probability = 1;  ///< that a random order has as few relevant nearest neighbours, or fewer; an upper bound
+  double found = 0;        ///< mean NN over all queries, from 0 to 1
+  double expected = 0;     ///< expected mean NN of a random order of the targets
+  double probability = 1;  ///< probability (upper bound) that a random order has a mean NN of at most `found`
 };
 
-/// Compares the nearest neighbours of an evaluation with chance. Nothing if NN is not among its measures.
+/// Compares the mean NN of an evaluation of `task` with chance. Returns nothing if NN is not among the measures of the
+/// evaluation.
 std::optional<NearestByChance> nearest_by_chance(const Evaluation& evaluation, const RetrievalTask& task);
 
 }  // namespace shapegauge

@@ -13,51 +13,53 @@ namespace shapegauge {
 /// Maximum number of cells along a side of the heat map of a distance matrix.
 inline constexpr Eigen::Index largest_heat_map = 1000;
 
-/// Indices of each model's nearest others.
+/// Indices of the nearest other models, nearest first; one row per model.
 using NearestIndices = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Summary of a distance matrix between models: a heat map, and each model's nearest.
+/// Summary of a distance matrix between models for display: a heat map and the nearest neighbours of each model.
 struct DistanceOverview {
-  Eigen::Index block = 1;  ///< models along the side of a cell; 1 for up to largest_heat_map models
+  Eigen::Index block = 1;  ///< number of models along each side of a heat-map cell; 1 for up to largest_heat_map models
   /// Heat map with rows and columns in order_by_class(). Each cell is the mean of the finite entries of a block x block
-  /// part of the matrix, or infinity without any. The diagonal counts as 0.
+  /// part of the matrix, or infinity if no entry is finite. The diagonal counts as 0.
   Eigen::MatrixXd cells;
-  NearestIndices nearest;            ///< per model: up to ten others, as first_ranked() returns them
-  DistanceMatrix nearest_distances;  ///< distances to `nearest`
+  NearestIndices nearest;            ///< per model: indices of up to ten nearest other models (first_ranked())
+  DistanceMatrix nearest_distances;  ///< per model: distances to the models in `nearest`
 };
 
-/// Overview of the rows of a matrix so far.
+/// Accumulator of a DistanceOverview for a distance matrix streamed by rows.
 struct PartialOverview {
-  /// Sum and number of the finite entries of a cell. The sum is an integer multiple of `unit`, which makes it
-  /// independent of the order of rows.
+  /// Sum and number of the finite distances in a heat-map cell. The sum is a whole number of `unit`, so that it does
+  /// not depend on the order of rows.
   struct Cell {
-    std::int64_t sum = 0;
-    std::int64_t count = 0;
+    std::int64_t sum = 0;    ///< sum of the finite distances, in multiples of `unit`
+    std::int64_t count = 0;  ///< number of finite distances
   };
 
-  double unit = 1;
-  std::vector<std::int32_t> positions;  ///< per model: its position in order_by_class()
-  std::vector<Cell> sums;               ///< row by row; empty if a cell is one entry
-  DistanceOverview overview;            ///< cells that are sums are missing
+  double unit = 1;                      ///< resolution of the sums, as a distance
+  std::vector<std::int32_t> positions;  ///< position of each model in order_by_class()
+  std::vector<Cell> sums;     ///< sums of all heat-map cells, row-major; empty if each cell is a single matrix entry
+  DistanceOverview overview;  ///< overview of the rows so far; `cells` is not set where `sums` is used
 };
 
-/// Returns the models' indices sorted by class, in the models' order within a class.
+/// Returns the indices of the models sorted by class label, then by index. labels[i] is the class of model i.
 std::vector<Eigen::Index> order_by_class(std::span<const int> labels);
 
-/// Returns the largest finite distance of a row without the model's distance to itself; 0 without any.
+/// Returns the largest finite |distance| in a row of a distance matrix, except for the diagonal entry row[itself]; 0 if
+/// there is none.
 double largest_finite(std::span<const double> row, Eigen::Index itself);
 
-/// Starts an overview of the matrix between models with these labels. `largest` is the largest_finite() of the first
-/// row and sets the resolution of the sums; unused if cells are entries.
+/// Creates the empty accumulator for a distance matrix between models with these class labels. `largest` is
+/// largest_finite() of row 0. It sets the resolution of the sums and has no effect for up to largest_heat_map models.
 PartialOverview begin_overview(std::span<const int> labels, double largest);
 
-/// Accumulates rows of the matrix from the row `first` on. Parallel, with the same result for any number of threads.
+/// Adds consecutive rows of the distance matrix, the first of which is row `first`. Parallel; the result does not
+/// depend on the number of threads.
 void accumulate(const DistanceTable& rows, Eigen::Index first, PartialOverview& seen);
 
-/// Returns the overview after each row was accumulated once.
+/// Returns the finished overview. Each row of the distance matrix must have been accumulated once.
 DistanceOverview overview_of(PartialOverview seen);
 
-/// Computes the overview of a matrix in memory.
+/// Computes the overview of a square distance matrix in memory. labels[i] is the class of model i.
 DistanceOverview overview_of(const DistanceTable& distances, std::span<const int> labels);
 
 }  // namespace shapegauge

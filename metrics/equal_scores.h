@@ -9,18 +9,21 @@
 
 namespace shapegauge {
 
-/// Relative difference up to which scores are equal. Averages of equal counts differ by the rounding of their sums.
+/// Relative difference up to which two scores are equal. Averages that are equal in exact arithmetic may differ by the
+/// rounding of sums.
 inline constexpr double score_rounding = 1e-12;
 
-/// Returns true if the scores are equal up to rounding. All ranks, wins and ties are made by this comparison.
+/// Returns true if two scores are equal up to rounding (score_rounding). All ranks, wins and ties of methods use this
+/// comparison.
 inline bool are_equal_scores(double a, double b) {
   return std::abs(a - b) <= score_rounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// Returns a - b per query or unit; 0 for equal scores.
+/// Returns a[i] - b[i] for each query or unit i; exactly 0 for scores that are equal (are_equal_scores()).
 Eigen::VectorXd score_differences(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
-/// Returns the indices of the scores in descending order. Equal scores form one group, in their own order.
+/// Groups equal scores (are_equal_scores()). Returns the indices of the scores of each group, ascending; the group of
+/// the largest scores is first.
 std::vector<std::vector<std::size_t>> groups_of_equal_scores(const Eigen::VectorXd& scores);
 
 }  // namespace shapegauge

@@ -20,26 +20,26 @@
 
 namespace shapegauge {
 
-/// Options of an evaluation.
+/// Options of evaluate(): protocol, ties, measures, precision-recall curve and choice of queries.
 struct EvaluationOptions {
   Protocol protocol = Protocol::psb;
   Ties ties = Ties::index;
-  std::vector<Measure> measures{};   ///< default_measures(protocol) if empty
-  std::optional<CurveKind> curve{};  ///< default_curve(protocol) if not set
-  /// Models of smaller classes are not queries. The size includes the query (psbTable: 3). Every query then has at
-  /// least one relevant model less, whether or not it is itself a target. 1: judged queries without a relevant model
-  /// count, with scores of 0.
+  std::vector<Measure> measures{};   ///< measures to compute; default_measures(protocol) if empty
+  std::optional<CurveKind> curve{};  ///< kind of precision-recall curve; default_curve(protocol) if not set
+  /// Minimum class size of a query, the query included (psbTable: 3): models of smaller classes are not queries. A
+  /// query thus needs minimum_class_size - 1 relevant models. 1: judged queries without a relevant model count, with
+  /// scores of 0.
   int minimum_class_size = 2;
-  bool finds_itself = false;  ///< a query is retrieved like any other target, instead of being excluded from its list
+  bool finds_itself = false;  ///< true: a query is ranked like any other target, not excluded from its list
 };
 
-/// Returns the measures of an evaluation: those of the options or the default ones.
+/// Returns the measures that an evaluation computes: options.measures, or the default measures if empty.
 std::vector<Measure> evaluated_measures(const EvaluationOptions& options);
 
-/// Returns the cache versions, by name, of all measures that an evaluation computes.
+/// Returns the cache version of each measure that an evaluation computes, by name; always includes FT.
 std::map<std::string, int> measure_versions(const EvaluationOptions& options);
 
-/// Parameters of EvaluationOptions other than the protocol, the measures and the curve.
+/// Names, bounds and help texts of the members `ties` and `minimum_class_size` of EvaluationOptions.
 inline constexpr std::array evaluation_table = {
     option_of<&EvaluationOptions::ties>("ties",
                                         "Order of models at equal distance: by index, relevant models first or last, "
@@ -50,88 +50,93 @@ inline constexpr std::array evaluation_table = {
         "relevant model, with scores of 0)."),
 };
 
-/// Mean first tier (FT) over the queries with tied relevant models ranked last (pessimistic) and first (optimistic).
+/// Mean first tier (FT) over the queries if, among models at equal distance, relevant ones rank last (pessimistic) or
+/// first (optimistic).
 struct FirstTierBounds {
   double pessimistic = 0;
   double optimistic = 0;
 };
 
-/// Scores of a distance matrix under one protocol: fractions from 0 to 1. Column j of every table is measures[j].
+/// Scores of a distance matrix under one protocol, from 0 to 1 (some definitions of evaluators.h exceed 1). Column j of
+/// `per_query` and `per_class`, and entry j of `micro` and `macro`, belong to measures[j].
 struct Evaluation {
   Protocol protocol = Protocol::psb;
   Ties ties = Ties::index;
   CurveKind curve = CurveKind::psb;
-  std::vector<std::string> measures;  ///< "NN", "FT", "ST", "E", "DCG", "mAP"
-  std::vector<Eigen::Index> queries;  ///< matrix row of each query
-  std::vector<int> query_classes;     ///< class of each query
-  Eigen::MatrixXd per_query;          ///< queries x measures
-  std::vector<int> classes;           ///< labels with queries, ascending
-  Eigen::MatrixXd per_class;          ///< classes x measures
-  Eigen::VectorXd micro;              ///< mean over queries
-  Eigen::VectorXd macro;              ///< mean over classes
-  PrecisionRecallCurve micro_curve;
-  PrecisionRecallCurve macro_curve;
-  std::vector<PrecisionRecallCurve> class_curves;  ///< by classes
-  Eigen::Index excluded_models = 0;                ///< queries excluded because they have too few relevant models
-  Eigen::Index queries_with_ties = 0;              ///< queries with a relevant and another model at equal distance
-  FirstTierBounds first_tier_bounds;               ///< independent of `measures`; equal if ties have no effect
+  std::vector<std::string> measures;               ///< names of the measures: "NN", "FT", "ST", "E", "DCG", "mAP"
+  std::vector<Eigen::Index> queries;               ///< matrix row of each query, ascending
+  std::vector<int> query_classes;                  ///< class label of each query
+  Eigen::MatrixXd per_query;                       ///< scores of single queries: queries x measures
+  std::vector<int> classes;                        ///< labels of the classes with queries, ascending
+  Eigen::MatrixXd per_class;                       ///< mean scores of the queries of each class: classes x measures
+  Eigen::VectorXd micro;                           ///< mean score over queries, per measure
+  Eigen::VectorXd macro;                           ///< mean score over the class means, per measure
+  PrecisionRecallCurve micro_curve;                ///< precision-recall curve averaged over queries
+  PrecisionRecallCurve macro_curve;                ///< precision-recall curve averaged over classes
+  std::vector<PrecisionRecallCurve> class_curves;  ///< precision-recall curve of each class in `classes`
+  Eigen::Index excluded_models = 0;                ///< number of queries excluded for too few relevant models
+  Eigen::Index queries_with_ties = 0;  ///< number of queries with RankedList::tied: the order of ties may matter
+  FirstTierBounds first_tier_bounds;   ///< bounds of mean FT for any `measures`; equal if ties have no effect
 };
 
-/// References to all members, for codecs (experiments/cache/codec.h).
+/// References to all members of the results of an evaluation, for serialisation (experiments/cache/codec.h).
 /// @{
 SHAPEGAUGE_MEMBERS(PrecisionRecallCurve, recall, precision)
 SHAPEGAUGE_MEMBERS(FirstTierBounds, pessimistic, optimistic)
 SHAPEGAUGE_MEMBERS(Evaluation, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q)
 /// @}
 
-/// Evaluates a distance matrix against the models' classes, with every model as a query to all others
+/// Evaluates a distance matrix against the classes of the models, with every model as a query to all others
 /// (docs/reference/definitions.md#measures). labels[i] is the class of model i. Distances need not be symmetric and may
-/// be infinite (ranked_list()); the diagonal is ignored. Models that are not queries stay in the others' lists.
-/// Parallel over queries, with the same bytes for any number of threads. Throws ArgumentError for a matrix that is
-/// empty, not square or of another size than labels, a distance that is NaN (the message has row and column, counted
-/// from 0), a minimum class size out of range, and if no class is large enough.
+/// be infinite (ranked_list()); the diagonal is ignored. Models of classes that are too small are not queries, but
+/// remain targets. Parallel over queries; the result is bit-identical for any number of threads. Throws ArgumentError
+/// for a matrix that is empty, not square or of another size than labels, a distance that is NaN (the message has row
+/// and column, counted from 0), a minimum class size out of range, and if no class is large enough.
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options);
 
-/// Evaluates a matrix whose rows and columns are described by a task. Throws ArgumentError as above, and for a matrix
-/// of another size than the task's.
+/// Evaluates a distance matrix whose rows and columns are described by a task. Throws ArgumentError if the sizes of
+/// matrix and task differ, for a distance that is NaN, a minimum class size out of range, and if there are no queries.
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
-/// Streaming version of evaluate(), for matrices that do not fit into memory. Requests blocks of a few hundred rows
-/// sequentially. The result is bit-identical. Throws as above.
+/// Evaluates a distance matrix that does not fit into memory: requests blocks of a few hundred rows sequentially. The
+/// result is bit-identical to evaluate() of the whole matrix, with the same exceptions. Throws ArgumentError also for a
+/// block of the wrong size.
 Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
-/// Evaluates ranked answers, one per row of the task. Memory is proportional to their models. Throws ArgumentError for
-/// another number of answers than the task's rows, and as above.
+/// Evaluates ranked answers, one per row of the task. Memory is proportional to the number of listed models. Throws
+/// ArgumentError unless there is one answer per row, for a minimum class size out of range, and if there are no
+/// queries.
 Evaluation evaluate(const RankedAnswerLists& answers, const RetrievalTask& task, const EvaluationOptions& options);
 
-/// Scores of some queries, in their order.
+/// Scores of all queries of a task or of a range of them, in order of matrix rows; filled by RowEvaluator.
 struct QueryScores {
-  Eigen::MatrixXd measures;           ///< queries x measures
-  Eigen::MatrixXd precisions;         ///< queries x recall levels
-  std::vector<std::size_t> relevant;  ///< number of relevant models, by query
-  std::vector<char> tied;             ///< flag for ties, by query
-  Eigen::MatrixX2d first_tiers;       ///< per query: FT under Ties::pessimistic and Ties::optimistic
+  Eigen::MatrixXd measures;           ///< score by each measure: queries x measures
+  Eigen::MatrixXd precisions;         ///< precision at each recall level of the curve: queries x recall levels
+  std::vector<std::size_t> relevant;  ///< number of relevant models of each query
+  std::vector<char> tied;             ///< per query: 1 if the order of ties may matter (RankedList::tied), otherwise 0
+  Eigen::MatrixX2d first_tiers;       ///< FT of each query under Ties::pessimistic and Ties::optimistic: queries x 2
 };
 
-/// Streaming version of evaluate() for all rows of a matrix or a part of them. Several processes may each evaluate some
-/// rows; evaluation_of() combines their scores. The task must outlive the object. With `finds_itself` it must have no
-/// own columns; evaluate() sets them to -1.
+/// Evaluates all rows of a distance matrix or a range of them, in blocks. Several processes may each evaluate a range;
+/// evaluation_of() combines the scores. The task must outlive the object. If EvaluationOptions::finds_itself is set,
+/// each own_column of the task must be -1; the functions evaluate() set this themselves.
 class RowEvaluator {
  public:
-  /// Prepares the evaluation of the rows [first, last). Throws as evaluate() does.
+  /// Prepares the evaluation of the matrix rows [first, last). Throws ArgumentError for a task of inconsistent size, a
+  /// minimum class size out of range, and if there are no queries.
   RowEvaluator(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last);
 
-  /// Evaluates the queries among rows of the matrix, from the row `first` on. Parallel. Throws ArgumentError for a
-  /// distance that is NaN.
+  /// Evaluates the queries among consecutive rows of the matrix, the first of which is row `first`. Parallel. Throws
+  /// ArgumentError for a distance that is NaN.
   void evaluate(const DistanceTable& rows, Eigen::Index first);
 
-  /// Evaluates the answers to the queries of all rows. Parallel.
+  /// Evaluates ranked answers, one for each row of the task. Parallel.
   void evaluate(const RankedAnswerLists& answers);
 
-  /// Returns the scores of the queries among the rows evaluated.
+  /// Returns the scores of the queries among the rows of this evaluator, in order of rows.
   [[nodiscard]] const QueryScores& scores() const { return scores_; }
 
-  /// Combines the scores of all queries of the task into an evaluation.
+  /// Averages the scores of all queries of the task, in order of rows, and returns the complete evaluation.
   [[nodiscard]] Evaluation evaluation_of(const QueryScores& all) const;
 
  private:
@@ -142,9 +147,9 @@ class RowEvaluator {
   Relevance relevance_;
   std::vector<Measure> measures_;
   Measure first_tier_;
-  Evaluation blank_;             ///< without scores
+  Evaluation blank_;             ///< evaluation with its queries and classes, but without scores
   std::size_t largest_ = 0;      ///< largest number of relevant models of a query
-  std::size_t first_query_ = 0;  ///< first query among the rows
+  std::size_t first_query_ = 0;  ///< index in blank_.queries of the first query of this evaluator
   QueryScores scores_;
 };
 

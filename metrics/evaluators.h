@@ -10,32 +10,33 @@
 
 namespace shapegauge {
 
-/// Score that an evaluation program prints.
+/// Score that an evaluation program prints, and the measure that reproduces it.
 struct EvaluatorScore {
-  std::string quantity;  ///< what it is called in tables, equal for scores that are compared: "FT"
-  std::string measure;   ///< name of a measure, or of a definition of the program: "shrec21.FT"
+  std::string quantity;  ///< label in tables, such as "FT"; scores with the same label are compared
+  std::string measure;   ///< measure that computes the score: "FT", or a definition of this program, "shrec21.FT"
 };
 
-/// Evaluation program of a benchmark, a contest or a library: which definitions, cutoffs, denominators and rule of ties
-/// it uses.
+/// Conventions of the evaluation program of a benchmark, a contest or a library: definitions of scores, cutoffs,
+/// denominators and order of ties.
 struct Evaluator {
-  std::string name;
-  std::string program;     ///< which program it reproduces
-  std::string deviations;  ///< from the definitions of the measures, and other conventions
+  std::string name;        ///< name in options and tables, such as "psb_table"
+  std::string program;     ///< name and version of the evaluation program
+  std::string deviations;  ///< text: deviations from the definitions of the measures, and other conventions
   Protocol protocol = Protocol::psb;
   CurveKind curve = CurveKind::psb;
   int minimum_class_size = 2;
-  bool finds_itself = false;  ///< see EvaluationOptions
-  std::vector<EvaluatorScore> scores;
+  bool finds_itself = false;           ///< true: a query is ranked like any other target (EvaluationOptions)
+  std::vector<EvaluatorScore> scores;  ///< scores that the program prints
 };
 
-/// Returns all evaluators. Ties are in the order of the models: Ties::index.
+/// Returns all evaluators. Each ranks models at equal distance by index (Ties::index).
 std::span<const Evaluator> evaluators();
 
 /// Returns the names of all evaluators.
 std::vector<std::string> evaluator_names();
 
-/// Returns the options of an evaluation as by the evaluator of that name. Throws ArgumentError for an unknown name.
+/// Returns the evaluation options that reproduce the evaluator with this name. Throws ArgumentError for an unknown
+/// name.
 EvaluationOptions options_of_evaluator(std::string_view name);
 
 }  // namespace shapegauge

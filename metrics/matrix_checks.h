@@ -10,52 +10,54 @@
 
 namespace shapegauge {
 
-/// Anomalies of a distance matrix. None prevents scores from being computed; each may indicate that the matrix is not
-/// what it is assumed to be.
+/// Anomalies of a distance matrix, found by MatrixChecks. Scores can be computed in spite of them, but each may
+/// indicate an error in the matrix.
 struct MatrixFindings {
-  bool square = false;        ///< row i and column i are the same model
-  Eigen::Index infinite = 0;  ///< entries off the diagonal, without those of infinite_rows
-  Eigen::Index negative = 0;  ///< entries off the diagonal
-  /// Pairs i < j with different entries (i, j) and (j, i); 0 if all of them differ by rounding only, that is, by at
-  /// most 1e-12 of the largest finite |distance| off the diagonal.
+  bool square = false;        ///< true if row i and column i are the same model for each i
+  Eigen::Index infinite = 0;  ///< number of infinite off-diagonal entries, except for those in `infinite_rows`
+  Eigen::Index negative = 0;  ///< number of negative off-diagonal entries
+  /// Number of pairs i < j with different entries (i, j) and (j, i); 0 if all differences are due to rounding, that is,
+  /// at most 1e-12 of the largest finite |distance| off the diagonal.
   Eigen::Index asymmetric_pairs = 0;
-  double largest_asymmetry = 0;  ///< maximum finite |(i, j) - (j, i)|; 0 if asymmetric_pairs is
-  bool triangular = false;       ///< of every asymmetric pair one entry is 0, and these are more than half of all pairs
-  Eigen::Index nonzero_diagonal = 0;  ///< finite entries
-  /// Rows whose finite diagonal entry is the largest and not also the smallest; none in a matrix of distances.
+  double largest_asymmetry = 0;  ///< maximum finite |(i, j) - (j, i)|; 0 if asymmetric_pairs is 0
+  bool triangular = false;       ///< over half of all pairs i < j are asymmetric, and one entry of each of these is 0
+  Eigen::Index nonzero_diagonal = 0;  ///< number of finite diagonal entries other than 0
+  /// Number of rows whose finite diagonal entry is the maximum of the row and not also the minimum, as in a matrix of
+  /// similarities.
   Eigen::Index rows_nearest_to_others = 0;
-  Eigen::Index rows_at_zero = 0;  ///< rows whose smallest entry off the diagonal is 0 and not the largest
+  Eigen::Index rows_at_zero = 0;  ///< number of rows whose smallest off-diagonal entry is 0 and the largest is not
   std::vector<std::pair<Eigen::Index, Eigen::Index>>
-      equal_rows;  ///< pairs of a row and the earlier row that it repeats
+      equal_rows;  ///< pairs of row indices: a row, and the first row equal to it
   std::vector<Eigen::Index>
-      constant_rows;  ///< rows whose entries off the diagonal are all equal, but not infinite_rows
-  std::vector<Eigen::Index> infinite_rows;  ///< rows whose entries off the diagonal are all infinite and positive
+      constant_rows;  ///< indices of rows whose off-diagonal entries are all equal, except `infinite_rows`
+  std::vector<Eigen::Index> infinite_rows;  ///< indices of rows whose off-diagonal entries are all +infinity
 };
 
-/// Detects anomalies of a matrix streamed in blocks of rows. Parallel; the findings depend neither on the number of
-/// threads nor on the size of blocks.
+/// Detects anomalies of a distance matrix streamed in blocks of rows. Parallel; the findings depend neither on the
+/// number of threads nor on the size of blocks.
 class MatrixChecks {
  public:
-  /// `square`: row i and column i are the same model, that is, the matrix has a diagonal.
+  /// Starts the checks of a matrix. `square` states that row i and column i are the same model, so that there is a
+  /// diagonal.
   explicit MatrixChecks(bool square) : square_(square) {}
 
-  /// Adds the next rows.
+  /// Checks the next rows of the matrix for all anomalies except asymmetry.
   void add(const DistanceTable& rows);
 
-  /// Detects asymmetry. `rows` are rows of the matrix from `first` on; `mirrored` are as many of its columns from
-  /// `first` on, without the rows before `first`. Call once for every row of a square matrix.
+  /// Detects asymmetry. `rows` are n consecutive rows of the matrix from row `first` on. `mirrored` are the n columns
+  /// from column `first` on, without the rows above `first`. Call once for every row of a square matrix.
   void compare(const DistanceTable& rows, Eigen::Index first, const DistanceTable& mirrored);
 
-  /// Returns the findings of all rows so far. Rows are compared by 128-bit hashes.
+  /// Returns the findings of all rows so far. Equal rows are detected by 128-bit hashes.
   [[nodiscard]] MatrixFindings findings() const;
 
  private:
   struct RowFindings {
     Eigen::Index infinite = 0;
     Eigen::Index negative = 0;
-    double largest = 0;  // finite
+    double largest = 0;  // largest finite |entry| off the diagonal
     bool constant = false;
-    bool unreachable = false;
+    bool unreachable = false;  // all entries off the diagonal are +infinity
     bool nonzero_diagonal = false;
     bool nearest_to_others = false;
     bool at_zero = false;
@@ -67,8 +69,8 @@ class MatrixChecks {
 
   bool square_;
   Eigen::Index asymmetric_pairs_ = 0;
-  Eigen::Index infinite_asymmetries_ = 0;  // pairs whose difference is infinite
-  Eigen::Index one_sided_pairs_ = 0;       // asymmetric pairs, one of which is 0
+  Eigen::Index infinite_asymmetries_ = 0;  // pairs (i, j) and (j, i) whose difference is infinite
+  Eigen::Index one_sided_pairs_ = 0;       // asymmetric pairs with one entry 0
   double largest_asymmetry_ = 0;
   std::vector<RowFindings> rows_;
 };

@@ -14,24 +14,25 @@
 
 namespace shapegauge {
 
-/// Significance test of a pair of methods. bootstrap: the p-value is the frequency with which a bootstrap average
-/// differs from the observed difference by at least as much as that differs from 0 (Efron and Tibshirani 1993, section
-/// 16.4).
+/// Significance test of the difference between two methods.
+/// - randomisation: randomisation_p_value(). t: paired_t_p_value().
+/// - bootstrap: the p-value is the frequency with which the difference of bootstrap averages is at least as far from
+///   the observed difference as the observed difference is from 0 (Efron and Tibshirani 1993, section 16.4).
 enum class PairTest { randomisation, t, bootstrap };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<PairTest>{"randomisation", "t", "bootstrap"};
 
-/// Options of a comparison.
+/// Options of compare_methods(): significance test, resampling unit, average, confidence level, compared pairs.
 struct ComparisonOptions {
   PairTest test = PairTest::randomisation;
   ResamplingUnit blocks = ResamplingUnit::queries;
   Average average = Average::micro;
   double confidence = 0.95;
-  std::optional<std::size_t> reference{};  ///< method that is compared with each other one; all pairs if not set
+  std::optional<std::size_t> reference{};  ///< index of the method to compare with each other one; all pairs if not set
   ResamplingOptions resampling{};
 };
 
-/// Parameters of ComparisonOptions.
+/// Names, bounds and help texts of the members of ComparisonOptions other than `reference`.
 inline constexpr std::array comparison_table = {
     option_of<&ComparisonOptions::test>("test", "Significance test of each pair."),
     option_of<&ComparisonOptions::blocks>(
@@ -42,46 +43,47 @@ inline constexpr std::array comparison_table = {
     nested_option<&ComparisonOptions::resampling, resampling_table, 1>(),
 };
 
-/// Difference between two methods, first minus second, with its significance.
+/// Difference between two methods with its significance; part of a MethodComparison.
 struct PairDifference {
-  std::size_t first = 0;
-  std::size_t second = 0;
-  double difference = 0;          ///< of the averages
-  ConfidenceInterval interval{};  ///< of the difference
-  double p = 1;
-  double p_holm = 1;       ///< Holm's correction for all pairs of this comparison
-  double p_tukey = 1;      ///< randomised Tukey HSD of all methods
-  double p_classes = 1;    ///< class_p_value(), with Holm's correction for all pairs
-  double effect_size = 0;  ///< of the units' differences
-  WinTieLoss queries{};
+  std::size_t first = 0;          ///< index of the first method
+  std::size_t second = 0;         ///< index of the second method
+  double difference = 0;          ///< average score of `first` minus that of `second`
+  ConfidenceInterval interval{};  ///< bootstrap confidence interval of `difference`
+  double p = 1;                   ///< p-value of ComparisonOptions::test, not corrected for multiple tests
+  double p_holm = 1;              ///< `p` with Holm's correction for all pairs of the comparison
+  double p_tukey = 1;             ///< p-value of the randomised Tukey HSD test of all methods
+  double p_classes = 1;           ///< class_p_value() with Holm's correction for all pairs of the comparison
+  double effect_size = 0;         ///< Cohen's d of the differences of the resampling units (effect_size())
+  WinTieLoss queries{};           ///< number of queries on which `first` is better, equal and worse
 };
 
-/// Comparison of two or more methods by one measure.
+/// Comparison of two or more methods by one measure; result of compare_methods().
 struct MethodComparison {
-  Eigen::VectorXd averages;                   ///< per method
-  std::vector<ConfidenceInterval> intervals;  ///< of the averages
-  std::vector<PairDifference> pairs;
-  Eigen::Index units = 0;  ///< number of classes or queries
-  Eigen::Index classes = 0;
+  Eigen::VectorXd averages;                   ///< average score of each method
+  std::vector<ConfidenceInterval> intervals;  ///< bootstrap confidence interval of each average
+  std::vector<PairDifference> pairs;          ///< compared pairs of methods
+  Eigen::Index units = 0;                     ///< number of resampling units: classes or queries
+  Eigen::Index classes = 0;                   ///< number of classes of the queries
 };
 
-/// Returns the smallest possible p-value of a pair's test for a number of units. Randomisation exchanges two methods in
-/// n units in 2^n ways, half of which differ by their sign only. With B resamples no p-value is below 1 / (B + 1). 0 if
-/// there is no bound (t).
+/// Returns the smallest p-value that the test of a pair of methods can have with a number of resampling units; 0 for
+/// the t-test, which has no bound. Randomisation exchanges two methods in n units in 2^n ways, half of which differ by
+/// their sign only. With B resamples no p-value is below 1 / (B + 1).
 double smallest_p_value(const ComparisonOptions& options, Eigen::Index units);
 
-/// Returns the p-value of the claim that a difference holds for classes like these: Student's t-test of the mean
-/// differences of the classes, all of equal weight, in the direction of the average over the queries. The classes are
-/// taken as a random sample (docs/notes/significance.md). 1 for one class, or if the average over queries and the mean
-/// over classes have different signs; 2^(1 - n) for n classes with equal differences. `differences` are by query.
+/// Returns the two-sided p-value of the difference between two methods for further classes, of which those of the data
+/// set are treated as a random sample (docs/notes/significance.md). differences[i] is the difference for query i,
+/// classes[i] the class of the query. Student's t-test of the class means of the differences, with equal weights. 1 for
+/// one class, or if the average over queries and the mean over classes have different signs; 2^(1 - n) for n classes
+/// with equal mean differences.
 double class_p_value(const Eigen::VectorXd& differences, std::span<const int> classes);
 
-/// Returns the smallest effect size of class means whose class_p_value() can be significant at `alpha` after Holm's
-/// correction for a number of pairs. Infinite for one class.
+/// Returns the smallest effect size (Cohen's d of the class means) for which class_p_value() can be significant at
+/// `alpha` after Holm's correction for `pairs` pairs of methods. Infinite for one class.
 double min_class_effect(std::size_t classes, std::size_t pairs, double alpha);
 
-/// Compares methods by their values on the same queries: per_query is queries x methods, classes[i] the class of query
-/// i. Throws ArgumentError for fewer than two methods or two units, a value that is not finite, and a reference or an
+/// Compares methods by their scores on the same queries: per_query is queries x methods, classes[i] the class of query
+/// i. Throws ArgumentError for fewer than two methods or two units, a score that is not finite, and a reference or an
 /// option out of range.
 MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<const int> classes,
                                  const ComparisonOptions& options = {});

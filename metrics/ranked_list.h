@@ -12,84 +12,90 @@
 
 namespace shapegauge {
 
-/// Returns the `count` models nearest to a query, in order of distance (ties: smaller index first); all of them if
-/// there are no more. `distances` are those from the query to all models, and `query` is its own index. Infinite
-/// distances rank last. The query is excluded by its index: a duplicate of it at distance 0 stays. No distance may be
-/// NaN.
+/// Returns the indices of the `count` models nearest to a query, in order of distance (ties: smaller index first), or
+/// of all other models if there are fewer. `distances` are the distances from the query to all models, and `query` is
+/// the index of the query. Infinite distances rank last. The query is excluded by its index: a duplicate of it at
+/// distance 0 stays. No distance may be NaN.
 std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen::Index query, Eigen::Index count);
 
-/// Run of consecutive ranks: `size` of them, with `hits` relevant models. All orders within the run are equally likely.
+/// Run of consecutive ranks that hold relevant and other models in unknown order (ties). All orders are equally likely.
 struct RankRun {
-  std::size_t size = 0;
-  std::size_t hits = 0;
-  std::size_t misses = size - hits;  ///< models judged as not relevant; all but the hits if there are no judgements
-  double grade = 1;                  ///< mean grade of the hits
+  std::size_t size = 0;              ///< number of ranks
+  std::size_t hits = 0;              ///< number of relevant models
+  std::size_t misses = size - hits;  ///< number of models judged as not relevant; without judgements all but the hits
+  double grade = 1;                  ///< mean relevance grade of the hits
 
   bool operator==(const RankRun&) const = default;
 };
 
-/// Ranked answer to one query, as input of measures. A measure is the mean over all orders that the runs permit. With
-/// all ties but Ties::expected there is only one order.
+/// Ranked answer to one query, the input of measures. A measure is the mean over all orders that the runs permit. Only
+/// Ties::expected permits more than one order.
 struct RankedList {
-  std::vector<RankRun> runs;       ///< in order of rank; no two adjacent runs consist of only hits or only misses
-  std::size_t length = 0;          ///< number of ranks
-  std::size_t relevant = 0;        ///< number of relevant models, including those missing from the list
-  bool starts_with_query = false;  ///< rank 1 is the query itself, which counts as a hit
-  bool tied = false;  ///< relevant and other models, or different grades, are at equal distance: their order may matter
-  /// By k - 1, the mean of k / rank of the k-th hit, for each relevant model; 0 for those missing from the list.
+  std::vector<RankRun> runs;  ///< runs in order of rank; adjacent runs of misses, or of hits of one grade, are merged
+  std::size_t length = 0;     ///< number of ranks, that is, of models in the list
+  std::size_t relevant = 0;   ///< number of relevant models, including those missing from the list
+  bool starts_with_query = false;  ///< true if rank 1 is the query itself, which counts as a hit
+  bool tied = false;  ///< order may matter: relevant and other models, or different grades, are at equal distance
+  /// Precision at each hit: entry k - 1 is the mean of k / rank of the k-th hit. One entry per relevant model; 0 for
+  /// models missing from the list.
   std::vector<double> precision_at_hit;
-  std::size_t judged_misses = 0;  ///< models judged as not relevant, including those missing from the list
-  std::vector<double> grades;     ///< of all relevant models, in descending order; all 1 if empty
+  std::size_t judged_misses = 0;  ///< number of models judged as not relevant, including those missing from the list
+  std::vector<double> grades;     ///< grades of all relevant models, in descending order; if empty, all grades are 1
 };
 
-/// Model of an answer: a column of the task with its distance, which is not NaN.
+/// Model in the answer to a query: its column in the RetrievalTask and its distance from the query, not NaN.
 struct ListedModel {
   Eigen::Index column = 0;
   double distance = 0;
 };
 
-/// Answers to the queries of a task, by row. Models may be in any order; those that are absent are not found.
+/// Answers to the queries of a RetrievalTask: the listed models of each row, in any order. Models that are not listed
+/// count as not found.
 using RankedAnswerLists = std::vector<std::vector<ListedModel>>;
 
-/// Conventions for the lists of an evaluation.
+/// Protocol and order of ties by which ranked_list() builds lists.
 struct ListConventions {
   Protocol protocol = Protocol::psb;
   Ties ties = Ties::index;
 };
 
-/// Lists of an answer whose order of ties matters, for its extreme orders.
+/// Ranked lists of one answer with ties, with tied relevant models last (pessimistic) and first (optimistic).
 struct TieExtremes {
   RankedList pessimistic;
   RankedList optimistic;
 };
 
-/// Builds the list that a protocol evaluates. psb and trec: the targets without the query. paper: the query itself,
-/// then the others. Infinite distances rank last. The list is empty under every protocol if the answer is, or if all
-/// targets are infinitely far. If the list is tied, sets `extremes`, if given.
+/// Builds the ranked list of the query in row `row` from its answer. Under psb and trec it has the listed targets
+/// without the query; under paper the query itself is first. Infinite distances rank last. An empty answer gives an
+/// empty list under every protocol. Sets `extremes`, if not null, if the list is tied.
 RankedList ranked_list(std::span<const ListedModel> answer, const Relevance& relevance, Eigen::Index row,
                        const ListConventions& conventions, std::optional<TieExtremes>* extremes = nullptr);
 
-/// Builds the list of a row of a distance matrix, which has a distance for each column.
+/// Builds the ranked list of the query in row `row` from its row of a distance matrix, with one distance per column, as
+/// from an answer that lists all columns. The list is empty if all targets are infinitely far.
 RankedList ranked_list(std::span<const double> distances, const Relevance& relevance, Eigen::Index row,
                        const ListConventions& conventions, std::optional<TieExtremes>* extremes = nullptr);
 
-/// Builds a list from runs and a number of relevant models that are missing from it. Adjacent runs may be of the same
-/// kind.
+/// Builds a list from runs in order of rank; adjacent runs of the same kind are merged. `not_in_list` is the number of
+/// relevant models that are missing from the list.
 RankedList list_of_runs(const std::vector<RankRun>& runs, bool starts_with_query = false, std::size_t not_in_list = 0);
 
-/// Returns the mean number of hits among the first `count` ranks, or in the whole list if it is shorter.
+/// Returns the number of hits among the first `count` ranks, or in the whole list if it is shorter; mean over the
+/// orders of ties.
 double hits_among_first(const RankedList& list, std::size_t count);
 
-/// Returns the mean sum of gain(rank) over all hits; ranks count from 1.
+/// Returns the sum of gain(rank) over all hits, as the mean over the orders of ties; ranks count from 1.
 double gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank));
 
-/// Returns the mean sum of grade times gain(rank) over the hits among the first `count` ranks.
+/// Returns the sum of grade times gain(rank) over the hits among the first `count` ranks, as the mean over the orders
+/// of ties; ranks count from 1.
 double graded_gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank), std::size_t count);
 
-/// Returns the mean sum of the precisions at the hits among the first `count` ranks.
+/// Returns the sum of the precisions at the hits among the first `count` ranks, as the mean over the orders of ties.
 double precisions_at_hits(const RankedList& list, std::size_t count);
 
-/// Returns, by hit of the list, the mean number of judged misses before it, limited to `most`.
+/// Returns, for each hit of the list, how many models judged as not relevant rank before it, counting up to `most`;
+/// mean over the orders of ties.
 std::vector<double> misses_before_hits(const RankedList& list, std::size_t most);
 
 }  // namespace shapegauge

@@ -11,9 +11,9 @@
 
 namespace shapegauge {
 
-/// Errors between two segmentations of the same surface (Chen, Golovinskiy, Funkhouser: "A benchmark for 3D mesh
-/// segmentation", ACM Transactions on Graphics 28(3), 2009, section 4). 0 for equal segmentations; all but the cut
-/// discrepancy are fractions from 0 to 1.
+/// Errors between two segmentations of the same surface, defined at segmentation_errors() and cut_discrepancy() (Chen,
+/// Golovinskiy, Funkhouser: "A benchmark for 3D mesh segmentation", ACM Transactions on Graphics 28(3), 2009, section
+/// 4). 0 for equal segmentations; all but the cut discrepancy are fractions from 0 to 1.
 struct SegmentationErrors {
   double rand_index = 0;
   double hamming = 0;
@@ -21,17 +21,17 @@ struct SegmentationErrors {
   double false_alarm_rate = 0;
   double global_consistency = 0;
   double local_consistency = 0;
-  double cut_discrepancy = 0;  ///< NaN if undefined or not requested
+  double cut_discrepancy = 0;  ///< cut discrepancy in mean radii of the surface; NaN if undefined or not computed
 };
 
-/// Segmentation error with its name in listings and reports.
+/// Name, definition and member of SegmentationErrors of one segmentation error, for listings and reports.
 struct SegmentationErrorEntry {
   std::string_view name;
   std::string_view definition;
   double SegmentationErrors::*value;
 };
 
-/// Returns all segmentation errors, in the order of reports.
+/// Returns the names and definitions of all segmentation errors, in the order of reports.
 const std::array<SegmentationErrorEntry, 7>& segmentation_error_entries();
 
 /// Computes the errors of a segmentation against a ground truth, except the cut discrepancy (NaN). labels[i] and
@@ -51,26 +51,28 @@ const std::array<SegmentationErrorEntry, 7>& segmentation_error_entries();
 SegmentationErrors segmentation_errors(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth,
                                        std::span<const double> weights = {});
 
-/// Weight of a triangle in the errors: equal, as in the benchmark's own tables, or its area.
+/// Weights of the triangles in segmentation errors: equal (faces), as in the tables of the benchmark of Chen et al.
+/// 2009, or by area.
 enum class TriangleWeights { faces, area };
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<TriangleWeights>{"faces", "area"};
 
 /// Edge of a mesh and its two adjacent triangles.
 struct MeshEdge {
-  std::array<std::int32_t, 2> vertices{};
-  std::array<std::int32_t, 2> triangles{};  ///< the second is -1 at a boundary edge, which is not a cut
+  std::array<std::int32_t, 2> vertices{};   ///< indices of the two end points
+  std::array<std::int32_t, 2> triangles{};  ///< indices of triangles; the second is -1 at a boundary edge (not a cut)
   double length = 0;
 };
 
 /// Computes the cut discrepancy: the mean distance of the first segmentation's cuts to the second's plus the mean
 /// distance of the second's to the first's, divided by `radius`, the mean distance of the surface's points from their
 /// centroid (Chen et al. 2009, section 4.1, after Huang and Dom 1995). A cut is an edge between triangles of different
-/// segments; each of its vertices represents half of its length. Distances are shortest paths along edges.
+/// segments; each of its vertices represents half of its length. Distances are shortest paths along edges. labels[i]
+/// and truth[i] are the segments of triangle i; `vertices` is the number of vertices.
 ///
-/// 0 if neither segmentation has cuts. NaN if one of them has none, or if a cut cannot be reached from the other's.
-/// Throws ArgumentError for different numbers of labels, an edge with a vertex or a triangle out of range or a length
-/// that is negative or not finite, and a radius that is not positive.
+/// 0 if neither segmentation has cuts. NaN if only one has cuts, or if a cut has no path to any cut of the other
+/// segmentation. Throws ArgumentError for different numbers of labels, an edge with a vertex or a triangle out of range
+/// or a length that is negative or not finite, and a radius that is not positive.
 double cut_discrepancy(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth,
                        const std::vector<MeshEdge>& edges, std::int32_t vertices, double radius);
 

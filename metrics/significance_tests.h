@@ -12,8 +12,8 @@ namespace shapegauge {
 /// Computes the two-sided p-value of a paired randomisation (permutation) test. Under the null hypothesis the two
 /// methods are exchangeable in each unit. The p-value is (1 + #) / (B + 1), where # counts those of B random exchanges
 /// whose difference of averages is at least as far from 0 as the observed one; it is never 0. `differences` and
-/// `weights` are by unit. Fisher, "The design of experiments", 1935; for retrieval: Smucker, Allan, Carterette, CIKM
-/// 2007. Throws ArgumentError without resamples or units.
+/// `weights` have one entry per unit. Fisher, "The design of experiments", 1935; for retrieval: Smucker, Allan,
+/// Carterette, CIKM 2007. Throws ArgumentError without resamples or units.
 double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::VectorXd& weights,
                              const ResamplingOptions& options = {});
 
@@ -24,21 +24,23 @@ double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::Ve
 double paired_t_p_value(const Eigen::VectorXd& differences);
 
 /// Computes p-values of all pairs of methods by randomised Tukey HSD ("honestly significant differences"): methods x
-/// methods, 1 on the diagonal. Each of B resamples shuffles the methods' values within every unit and records the
-/// largest difference of any two averages. The p-value of a pair is (1 + #) / (B + 1), where # counts the records that
-/// are at least as large as the pair's own difference. No further correction is needed. Carterette, "Multiple testing
-/// in statistical analysis of systems-based information retrieval experiments", ACM TOIS 30, 2012. Throws ArgumentError
-/// without resamples or units.
+/// methods, 1 on the diagonal. Each of B resamples shuffles the methods' values within every unit and computes the
+/// range of the averages, that is, the largest minus the smallest. The p-value of a pair is (1 + #) / (B + 1), where #
+/// counts the ranges that are at least as large as the difference of the pair. No further correction is needed.
+/// Carterette, "Multiple testing in statistical analysis of systems-based information retrieval experiments", ACM TOIS
+/// 30, 2012. Throws ArgumentError without resamples or units.
 Eigen::MatrixXd tukey_hsd_p_values(const UnitValues& units, const ResamplingOptions& options = {});
 
-/// Returns the smallest p-value that tukey_hsd_p_values() can have. k methods can be shuffled within n units such that
-/// one has the largest and one the smallest value of each, for any two methods, with probability (k (k - 1))^(1 - n).
-/// With B resamples no p-value is below 1 / (B + 1). 1 for fewer than two methods or units.
+/// Returns the smallest p-value that tukey_hsd_p_values() can return: the larger of two bounds. A random shuffle of k
+/// methods within n units gives one of any two methods the largest and the other the smallest value of each unit with
+/// probability (k (k - 1))^(1 - n). With B resamples no p-value is below 1 / (B + 1). 1 for fewer than two methods or
+/// units.
 double smallest_tukey_p_value(Eigen::Index methods, Eigen::Index units, const ResamplingOptions& options);
 
 /// Adjusts p-values for multiple testing by Holm's method, which controls the family-wise error rate under any
 /// dependence. With p-values in ascending order, the i-th of m becomes the maximum of (m - j + 1) p_j for j <= i, at
-/// most 1. Holm, "A simple sequentially rejective multiple test procedure", Scandinavian Journal of Statistics 6, 1979.
+/// most 1. Returned in the order of the input. Holm, "A simple sequentially rejective multiple test procedure",
+/// Scandinavian Journal of Statistics 6, 1979.
 std::vector<double> adjust_by_holm(std::span<const double> p_values);
 
 /// Computes Cohen's d for paired differences (d_z): their mean divided by their sample standard deviation. About 0.2 is
@@ -47,14 +49,14 @@ std::vector<double> adjust_by_holm(std::span<const double> p_values);
 /// sciences", 1988, section 2.3. Throws ArgumentError for fewer than two differences.
 double effect_size(const Eigen::VectorXd& differences);
 
-/// Number of queries on which the first of two methods has the larger, the same and the smaller value.
+/// Number of queries or data sets on which the first of two methods has the larger, the same and the smaller value.
 struct WinTieLoss {
   Eigen::Index wins = 0;
   Eigen::Index ties = 0;
   Eigen::Index losses = 0;
 };
 
-/// Counts the signs of the differences, first method minus second; see score_differences().
+/// Counts positive, zero and negative entries of the score_differences() of two methods, first minus second.
 WinTieLoss win_tie_loss(const Eigen::VectorXd& differences);
 
 }  // namespace shapegauge

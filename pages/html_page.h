@@ -21,60 +21,60 @@ double rounded_to_digits(double value, int digits);
 /// Escapes a text for HTML content and attributes.
 std::string html_text(std::string_view text);
 
-/// Formats JSON for a script element: `<` is escaped, and invalid UTF-8 is replaced by a mark.
+/// Formats JSON for a script element: `<` is escaped, and so is invalid UTF-8 (escaped_json()).
 std::string script_data(const nlohmann::ordered_json& json);
 
-/// Replaces each mark of a page, such as {{data}}, by its content. Marks are in the page's order. Contents are not
-/// searched for marks.
+/// Returns a page with its placeholders (marks), such as {{data}}, replaced by contents. The marks must be listed in
+/// the order of the page. Contents are not searched for marks.
 std::string filled_page(std::string_view page,
                         std::span<const std::pair<std::string_view, std::string_view>> marks_and_contents);
 
-/// Contents of a page that scripts draw.
+/// Contents of an HTML page that JavaScript draws.
 struct ScriptedPage {
-  std::string_view title;                   ///< plain text
-  std::string_view kind;                    ///< what the page is, such as "report"
-  std::string_view main;                    ///< HTML of the main part, which scripts fill
-  std::vector<std::string_view> styles;     ///< after those of all pages
-  std::vector<std::string_view> libraries;  ///< scripts that `script` needs
-  const nlohmann::ordered_json& data;
-  std::string_view script;
+  std::string_view title;                   ///< title of the page as plain text
+  std::string_view kind;                    ///< kind of page, such as "report"
+  std::string_view main;                    ///< HTML of the main part, which `script` fills
+  std::vector<std::string_view> styles;     ///< CSS of this page, applied after the CSS of all pages
+  std::vector<std::string_view> libraries;  ///< JavaScript libraries that `script` needs
+  const nlohmann::ordered_json& data;       ///< data that `script` reads
+  std::string_view script;                  ///< JavaScript that draws the page
 };
 
-/// Renders the frame of all pages (pages/common/page.html) with the contents.
+/// Renders an HTML page: the common frame (pages/common/page.html), filled with the contents.
 std::string scripted_page(const ScriptedPage& contents);
 
 /// Files of pages/, its bundled scripts and the JavaScript libraries, compiled in by the build (CMakeLists.txt).
 namespace page_files {
 
-std::string_view frame();         ///< of all pages, with marks such as {{data}} for their contents
-std::string_view common_style();  ///< of all pages, after palette_style()
+std::string_view frame();         ///< HTML frame of all pages, with placeholders such as {{data}}
+std::string_view common_style();  ///< CSS of all pages, used after palette_style()
 
-std::string_view view_page();    ///< the page of `shapegauge view`
-std::string_view view_style();   ///< of interactive views
-std::string_view view_script();  ///< of that page; needs both libraries
+std::string_view view_page();    ///< HTML of the page of `shapegauge view`
+std::string_view view_style();   ///< CSS of interactive views
+std::string_view view_script();  ///< script of view_page(); needs chart_library() and shape_library()
 
 std::string_view report_page();
 std::string_view report_style();
-std::string_view report_script();  ///< needs the chart library, and the shape library where the report has views
+std::string_view report_script();  ///< script of reports; needs chart_library(), and shape_library() for views
 
 std::string_view leaderboard_page();
-std::string_view leaderboard_style();   ///< after report_style()
-std::string_view leaderboard_script();  ///< needs the chart library
+std::string_view leaderboard_style();   ///< CSS of leaderboards, used after report_style()
+std::string_view leaderboard_script();  ///< script of leaderboards; needs chart_library()
 
 std::string_view search_page();
 std::string_view search_style();
-std::string_view search_script();  ///< needs both libraries
+std::string_view search_script();  ///< script of search pages; needs chart_library() and shape_library()
 
 std::string_view multi_dataset_page();
-std::string_view multi_dataset_style();   ///< after report_style()
-std::string_view multi_dataset_script();  ///< needs the chart library
+std::string_view multi_dataset_style();   ///< CSS of multi-dataset pages, used after report_style()
+std::string_view multi_dataset_script();  ///< script of multi-dataset pages; needs chart_library()
 
 std::string_view segmentation_page();
-std::string_view segmentation_style();   ///< after view_style() and report_style()
-std::string_view segmentation_script();  ///< needs both libraries
+std::string_view segmentation_style();   ///< CSS of segmentation pages, used after view_style() and report_style()
+std::string_view segmentation_script();  ///< script of segmentation pages; needs chart_library() and shape_library()
 
-std::string_view chart_library();  ///< D3, with its licence
-std::string_view shape_library();  ///< three.js, with its licence
+std::string_view chart_library();  ///< JavaScript library D3, with its licence
+std::string_view shape_library();  ///< JavaScript library three.js, with its licence
 
 }  // namespace page_files
 

@@ -10,17 +10,18 @@
 
 namespace shapegauge {
 
-/// Method on a leaderboard.
+/// Entry of a leaderboard: a method with its description and evaluation.
 struct LeaderboardEntry {
   std::string name;
   std::string authors;
   std::string paper;
-  std::string url;   ///< begins with http:// or https://; empty for none
-  std::string file;  ///< name of the submission
-  std::string page;  ///< relative address of its own page; empty for none
+  std::string url;   ///< web address, with http:// or https://; empty for none
+  std::string file;  ///< name of the submitted file
+  std::string page;  ///< relative address of the method's own page; empty for none
   const Evaluation* evaluation = nullptr;
   std::vector<std::string> warnings;
-  /// Standard deviations of the averages over repetitions of the method, by measure; empty without.
+  /// Standard deviations of the micro or macro averages over repetitions of the method, one per measure; empty without
+  /// repetitions.
   /// @{
   Eigen::VectorXd micro_deviation{};
   Eigen::VectorXd macro_deviation{};
@@ -31,17 +32,17 @@ struct LeaderboardEntry {
 /// protocol, with the same measures.
 struct LeaderboardPage {
   std::string title;
-  std::vector<std::pair<std::string, std::string>> facts;  ///< headings and texts
-  std::vector<std::string> classes;                        ///< names, by label; empty if hidden
-  std::vector<int> labels;                                 ///< class of each target
-  std::vector<LeaderboardEntry> entries;                   ///< best first; at least one
-  std::vector<std::vector<MethodStanding>> micro;          ///< averages over queries: by measure, by entry
-  std::vector<std::vector<MethodStanding>> macro;          ///< averages over classes: by measure, by entry
-  std::size_t rank_by = 0;                                 ///< measure shown first
+  std::vector<std::pair<std::string, std::string>> facts;  ///< facts about the evaluation: pairs of heading and text
+  std::vector<std::string> classes;                        ///< names of the classes, indexed by label; empty if hidden
+  std::vector<int> labels;                                 ///< class label of each target
+  std::vector<LeaderboardEntry> entries;                   ///< methods, best first; at least one
+  std::vector<std::vector<MethodStanding>> micro;          ///< standings by averages over queries: [measure][entry]
+  std::vector<std::vector<MethodStanding>> macro;          ///< standings by averages over classes: [measure][entry]
+  std::size_t rank_by = 0;                                 ///< index of the measure that is shown first
   std::string significance;  ///< explanation of intervals and groups, one or more sentences
-  std::vector<std::pair<std::string, std::string>> refused;  ///< omitted submissions and the reasons
-  std::string csv;                                           ///< table for download
-  std::string latex;                                         ///< table for download
+  std::vector<std::pair<std::string, std::string>> refused;  ///< names of omitted submissions and the reasons
+  std::string csv;                                           ///< table for download, as CSV
+  std::string latex;                                         ///< table for download, as LaTeX
 };
 
 /// Renders the leaderboard as one self-contained HTML file. The same leaderboard gives the same bytes.

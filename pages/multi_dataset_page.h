@@ -12,26 +12,27 @@
 
 namespace shapegauge {
 
-/// A data set on the page of a multi-dataset experiment.
+/// Data set on the page of a multi-dataset experiment.
 struct MultiDatasetPageDataset {
   std::string name;
-  std::string page;  ///< relative address of its report; empty: none
+  std::string page;  ///< relative address of the data set's report; empty for none
   std::size_t models = 0;
   std::size_t queries = 0;
 };
 
-/// Methods by data sets under one protocol, measure and average.
+/// Results of methods on several data sets by one protocol, measure and average, with comparisons of ranks.
 struct MultiDatasetTable {
   std::string protocol;
   Average average = Average::micro;
   std::string measure;
-  Eigen::MatrixXd values;        ///< data sets x methods, fractions
-  Eigen::MatrixXd deviations{};  ///< of the values over repetitions, NaN for single ones; empty if all are
+  Eigen::MatrixXd values;        ///< values of the measure as fractions, data sets x methods
+  Eigen::MatrixXd deviations{};  ///< standard deviations of `values` over repetitions; NaN or empty without repetitions
   RankComparison ranks;
-  std::vector<RankInterval> rank_intervals{};  ///< per method; may be empty
+  std::vector<RankInterval> rank_intervals{};  ///< confidence interval of each method's rank; may be empty
 };
 
-/// Returns the letters of the groups that do not differ significantly, by position in the order of the ranks.
+/// Returns the letters of each method, in the order of ranks.order. Methods that share a letter do not differ
+/// significantly.
 std::vector<std::string> letters_of(const RankComparison& ranks);
 
 /// Contents of the page of a multi-dataset experiment.
@@ -40,13 +41,13 @@ struct MultiDatasetPage {
   std::string description;
   std::vector<std::string> methods;
   std::vector<MultiDatasetPageDataset> datasets;
-  std::vector<MultiDatasetTable> tables;  ///< every combination of the protocols, averages and measures
-  std::vector<std::string> words;         ///< about the tests of each table
-  std::string main_measure;               ///< shown first
-  std::vector<std::pair<std::string, std::string>> failures;  ///< data sets left out, and why
+  std::vector<MultiDatasetTable> tables;  ///< one table per combination of protocol, average and measure
+  std::vector<std::string> words;         ///< explanation of the significance tests, one per table
+  std::string main_measure;               ///< name of the measure that is shown first
+  std::vector<std::pair<std::string, std::string>> failures;  ///< names of omitted data sets and the reasons
 };
 
-/// The page as one HTML file that needs nothing else; it leads to the reports of the data sets.
+/// Renders the page as one self-contained HTML file with links to the reports of the data sets.
 std::string multi_dataset_page(const MultiDatasetPage& page);
 
 }  // namespace shapegauge

@@ -5,8 +5,9 @@
 
 namespace shapegauge {
 
-/// Returns the constants shared by the program and the pages' scripts as the module pages/common/constants.mjs: packing
-/// of numbers, colour map, shading, splats. The target update_page_constants writes the file.
+/// Returns the text of the JavaScript module pages/common/constants.mjs: constants that the program and the pages'
+/// scripts share for packing of numbers, colour map, shading and splats. The build target update_page_constants writes
+/// the file.
 std::string page_constants_script();
 
 }  // namespace shapegauge

@@ -18,12 +18,13 @@ inline constexpr std::size_t method_colours = 7;
 inline constexpr std::array<std::string_view, 7> method_dashes{"none", "7 3",         "2 3", "9 3 2 3",
                                                                "12 4", "5 2 1 2 1 2", "3 2"};
 
-/// Returns the index of the i-th method in a list of dashes or symbols, shifted by one with each cycle of colours.
+/// Returns the index into a list of `count` dashes or symbols for the method `index`. It shifts by one with each cycle
+/// of colours.
 constexpr std::size_t shifted_method(std::size_t index, std::size_t count) {
   return (index + index / method_colours) % count;
 }
 
-/// Returns the light-theme colour of the i-th method.
+/// Returns the light-theme colour of the method `index`.
 Colour method_colour(std::size_t index);
 
 /// Returns a light-theme colour of pages by name ("ink", "grid"). Throws std::out_of_range for an unknown name.

@@ -16,80 +16,80 @@
 
 namespace shapegauge {
 
-/// Histograms of a method in a report; empty for a distance matrix from elsewhere.
+/// Histograms of a method in a report; empty for an imported distance matrix.
 struct ReportHistograms {
-  const Signatures* table = nullptr;  ///< one histogram per row
-  std::vector<Interval> ranges;       ///< per row: range of the histogram
-  std::vector<std::size_t> parts;     ///< instead of a table: methods whose histograms are concatenated
+  const Signatures* table = nullptr;  ///< histograms of the models, one per row; null for none
+  std::vector<Interval> ranges;       ///< range of values of each row's histogram
+  std::vector<std::size_t> parts;     ///< indices of methods whose histograms this method concatenates
 };
 
-/// Settings by name.
+/// Settings as pairs of name and value.
 using ReportSettings = std::vector<std::pair<std::string, std::string>>;
 
-/// Method in a report.
+/// Method in a report: its settings, distances, evaluations, histograms and failures.
 struct ReportMethod {
   std::string name;
-  std::string distance;     ///< name of the distance; may be empty
-  ReportSettings settings;  ///< may be empty
+  std::string distance;     ///< name of the distance between features; may be empty
+  ReportSettings settings;  ///< settings of the method; may be empty
   const DistanceOverview* distances = nullptr;
-  std::span<const Evaluation> evaluations;     ///< one per protocol, at least one; the same protocols for all methods
-  std::vector<EvaluationIntervals> intervals;  ///< one per evaluation; may be empty
+  std::span<const Evaluation> evaluations;     ///< one per protocol, at least one; all methods have the same protocols
+  std::vector<EvaluationIntervals> intervals;  ///< confidence intervals, one entry per evaluation; may be empty
   ReportHistograms histograms;
   std::vector<std::pair<std::string, std::string>> failures =
-      {};  ///< models that the method cannot process, and the reasons
+      {};  ///< ids of models that the method cannot process, and the reasons
 };
 
 /// Pictures of the models, all with the same settings.
 struct ReportPictures {
-  std::vector<std::string> png;  ///< one per model, the bytes of a PNG file; empty without pictures
-  Interval range;                ///< values at the ends of the colour map
-  std::string field;             ///< field that the colours show
+  std::vector<std::string> png;  ///< bytes of a PNG file per model; empty without pictures
+  Interval range;                ///< field values at the ends of the colour map
+  std::string field;             ///< name of the field that the colours show
 };
 
 /// Field shown by the views of the models.
 struct ViewedField {
   std::string name;
-  std::optional<Interval> colours;  ///< values at the ends of the colour scale; if absent, each model's own
-  std::string measured_by = {};     ///< measured_by() of its type
+  std::optional<Interval> colours;  ///< values at the ends of the colour scale; if absent, each model has its own scale
+  std::string measured_by = {};     ///< what its values are lengths of, see measured_by(); empty for none
 };
 
 /// Interactive 3D views of the models.
 struct ReportViews {
-  std::vector<ViewedField> fields;  ///< of every view, in order
+  std::vector<ViewedField> fields;  ///< fields that every view has, in the order of the views
   std::vector<std::string>
-      shapes;  ///< one per model, as shape_view_json() returns them, without names; empty without views
+      shapes;  ///< JSON of each model's view (shape_view_json()), without field names; empty without views
 };
 
 /// Shape with gaps that are wider than the offset of a field. Sizes are fractions of the bounding box diagonal.
 struct ReportLeak {
-  std::string id;
-  std::string field;
-  double offset = 0;
-  double gap = 0;  ///< offset that closes the gaps
+  std::string id;     ///< id of the model
+  std::string field;  ///< settings of the field as text
+  double offset = 0;  ///< offset of the field
+  double gap = 0;     ///< offset that would close the gaps
 };
 
-/// Comparison of the methods in pairs.
+/// Pairwise comparison of the methods by significance tests.
 struct ReportTests {
-  TextTable pairs;    ///< may have no rows
-  std::string words;  ///< explains the table
+  TextTable pairs;    ///< table of pairs of methods; may have no rows
+  std::string words;  ///< explanation of the table `pairs`
 };
 
 /// Contents of a report. Everything it points to must outlive it.
 struct Report {
   std::string title;
   std::string description;
-  std::vector<std::pair<std::string, std::string>> facts;  ///< headings and texts about all methods
-  std::vector<std::string> classes;                        ///< names, by label
-  std::vector<std::string> ids;                            ///< of the models: rows and columns of the matrices
-  std::vector<int> labels;                                 ///< of the models
-  std::vector<ReportMethod> methods;                       ///< at least one
+  std::vector<std::pair<std::string, std::string>> facts;  ///< facts about the experiment: headings and texts
+  std::vector<std::string> classes;                        ///< names of the classes, indexed by label
+  std::vector<std::string> ids;       ///< ids of the models, in the order of matrix rows and columns
+  std::vector<int> labels;            ///< class label of each model
+  std::vector<ReportMethod> methods;  ///< compared methods, at least one
   ReportTests tests;
   ReportPictures pictures;
   ReportViews views;
-  std::vector<std::pair<std::string, ReportSettings>> perturbations;  ///< type and settings, in order
+  std::vector<std::pair<std::string, ReportSettings>> perturbations;  ///< steps of perturbation: type and settings
   std::vector<std::string> warnings;
   std::vector<ReportLeak> leaks;
-  std::vector<std::pair<std::string, std::string>> failures;  ///< omitted models and the reasons
+  std::vector<std::pair<std::string, std::string>> failures;  ///< ids of omitted models and the reasons
 };
 
 /// Renders the report as one self-contained HTML file with embedded styles, scripts, data and pictures. The same report

@@ -13,8 +13,8 @@ namespace shapegauge {
 /// finite value, or 1.
 nlohmann::ordered_json packed_numbers(const Eigen::Ref<const Eigen::VectorXd>& values);
 
-/// Encodes the heat map of a distance matrix: {"side", "block", "symmetric", "scale", "values"}, the last two as in
-/// packed_numbers(). Row i of a symmetric heat map has the cells from column i on.
+/// Encodes the heat map of a distance matrix: {"side", "block", "symmetric", "scale", "values"}. It has `side` rows of
+/// cells of `block` x `block` models, with values as in packed_numbers(). If symmetric, row i begins at column i.
 nlohmann::ordered_json heat_map(const DistanceOverview& distances);
 
 /// Maximum number of models for which the report lists the nearest ones of each; for larger data sets it does so for

@@ -7,20 +7,20 @@
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/metrics/evaluation.h"
 
-/// Scores as the scripts of pages read them.
+/// Scores as JSON for the scripts of pages.
 
 namespace shapegauge {
 
-/// Significant digits of scores on pages.
+/// Number of significant digits of scores on pages.
 inline constexpr int score_digits = 6;
 
-/// The scores as an array, rounded.
+/// Encodes scores as a JSON array, rounded to score_digits.
 nlohmann::ordered_json rounded_scores(const Eigen::Ref<const Eigen::VectorXd>& scores);
 
-/// The rows of a table of scores, rounded.
+/// Encodes a matrix of scores as a JSON array of its rows, rounded to score_digits.
 nlohmann::ordered_json rounded_rows(const Eigen::MatrixXd& scores);
 
-/// What the charts of averages, classes and precision-recall curves read of an evaluation.
+/// Encodes the data of an evaluation for the charts of averages, classes and precision-recall curves.
 nlohmann::ordered_json charted_json(const Evaluation& evaluation);
 
 /// Encodes the cells of a table for textTable() of the pages' scripts.

@@ -11,24 +11,24 @@
 
 namespace shapegauge {
 
-/// Shape on a search page.
+/// Shape on a search page, either a query or a shape that was found.
 struct SearchPageShape {
   std::string name;
-  std::optional<ShapeView> view;  ///< absent if the file cannot be read
+  std::optional<ShapeView> view;  ///< interactive view; absent if the file cannot be read
 };
 
-/// Answer to one query.
+/// Nearest shapes of one query on a search page.
 struct SearchPageAnswer {
-  std::size_t query = 0;                                ///< index of its shape
-  std::vector<std::pair<std::size_t, double>> nearest;  ///< shapes and their distances, nearest first
-  std::string failure = {};                             ///< reason for a missing answer; otherwise empty
+  std::size_t query = 0;                                ///< index of the query in SearchPage::shapes
+  std::vector<std::pair<std::size_t, double>> nearest;  ///< indices in SearchPage::shapes and distances, nearest first
+  std::string failure = {};                             ///< reason for a missing answer; empty for none
 };
 
-/// Page of `shapegauge search`.
+/// Contents of the page of `shapegauge search`.
 struct SearchPage {
   std::string title;
-  std::vector<std::string> facts;  ///< short texts below the title
-  std::vector<SearchPageShape> shapes;
+  std::vector<std::string> facts;       ///< short texts below the title
+  std::vector<SearchPageShape> shapes;  ///< queries and shapes that were found
   std::vector<SearchPageAnswer> answers;
 };
 

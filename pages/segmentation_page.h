@@ -11,39 +11,40 @@
 
 namespace shapegauge {
 
-/// Picture with its caption.
+/// Picture of a segmented shape with its caption.
 struct SegmentationPicture {
   std::string_view png;  ///< the bytes of a PNG file
   std::string caption;
 };
 
-/// Shape on the page: its parts in a reference segmentation, if there is one, and by each method.
+/// Shape on the page of a segmentation experiment: pictures of its parts in a reference segmentation, if there is one,
+/// and by each method.
 struct SegmentationFigure {
   std::string title;
   std::vector<SegmentationPicture> pictures;
   std::string_view view = {};  ///< interactive view as JSON (shape_view_json()); may be empty
 };
 
-/// Errors relative to reference segmentations.
+/// Errors of segmentation methods relative to reference segmentations.
 struct SegmentationPageErrors {
-  std::string triangle_weights;  ///< weighting of triangles, in words
+  std::string triangle_weights;  ///< weighting of triangles: "by area" or "equally"
   std::vector<TextTable> tables;
   std::vector<std::string> methods;
-  std::vector<std::vector<double>> by_class;  ///< mean Rand errors, by class and method; NaN if undefined
+  std::vector<std::vector<double>> by_class;  ///< mean Rand errors: [class][method]; NaN if undefined
 };
 
 /// Contents of the report of a segmentation experiment. The data of its pictures and views must outlive it.
 struct SegmentationPage {
   std::string title;
   std::string description;
-  std::vector<std::string> classes;                           ///< names
-  std::vector<int> labels;                                    ///< class of each shape
-  std::optional<SegmentationPageErrors> errors;               ///< absent without reference segmentations
-  TextTable moved;                                            ///< errors under perturbations; no rows without any
-  TextTable consistency;                                      ///< consistency of parts among the shapes of a class
-  std::vector<std::pair<std::string, std::string>> failures;  ///< omitted shapes and the reasons
-  std::vector<SegmentationFigure> shown;  ///< all shapes, largest errors first; empty without pictures
-  std::vector<std::size_t> typical;       ///< a shape of each class, as indices into `shown`
+  std::vector<std::string> classes;              ///< names of the classes
+  std::vector<int> labels;                       ///< class label of each shape
+  std::optional<SegmentationPageErrors> errors;  ///< errors of the methods; absent without reference segmentations
+  TextTable moved;                               ///< errors under perturbations; no rows without perturbations
+  TextTable consistency;                         ///< consistency of parts among the shapes of a class
+  std::vector<std::pair<std::string, std::string>> failures;  ///< ids of omitted shapes and the reasons
+  std::vector<SegmentationFigure> shown;  ///< figures of all shapes, largest errors first; empty without pictures
+  std::vector<std::size_t> typical;       ///< shape of median error of each class, as an index into `shown`
 };
 
 /// Renders the report as one self-contained HTML file: tables, bars by class, each shape's parts next to a reference

@@ -16,54 +16,54 @@
 
 namespace shapegauge {
 
-/// Returns the range of values without the thinnest 2 % and the thickest 2 % of the area. Outliers, such as a few rays
+/// Returns the range of a field's values from the 2nd to the 98th percentile by area. Outliers, such as a few rays
 /// along a limb, would otherwise dominate the colour scale. Nothing if all values are missing.
 std::optional<Interval> central_range(const ScalarField& field);
 
 /// Colour of a shape without values.
 inline constexpr Colour plain_colour = {198, 198, 194};
 
-/// Field in a view.
+/// Scalar field in a view: its values and their mapping to colours.
 struct ViewField {
   std::string name;
-  Eigen::VectorXd values;    ///< one an element; NaN if missing
-  Interval colours;          ///< values at the ends of the colour scale
-  bool set_range = false;    ///< the scale was requested and applies to each shape; otherwise shapes may share one
-  bool logarithmic = false;  ///< logarithmic colours; the scale begins above 0
-  std::optional<double> threshold = {};  ///< smaller values are red (below_threshold)
-  std::string_view measured_by = {};     ///< measured_by() of its type
-  double unit = 1;                       ///< length of the value 1
+  Eigen::VectorXd values;                ///< value of each element; NaN if missing
+  Interval colours;                      ///< values at the ends of the colour scale
+  bool set_range = false;                ///< true if `colours` is fixed; false if shapes may share a wider scale
+  bool logarithmic = false;              ///< true for a logarithmic colour scale, which begins above 0
+  std::optional<double> threshold = {};  ///< values below the threshold are red (below_threshold)
+  std::string_view measured_by = {};     ///< what the values are lengths of, see measured_by(); empty for none
+  double unit = 1;                       ///< length that the value 1 represents, in coordinate units
 };
 
-/// Returns what the values of a type of field are lengths of, which a view draws where a reader points: "ray", "ball"
-/// (a diameter), "gap" (that of a ball outside), or nothing.
+/// Returns what a field's values are the lengths of, by the type of field: "ray", "ball" (diameter), "gap" (diameter of
+/// a ball outside the shape), or "" for nothing. A view draws it at the pointer.
 std::string_view measured_by(std::string_view field_type);
 
-/// Listed region of a shape. A click turns the view there.
+/// Region of a shape in the list next to a view. A click on its text turns the view towards the region.
 struct ViewRegion {
   std::string text;
   Eigen::Vector3d position;
-  Eigen::Vector3d towards_viewer;  ///< direction from which it is shown
-  double size = 0;                 ///< of what is shown around the position
+  Eigen::Vector3d towards_viewer;  ///< direction from the region to the viewer
+  double size = 0;                 ///< length that is visible around the position, in coordinate units
 };
 
-/// Parts in a view.
+/// Segmentation in a view: part labels and colours.
 struct ViewParts {
   std::string name;
-  std::vector<std::int32_t> labels;  ///< one per element
-  std::vector<Colour> colours;       ///< per part
+  std::vector<std::int32_t> labels;  ///< part label of each element
+  std::vector<Colour> colours;       ///< colour of each part, indexed by label
 };
 
 /// Interactive 3D view of a shape with its colourings. Its elements are faces or vertices, or the points of a cloud.
 struct ShapeView {
   std::string name;
-  std::string note = {};  ///< text after the name; may be empty
+  std::string note = {};  ///< text shown after the name; may be empty
   Shape shape;
-  SampleSite site = SampleSite::faces;  ///< faces or vertices; vertices for a cloud
+  SampleSite site = SampleSite::faces;  ///< elements with values: faces or vertices; vertices for a cloud
   std::vector<ViewField> fields = {};
-  std::vector<ViewParts> parts = {};  ///< per segmentation
-  Points normals = {};                ///< unit or zero, one an element, or empty
-  Eigen::Vector3d up = {0, 0, 1};     ///< vertical direction of the initial position, which is upright_view()
+  std::vector<ViewParts> parts = {};  ///< one entry per segmentation
+  Points normals = {};                ///< unit or zero normal of each element; may be empty
+  Eigen::Vector3d up = {0, 0, 1};     ///< vertical direction of the initial view (upright_view())
   std::vector<ViewRegion> regions = {};
 };
 
@@ -76,13 +76,13 @@ nlohmann::ordered_json shape_view_json(const ShapeView& view);
 /// transparent background. For readers without WebGL. Throws as render_shape() does.
 std::string shape_view_picture(const ShapeView& view, int pixels);
 
-/// Page of `shapegauge view`.
+/// Contents of the page of `shapegauge view`.
 struct ViewPage {
   std::string title;
-  std::vector<ShapeView> shapes;     ///< at least one
+  std::vector<ShapeView> shapes;     ///< views of the shapes, at least one
   std::vector<std::string> missing;  ///< names of unusable shapes
   std::vector<std::string> warnings = {};
-  std::string unit = {};  ///< of lengths; empty if unknown
+  std::string unit = {};  ///< unit of lengths; empty if unknown
 };
 
 /// Renders the page as one self-contained HTML file. The same shapes give the same bytes on any number of threads.

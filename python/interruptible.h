@@ -7,10 +7,10 @@
 
 namespace shapegauge {
 
-/// Runs the work without the interpreter's lock. If a signal handler raises (Ctrl-C), stops the work and throws the
-/// Python exception. Only the interpreter's main thread receives signals: it waits for them while another thread works.
-/// Calls from other threads are not interrupted. The work must run within `cancellation` (Cancellation::run()).
-/// Rethrows the work's exceptions.
+/// Runs `work` with the lock of the Python interpreter (GIL) released. If a signal handler raises (Ctrl-C), stops the
+/// work and throws the Python exception. Only the main thread of the interpreter receives signals: it waits for them
+/// while another thread works. Calls from other threads are not interrupted. `work` must run within `cancellation`
+/// (Cancellation::run()). Rethrows the exceptions of `work`.
 void run_interruptibly(Cancellation& cancellation, const std::function<void()>& work);
 
 }  // namespace shapegauge

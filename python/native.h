@@ -24,18 +24,20 @@
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
-/// Shared by the sources of the native module.
+/// Declarations shared by the sources of the native Python module.
 
 namespace shapegauge {
 
-/// Progress callback with the stage, the number of items done and the total; None for no progress.
+/// Python callback that receives the stage of a run, the number of items done and the total; None for no progress.
 using PythonProgress = std::optional<std::function<void(std::string, std::size_t, std::size_t)>>;
 
-/// Makes the control of a run that Ctrl-C stops. The progress callback runs with the interpreter's lock; an exception
-/// from it stops the run as well.
+/// Returns the RunControl of a run on `threads` threads that Ctrl-C stops by `cancellation`. Calls `progress` with the
+/// lock of the Python interpreter (GIL) held; an exception from it stops the run as well. All references must outlive
+/// the result.
 RunControl interruptible_control(int threads, Cancellation& cancellation, const PythonProgress& progress);
 
-/// Runs the work without the interpreter's lock on at most `threads` threads (0: all). Ctrl-C stops it.
+/// Runs `work` with the lock of the Python interpreter (GIL) released, on at most `threads` threads (0: all), and
+/// returns its result. Ctrl-C stops it.
 template <typename Work>
 auto compute(int threads, const Work& work) {
   std::optional<decltype(work())> result;
@@ -45,7 +47,8 @@ auto compute(int threads, const Work& work) {
   return std::move(*result);
 }
 
-/// Returns the value of a word of an enumeration. Throws InputError for another word.
+/// Returns the value of an enumeration with this word (words_of). Throws InputError for an unknown word; the message
+/// names it as a `kind`.
 template <typename Enumeration>
 Enumeration known_word(const char* kind, const std::string& word) {
   if (const auto value = value_of_word<Enumeration>(word)) return *value;
@@ -54,7 +57,7 @@ Enumeration known_word(const char* kind, const std::string& word) {
                                fmt::join(words.begin(), words.end() - 1, ", "), words.back()));
 }
 
-/// Makes a NumPy array that owns the matrix, without copying.
+/// Makes a NumPy array that owns the matrix, without copying; one-dimensional for a column vector.
 template <typename Matrix>
 pybind11::array array_of(Matrix&& matrix) {
   auto owned = std::make_unique<std::decay_t<Matrix>>(std::forward<Matrix>(matrix));
@@ -72,18 +75,19 @@ pybind11::array array_of(Matrix&& matrix) {
   }
 }
 
-/// Makes a shape from arrays. Throws InputError for an unusable array.
+/// Makes a shape from arrays of vertices (n x 3), faces and normals; faces and normals may be empty. Throws InputError
+/// if the shape is not usable (require_usable()).
 Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                const Eigen::Ref<const Points>& normals);
 
-/// Adds functions to the module, by file.
+/// Each adds functions to the Python module, by topic.
 /// @{
 void bind_shapes(pybind11::module_& module);
 void bind_check(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
 void bind_comparison(pybind11::module_& module);
 void bind_search(pybind11::module_& module);
-/// Adds settings(): what the registries know of settings, as JSON.
+/// Adds settings(), which returns all settings of fields, descriptors and experiments with their descriptions as JSON.
 void bind_settings(pybind11::module_& module);
 /// @}
 

@@ -12,25 +12,26 @@
 
 namespace shapegauge {
 
-/// Collection statistics of a sum of distances (sum_of_distances()): enough to compute its rows one by one, for models
-/// of the collection and for others.
+/// Statistics of a collection from which rows of sum_of_distances() can be computed one by one, for models of the
+/// collection and for other models. A term is one distance matrix of the sum.
 struct CollectionSum {
-  DistanceScale scale = DistanceScale::none;
-  std::vector<double> weights;            ///< per term, those of sum_weights()
-  std::vector<double> units;              ///< per term: distance_unit(), or 1
-  std::vector<LocalScales> local_scales;  ///< per term with DistanceScale::local or ranks and a positive weight
-  std::vector<DistanceMatrix> at_ranks;   ///< per term with DistanceScale::ranks: distances_at_ranks() of each model
+  DistanceScale scale = DistanceScale::none;  ///< normalisation of each term's distances
+  std::vector<double> weights;                ///< weight of each term, as by sum_weights()
+  std::vector<double> units;              ///< divisor of each term's distances, distance_unit(); 1 with local scales
+  std::vector<LocalScales> local_scales;  ///< per term: local scales of the models; empty without local scaling
+  std::vector<DistanceMatrix> at_ranks;   ///< per term: distances_at_ranks() of each model; empty without ranks
 };
 
-/// Computes the statistics of a weighted sum of the terms' distances. Distances are streamed in blocks of rows, at most
-/// twice, except that a median or mean needs the whole matrix. Throws ArgumentError as sum_of_distances() does.
+/// Computes the statistics of a weighted sum of distance matrices of `models` models. Each term supplies the rows of
+/// one matrix. Distances are streamed in blocks of rows, at most twice, except that a median or mean needs the whole
+/// matrix. Throws ArgumentError as sum_of_distances() does.
 CollectionSum collection_sum(Eigen::Index models, std::span<const RowSource> terms, std::span<const double> weights,
                              SumWeights kind, DistanceScale scale);
 
-/// Computes a model's row of the sum from its distances, by each term, to all models of the collection. `member` is its
-/// index if it belongs to the collection; the row then equals that of sum_of_distances() to the bit. Another model is
-/// scaled or ranked by its own nearest in the collection, whose scales, ranks and weights stay unchanged: a copy of a
-/// member has the member's row.
+/// Computes a model's row of the weighted sum. `distances` holds, per term, the model's distances to all models of the
+/// collection. `member` is the model's index in the collection, or -1. The row of a member equals that of
+/// sum_of_distances() to the bit. A model outside the collection is scaled or ranked by its nearest models in the
+/// collection; the collection's scales, ranks and weights stay unchanged. A copy of a member thus has the member's row.
 Eigen::VectorXd sum_row(const CollectionSum& sum, std::span<const Eigen::VectorXd> distances, Eigen::Index member = -1);
 
 }  // namespace shapegauge

@@ -9,10 +9,10 @@
 
 namespace shapegauge {
 
-/// Cache version of distances; see docs/manual/cache.md.
+/// Cache version of distances between signatures; see docs/manual/cache.md.
 inline constexpr int distances_version = 2;
 
-/// Signatures, one shape per row.
+/// Signatures (feature vectors) of shapes, one row per shape.
 using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Computes all pairwise distances of signatures by the named distance: a symmetric matrix with zero diagonal.
@@ -21,21 +21,22 @@ using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
 DistanceMatrix distance_matrix(const Signatures& signatures, const NamedDistance& distance);
 
-/// Consecutive signatures of a larger set, with the index of the first.
+/// Consecutive signatures of a larger set.
 struct SignatureBlock {
-  Eigen::Ref<const Signatures> signatures;
-  Eigen::Index first = 0;
+  Eigen::Ref<const Signatures> signatures;  ///< signatures of the block, one per row
+  Eigen::Index first = 0;                   ///< index of the block's first signature in the set
 };
 
 /// Throws ArgumentError for a signature with an entry that is not finite, or outside the distance's domain.
 void check_signatures(const SignatureBlock& block, const NamedDistance& distance);
 
-/// Computes a block of a distance matrix: the distances from each of `some` to each of `others`, equal to those of the
-/// whole matrix to the bit. Parallel. The signatures must have passed check_signatures().
+/// Computes a block of a distance matrix: the distance from each signature of `some` (rows) to each of `others`
+/// (columns). Equal to the block of the whole distance_matrix() to the bit. Parallel. The signatures must have passed
+/// check_signatures().
 DistanceMatrix distances_between(const NamedDistance& distance, const SignatureBlock& some,
                                  const SignatureBlock& others);
 
-/// Streaming version of distance_matrix(): computes `count` rows from `first` on, bit-identical. Parallel. Throws
+/// Streaming version of distance_matrix(): computes `count` rows from row `first` on, bit-identical. Parallel. Throws
 /// ArgumentError as check_signatures() does, and for rows out of range.
 DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
                              const NamedDistance& distance);

@@ -13,28 +13,30 @@ namespace shapegauge {
 /// matrices evaluate only one of (a, b) and (b, a), and never (a, a).
 using DistanceFunction = double (*)(std::span<const float> a, std::span<const float> b);
 
-/// Batch version of a distance with identical results: from each signature of `first` to each of `second`, row by row.
-/// Signatures have `size` entries and are contiguous. (a, b) and (b, a) must give the same bits.
+/// Batch version of a DistanceFunction with identical results. Writes to `distances` one row per signature of `first`,
+/// one column per signature of `second`. Signatures have `size` entries and are contiguous. (a, b) and (b, a) must give
+/// the same bits.
 using BatchDistanceFunction = void (*)(std::span<const float> first, std::span<const float> second, std::size_t size,
                                        std::span<double> distances);
 
-/// Signatures for which a distance is defined. `histograms`: non-negative and not all zero.
+/// Signatures for which a distance is defined: all, those with a non-zero entry (`not_zero`), those without negative
+/// entries (`not_negative`), or those with both properties (`histograms`).
 enum class DistanceDomain { any, not_zero, not_negative, histograms };
 
-/// Computes the Euclidean distance, for descriptors that always use it.
+/// Computes the Euclidean distance between two signatures of equal length, for descriptors that always use it.
 double l2_distance(std::span<const float> a, std::span<const float> b);
 
-/// Distance with its name and domain.
+/// Distance between signatures, as an entry of the registry distances().
 struct NamedDistance {
   std::string name;
   DistanceFunction function = nullptr;
   DistanceDomain domain = DistanceDomain::any;
-  BatchDistanceFunction batch = nullptr;  ///< faster batch version; may be null
-  std::string description{};              ///< definition, in a phrase
+  BatchDistanceFunction batch = nullptr;  ///< faster batch version of `function`; may be null
+  std::string description{};              ///< definition of the distance, as a phrase
 };
 
-/// Returns the registry of distances: those of the library (distances.cpp), followed by those added. An entry must have
-/// a function.
+/// Returns the registry of distances: those of the library (distances.cpp), followed by those that callers add. An
+/// entry must have `function`.
 Registry<NamedDistance>& distances();
 
 }  // namespace shapegauge

@@ -12,21 +12,21 @@ namespace shapegauge {
 
 using WalkGraph = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using FloatWalkGraph = Eigen::SparseMatrix<float, Eigen::RowMajor>;
-/// Columns of a few models, stored side by side for vectorisation.
+/// Columns of a matrix for a few models: one row per model of the graph, one column per selected model.
 using FloatColumns = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Computes columns of (I - damping graph)^-1 by the Chebyshev semi-iteration (Golub and Varga 1961). The graph's
-/// eigenvalues are in [-1, 1], which determines the number of steps for a tolerance. Single precision is finer than the
-/// tolerance.
+/// eigenvalues are in [-1, 1], which determines the number of steps for a tolerance of 1e-6. Single precision is finer
+/// than this tolerance.
 class ColumnSolver {
  public:
   ColumnSolver(const WalkGraph& graph, double damping);
 
-  /// Returns `count` columns from `first` on.
+  /// Returns `count` columns of the inverse from column `first` on.
   [[nodiscard]] FloatColumns columns(Eigen::Index first, Eigen::Index count) const;
 
  private:
-  /// before += weight (damping graph now + identity columns - before)
+  /// Computes a step: before += weight (damping graph now + columns of the identity - before).
   void advance(Eigen::Index first, float weight, const FloatColumns& now, FloatColumns& before) const;
 
   FloatWalkGraph graph_;
@@ -41,12 +41,12 @@ class DiagonalSolver {
  public:
   DiagonalSolver(const WalkGraph& graph, double damping);
 
-  /// Returns the entries of these models.
+  /// Returns the diagonal entries of the given models, in their order.
   [[nodiscard]] Eigen::VectorXd entries(std::span<const Eigen::Index> models) const;
 
  private:
-  /// Sets `before` to factor graph now - before. Also computes the squared norm of each column of `now`, and its dot
-  /// product with that of the new `before`.
+  /// Sets `before` to factor graph now - before. Also computes the squared norm of each column of `now`, and the
+  /// dot product of each column of `now` with the same column of the new `before`.
   void advance(float factor, const FloatColumns& now, FloatColumns& before, Eigen::ArrayXd& squares,
                Eigen::ArrayXd& products) const;
 
@@ -57,7 +57,8 @@ class DiagonalSolver {
 };
 
 /// Inverts a symmetric positive definite matrix by its Cholesky factorisation, in parallel where possible. The result
-/// has the same bits as Eigen's matrix.llt().solve(identity), on any number of threads. Throws Interrupted.
+/// has the same bits as Eigen's matrix.llt().solve(identity), on any number of threads. Throws Interrupted if the user
+/// interrupts it.
 Eigen::MatrixXd positive_definite_inverse(Eigen::MatrixXd matrix);
 
 }  // namespace shapegauge

@@ -15,7 +15,7 @@ namespace shapegauge {
 /// Cache version of histogram() and its smoothing; see docs/manual/cache.md.
 inline constexpr int histogram_version = 2;
 
-/// Interval of values.
+/// Closed interval [low, high] of a field's values.
 struct Interval {
   double low = 0;
   double high = 1;
@@ -37,7 +37,7 @@ inline constexpr std::array histogram_table = {
                           "0: none.")),
 };
 
-/// Returns the smallest and largest finite value of positive weight, if any.
+/// Returns the smallest and largest finite value of positive weight of a field; nothing if there is no such value.
 std::optional<Interval> value_range(const ScalarField& field);
 
 /// Returns true if a range is no wider than rounding: 1e-9 of the larger magnitude of its ends.
@@ -67,7 +67,7 @@ Eigen::VectorXd smooth_gaussian(const Eigen::VectorXd& histogram, double standar
 Eigen::VectorXf concatenate(std::span<const Eigen::VectorXf> parts);
 
 /// Concatenates histograms of many shapes: row i is the concatenation of the parts' rows i. Throws ArgumentError as
-/// above, and for parts with different numbers of rows.
+/// concatenate() of one shape does, and for parts with different numbers of rows.
 Signatures concatenate(std::span<const Signatures> parts);
 
 }  // namespace shapegauge

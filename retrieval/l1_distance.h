@@ -12,9 +12,9 @@ namespace shapegauge {
 /// distance. The spans must have equal lengths.
 double l1_distance(std::span<const float> a, std::span<const float> b);
 
-/// Computes L1 distances in batches, equal to l1_distance() to the bit: from each of some signatures to each of others,
-/// all of `size` entries and contiguous, one row of distances for each of the first. Much faster than single distances
-/// from a few dozen signatures on.
+/// Computes L1 distances in batches, equal to l1_distance() to the bit, from each signature of `some` to each of
+/// `others`. Signatures have `size` entries and are contiguous. Writes one row of `distances` per signature of `some`.
+/// Much faster than single distances from a few dozen signatures on.
 void l1_distances(std::span<const float> some, std::span<const float> others, std::size_t size,
                   std::span<double> distances);
 

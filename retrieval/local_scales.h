@@ -8,11 +8,11 @@
 
 namespace shapegauge {
 
-/// Returns the mean distance of a model to its ten nearest, from its distances to all models. Ignores models at
-/// distance 0, which are duplicates, infinite distances, and the entry `itself`. NaN if none is left.
+/// Returns the mean distance of a model to its ten nearest models, from its distances to all models. Ignores models at
+/// distance 0, which are duplicates, infinite distances, and the model of index `itself`. NaN if no distance is left.
 double mean_distance_to_nearest(std::span<const double> distances, Eigen::Index itself = -1);
 
-/// Local scales of the models of a collection.
+/// Local scales of the models of a collection: mean distances to the ten nearest models, with a lower limit.
 struct LocalScales {
   Eigen::VectorXd roots;  ///< square root of the scale of each model; 1 for a model without positive finite distances
   double least = 0;       ///< lower limit of the scales: a hundredth of the median. 0 if no model has a scale
@@ -24,7 +24,8 @@ struct LocalScales {
   /// belong to the collection.
   [[nodiscard]] double root_of(double mean) const;
 
-  /// Scales the distances from one model, whose square root of the scale is `root`, to all models of the collection.
+  /// Divides the distances from one model to each model of the collection by the square roots of both models' scales.
+  /// `root` is the square root of the one model's scale.
   [[nodiscard]] Eigen::RowVectorXd scaled(const Eigen::RowVectorXd& distances, double root) const;
 };
 

@@ -15,25 +15,27 @@
 /// Nearest models of each model, shared by the re-ranking methods.
 namespace shapegauge {
 
-/// k nearest others of each of n models.
+/// The k nearest other models of each of n models, with their distances.
 struct NearestModels {
-  /// n x k, nearest first (ties: smaller index first). -1 if a model has fewer at a finite distance.
+  /// Indices of the nearest models: n x k, nearest first (ties: smaller index first). -1 if fewer than k models are at
+  /// a finite distance.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> indices;
-  DistanceMatrix distances;  ///< n x k; infinite where the index is -1
+  DistanceMatrix distances;  ///< distances to the nearest models: n x k; infinite where the index is -1
   double largest = 0;        ///< largest finite distance between any two models
 };
 
-/// Model and distance in an answer to a query.
+/// Model in a ranked answer to a query, with its distance from the query.
 struct RankedModel {
-  Eigen::Index model = 0;
-  double distance = 0;
+  Eigen::Index model = 0;  ///< index of the model in the collection
+  double distance = 0;     ///< distance between the query and the model
 };
 
-/// Makes a source of rows from a matrix in memory, which must outlive it. Throws ArgumentError for a matrix that is not
-/// square.
+/// Makes a RowSource from a matrix in memory, which must outlive the result. Throws ArgumentError for a matrix that is
+/// not square.
 RowSource rows_of(const DistanceMatrix& distances);
 
-/// Calls visit(first, rows) for the rows of n models, 256 at a time. Throws ArgumentError for rows of another length.
+/// Calls visit(first, block) for blocks of 256 rows of the distance matrix of `models` models, in order; `first` is the
+/// index of a block's first row. Throws ArgumentError for a block of the wrong size.
 template <typename Visit>
 void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
   constexpr Eigen::Index rows_at_once = 256;
@@ -48,15 +50,15 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
   }
 }
 
-/// Throws ArgumentError, with the row and the column, for a distance that is negative or NaN. `first` is the number of
-/// the first row; `of` follows the column in the message.
+/// Throws ArgumentError, with the row and the column, for a distance that is negative or NaN. `first` is the index of
+/// the first of these rows in the whole matrix; the text `of` follows the column in the message.
 void check_distances(const DistanceMatrix& rows, Eigen::Index first, const std::string& of = {});
 
-/// Finds the nearest others among n models from the rows of their distances; k is at most n - 1. Throws ArgumentError
-/// for a k below 1, and for rows of another length or with a distance that is negative or NaN.
+/// Finds the k nearest other models of each model, at most `models` - 1, from the rows of the distance matrix. Throws
+/// ArgumentError for a k below 1, for rows of the wrong length and for a distance that is negative or NaN.
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows);
 
-/// Multiplies all distances by a factor.
+/// Returns the nearest models with all distances multiplied by a factor.
 NearestModels with_scaled_distances(NearestModels nearest, double factor);
 
 /// Returns a power of two that protects sums and quotients of distances up to `largest` from overflow and underflow; 1

@@ -20,25 +20,25 @@
 /// stay finite, whatever their size. The diagonal is ignored.
 namespace shapegauge {
 
-/// Word for neighbour_counts() of an empty list.
+/// Option value that stands for an empty list of numbers of neighbours (neighbour_counts()).
 inline constexpr std::array<std::string_view, 1> automatic_neighbours{"auto"};
 
 /// Returns the numbers of neighbours that a re-ranking averages over, ascending. An empty list ("auto") means 4, 5, 7,
 /// 10, 14 and 20.
 std::vector<int> neighbour_counts(const IntegerList& neighbours);
 
-/// Re-ranking method, by its name in configurations and commands. Functions throw InputError for settings out of range.
+/// Re-ranking method, an entry of the registry rerank_methods(). Functions throw InputError for settings out of range.
 struct RerankMethod {
-  std::string_view name;
-  std::string_view description;  ///< one sentence
-  std::span<const Parameter> parameters;
+  std::string_view name;                  ///< name of the method in configurations and commands
+  std::string_view description;           ///< description of the method in one sentence
+  std::span<const Parameter> parameters;  ///< parameters of the method
   DistanceMatrix (*rerank)(const DistanceMatrix&, const ParameterValues&) = nullptr;
   /// Throws InputError if settings contradict each other; null if they cannot.
   void (*check)(const ParameterValues&) = nullptr;
 };
 
-/// Returns the registry of re-ranking methods: one file each and one line in rerank.cpp, followed by those added. An
-/// entry must have `rerank`.
+/// Returns the registry of re-ranking methods: those of the library (rerank.cpp), followed by those that callers add.
+/// An entry must have `rerank`.
 Registry<RerankMethod>& rerank_methods();
 
 }  // namespace shapegauge

@@ -10,22 +10,23 @@ namespace shapegauge {
 
 /// Pair of nodes and the cost of giving them different labels.
 struct LabelEdge {
-  std::int32_t a = 0;
-  std::int32_t b = 0;
-  double cost = 0;  ///< at least 0
+  std::int32_t a = 0;  ///< index of a node
+  std::int32_t b = 0;  ///< index of another node
+  double cost = 0;     ///< cost if the two nodes have different labels, at least 0
 };
 
-/// Computes the cost of a labelling: costs(node, label) of all nodes, plus the edges whose ends have different labels.
+/// Computes the cost of a labelling: the sum of costs(node, label of the node) over all nodes, plus the costs of the
+/// edges whose two nodes have different labels. `costs` is nodes x labels.
 double labelling_cost(std::span<const std::int32_t> labels, const Eigen::MatrixXd& costs,
                       const std::vector<LabelEdge>& edges);
 
 /// Finds a labelling of low cost by alpha-expansion: each label in turn expands by the optimal set of nodes, a minimum
 /// cut (Boykov, Veksler, Zabih 2001; cuts after Boykov and Kolmogorov 2004). Stops when no label can gain, or after
-/// 20 rounds over all labels. The cost never exceeds that of the start. On convergence, the edges contribute at
+/// 20 rounds over all labels. The cost never exceeds that of `start`. On convergence, the edges contribute at
 /// most twice their optimal cost. Optimal for two labels.
 ///
-/// `start` has a label for each node. Throws ArgumentError for a label or a node out of range, an edge cost that is
-/// negative, a cost that is not finite, and sizes that differ.
+/// `costs` is nodes x labels; `start` has one label per node, as the result has. Throws ArgumentError for a label or a
+/// node out of range, an edge cost that is negative, a cost that is not finite, and sizes that do not match.
 std::vector<std::int32_t> alpha_expansion(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
                                           std::vector<std::int32_t> start);
 

@@ -11,14 +11,14 @@
 
 namespace shapegauge {
 
-/// Options of boundary smoothing. Lengths are in square roots of the surface's area.
+/// Options of smooth_boundaries(). The unit of length is the square root of the surface's area.
 struct BoundarySmoothingOptions {
-  double width = 0.03;     ///< maximum distance by which a border may move
-  double strength = 0.03;  ///< cost of a border per length
-  double concavity = 10;   ///< curvature of a concavity, in 1 / length, that halves the cost of a border
+  double width = 0.03;     ///< maximum distance by which a border may move, in square roots of the area
+  double strength = 0.03;  ///< cost of a flat or convex border per unit length
+  double concavity = 10;   ///< curvature across a concave border that halves its cost, in 1 / unit length
 };
 
-/// Parameters of BoundarySmoothingOptions.
+/// Names, bounds and help texts of the parameters in BoundarySmoothingOptions (option_parameters.h).
 inline constexpr std::array boundary_smoothing_table = {
     with_unit("square roots of the area",
               option_of<&BoundarySmoothingOptions::width>("border_width", {.low = 0, .high = 1},
@@ -28,10 +28,11 @@ inline constexpr std::array boundary_smoothing_table = {
                                                     "Curvature of a concavity that halves the cost of a border."),
 };
 
-/// Smooths the borders between parts: makes them shorter and aligns them with concavities. Only nodes near borders
-/// change; the cost is minimised by alpha_expansion(). Changing a node's part costs its area times its distance to the
-/// new part's old border, relative to `width`. A border costs its length, less in concavities. No label disappears.
-/// Throws InputError for options out of range, and ArgumentError unless there is one label per node, from 0 on.
+/// Smooths the borders between parts: makes them shorter and aligns them with concavities. Returns one label per node.
+/// Only nodes near borders change; alpha_expansion() minimises the cost. Moving a node to another part costs the
+/// node's area times its distance from the original border of that part, divided by `width`. A border costs `strength`
+/// times its length, and less in concavities. No label disappears. Throws InputError for options out of range, and
+/// ArgumentError unless there is one label per node, from 0 on.
 std::vector<std::int32_t> smooth_boundaries(const ThickSurface& surface, std::span<const std::int32_t> labels,
                                             const BoundarySmoothingOptions& options);
 

@@ -7,10 +7,10 @@ namespace shapegauge {
 
 /// Gaussian mixture with diagonal covariances.
 struct GaussianMixture {
-  Eigen::VectorXd weights;    ///< weights of the k components; sum 1
-  Eigen::MatrixXd means;      ///< k x d
-  Eigen::MatrixXd variances;  ///< k x d
-  double log_likelihood = 0;  ///< sum of log densities of the points that it was fitted to
+  Eigen::VectorXd weights;    ///< weights of the k components, with sum 1
+  Eigen::MatrixXd means;      ///< means of the k components in d dimensions: k x d
+  Eigen::MatrixXd variances;  ///< variances of the k components along each of the d coordinates: k x d
+  double log_likelihood = 0;  ///< sum of the log densities of the points to which the mixture was fitted
 };
 
 /// Fits a Gaussian mixture to points, one per row, by expectation maximisation (Dempster, Laird, Rubin 1977), starting
@@ -19,10 +19,10 @@ struct GaussianMixture {
 /// ignored. Throws ArgumentError without points and for a point that is not finite.
 GaussianMixture fit_gaussian_mixture(const Eigen::MatrixXd& points, Eigen::Index components);
 
-/// Computes the log density of each component, including its weight, at each point: points x components.
+/// Computes log(weight * density) of each component at each point, one per row: points x components.
 Eigen::MatrixXd log_densities(const GaussianMixture& mixture, const Eigen::MatrixXd& points);
 
-/// Computes the probability of each component for each point: points x components, rows that sum to 1.
+/// Computes the posterior probability of each component for each point: points x components. Each row sums to 1.
 Eigen::MatrixXd component_probabilities(const GaussianMixture& mixture, const Eigen::MatrixXd& points);
 
 }  // namespace shapegauge

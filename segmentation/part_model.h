@@ -7,21 +7,23 @@
 
 namespace shapegauge {
 
-/// Cache version of the trained model and of its features; see docs/manual/cache.md.
+/// Cache version of trained_part_model() and of RegionFeatures; see docs/manual/cache.md.
 inline constexpr int part_model_version = 1;
 
 /// Model of the probability that two adjacent regions belong to one part in a human segmentation: a network of one
 /// hidden layer over the features.
 struct PartModel {
-  RegionFeatures mean = RegionFeatures::Zero();       ///< mean of the features
-  RegionFeatures deviation = RegionFeatures::Ones();  ///< standard deviation of the features, positive
-  Eigen::Matrix<double, Eigen::Dynamic, region_features, Eigen::RowMajor> hidden;  ///< one row per hidden unit
-  Eigen::VectorXd hidden_bias;
-  Eigen::VectorXd output;
-  double output_bias = 0;
+  RegionFeatures mean = RegionFeatures::Zero();       ///< mean of each feature over the training pairs
+  RegionFeatures deviation = RegionFeatures::Ones();  ///< standard deviation of each feature, positive
+  /// Weights of the hidden units: one row per unit, one column per feature.
+  Eigen::Matrix<double, Eigen::Dynamic, region_features, Eigen::RowMajor> hidden;
+  Eigen::VectorXd hidden_bias;  ///< bias of each hidden unit
+  Eigen::VectorXd output;       ///< weight of each hidden unit in the output
+  double output_bias = 0;       ///< bias of the output
 
-  /// Computes logistic(output . tanh(hidden x + hidden_bias) + output_bias), where x are the standardised features,
-  /// limited to 4 standard deviations.
+  /// Computes the probability that two regions with these features belong to one part:
+  /// logistic(output . tanh(hidden x + hidden_bias) + output_bias), where x are the standardised features, limited to 4
+  /// standard deviations.
   [[nodiscard]] double probability(const RegionFeatures& features) const;
 };
 

@@ -16,7 +16,7 @@ namespace shapegauge {
 /// of the whole surface.
 ///
 /// `patch[i]`, from 0 on, is the patch of sample i. Throws InputError for less than one level, and ArgumentError
-/// without fields and for a field of another size.
+/// without fields and for a field whose size differs from that of `patch`.
 Eigen::MatrixXd patch_features(std::span<const std::int32_t> patch, std::span<const ScalarField> fields, int levels);
 
 }  // namespace shapegauge

@@ -12,7 +12,7 @@ namespace shapegauge {
 /// Options of patches().
 struct PatchOptions {
   int count = 50;          ///< number of patches (L in the paper), at least 1
-  std::uint64_t seed = 1;  ///< seed of the first patch's position
+  std::uint64_t seed = 1;  ///< seed of the random node at which the first patch starts
 };
 
 /// Smallest area of a patch or part, as a fraction of the mean area of patches: smaller ones are slivers.

@@ -8,17 +8,17 @@
 
 namespace shapegauge {
 
-/// Returns the affinity of two adjacent regions: a number, not NaN; higher means that they belong together.
+/// Function that returns the affinity of two adjacent regions, by their numbers: not NaN; the highest is merged first.
 using RegionAffinity = std::function<double(const Regions&, std::int32_t, std::int32_t)>;
 
 /// Options of merge_regions().
 struct MergingOptions {
-  double min_affinity = 0.5;  ///< regions of a lower affinity are not merged, unless `parts` is given
-  std::int32_t parts = 0;  ///< number of regions to reach, as far as adjacency permits; 0: determined by min_affinity
+  double min_affinity = 0.5;  ///< minimum affinity at which two regions are merged; ignored if `parts` is not 0
+  std::int32_t parts = 0;     ///< number of regions at which merging stops; 0: min_affinity determines it
 };
 
-/// Merges adjacent regions greedily by highest affinity (ties: the pair of lower numbers). Affinities of a merged
-/// region are recomputed. The merged region has the lower number.
+/// Merges adjacent regions greedily by highest affinity (ties: the pair with the lower region numbers). A merged
+/// region has the lower number of the two, and its affinities are recomputed.
 void merge_regions(Regions& regions, const RegionAffinity& affinity, const MergingOptions& options);
 
 }  // namespace shapegauge

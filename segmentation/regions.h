@@ -14,53 +14,56 @@ namespace shapegauge {
 /// Number of bins of a region's thickness histogram: log-spaced from 0.005 to 1 times the square root of the surface's
 /// area.
 inline constexpr int thickness_bins = 32;
+/// Lower end of the thickness histogram, in square roots of the surface's area.
 inline constexpr double lowest_thickness = 0.005;
 
-/// Sums over the nodes of a region, weighted by area except for `nodes`. Lengths are in square roots of the surface's
-/// area, areas are shares of it, and thickness is its natural logarithm.
+/// Statistics of one region: area-weighted sums over its nodes. Lengths are in square roots of the surface's area,
+/// areas are fractions of the surface's area, and thickness is a natural logarithm.
 struct RegionSum {
-  double nodes = 0;
-  double area = 0;
-  double thickness = 0;
-  double squared_thickness = 0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squared_position = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d squared_normal = Eigen::Matrix3d::Zero();
+  double nodes = 0;                                            ///< number of nodes, not weighted by area
+  double area = 0;                                             ///< sum of the nodes' areas
+  double thickness = 0;                                        ///< sum of area times log thickness
+  double squared_thickness = 0;                                ///< sum of area times squared log thickness
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< sum of area times x, from the surface's centroid
+  Eigen::Matrix3d squared_position = Eigen::Matrix3d::Zero();  ///< sum of area times x x^T of positions x
+  Eigen::Matrix3d squared_normal = Eigen::Matrix3d::Zero();    ///< sum of area times n n^T of unit normals n
+  /// Area of the nodes in each bin of thickness (thickness_bins).
   Eigen::Array<double, thickness_bins, 1> histogram = Eigen::Array<double, thickness_bins, 1>::Zero();
 
   RegionSum& operator+=(const RegionSum& other);
 };
 
-/// Sums over pairs of points or nodes, one in each of two regions, or both in one.
+/// Statistics of a pair of regions a and b, or of one region (a = b). Sample pairs have one sample in a and one in b
+/// and are weighted by the product of the samples' areas. Lengths are in square roots of the surface's area.
 enum class PairSum : std::uint8_t {
-  pairs,         ///< pairs of samples, weighted by the product of their areas
-  seen_shallow,  ///< pairs that see each other from just below the surface
-  seen_deep,     ///< pairs that see each other from half way into the shape
-  seen_outside,  ///< pairs that see each other through the outside
-  opposite,      ///< of nodes: area whose inward ray hits the other region, in either direction
-  near_pairs,    ///< pairs of samples closer than 0.1
-  near_tilt,     ///< over near_pairs: sine of the tilt of normals towards each other, positive in a concavity
-  wide_pairs,    ///< pairs of samples closer than 0.25
-  wide_tilt,     ///< as near_tilt, over wide_pairs
-  border,        ///< length of the common border
-  concave,       ///< over the border: its angle where concave, in radians
-  convex,        ///< over the border: its angle where convex, in radians
-  folded,        ///< length of the border where its concave angle exceeds 0.1
-  thickness      ///< over the border
+  pairs,         ///< weight of all sample pairs: sum of the products of their areas
+  seen_shallow,  ///< weight of sample pairs that see each other from a tenth of the thickness below the surface
+  seen_deep,     ///< weight of sample pairs that see each other from half the thickness below the surface
+  seen_outside,  ///< weight of sample pairs that see each other through the exterior of the shape
+  opposite,      ///< area of a whose inward rays hit b, averaged with the area of b whose inward rays hit a
+  near_pairs,    ///< weight of sample pairs closer than 0.1 square roots of the surface's area
+  near_tilt,     ///< sum over near_pairs of (n_i - n_j) . (x_j - x_i) / |x_j - x_i|, n normals; positive if concave
+  wide_pairs,    ///< weight of sample pairs closer than 0.25 square roots of the surface's area
+  wide_tilt,     ///< sum over wide_pairs of (n_i - n_j) . (x_j - x_i) / |x_j - x_i|, n normals; positive if concave
+  border,        ///< length of the common border of a and b
+  concave,       ///< sum over the concave border of length times angle across it (radians, at most 1.5)
+  convex,        ///< sum over the convex border of length times angle across it (radians, at most 1.5)
+  folded,        ///< length of the common border where it is concave by more than 0.1 radians
+  thickness      ///< sum over the common border of length times log thickness
 };
-inline constexpr std::size_t pair_sums = 14;
+inline constexpr std::size_t pair_sums = 14;  ///< number of enumerators of PairSum
 
 /// Surface divided into regions, which are merged pairwise. All statistics of regions and of pairs are sums, which
 /// makes merging additive.
 class Regions {
  public:
-  /// Creates `count` regions without statistics.
+  /// Creates `count` regions with statistics of zero and without neighbours.
   explicit Regions(std::int32_t count);
 
   [[nodiscard]] std::int32_t initial_size() const { return static_cast<std::int32_t>(sums_.size()); }
-  [[nodiscard]] std::int32_t size() const { return size_; }  ///< number of remaining regions
+  [[nodiscard]] std::int32_t size() const { return size_; }  ///< number of regions that remain after the merges so far
 
-  /// Returns the region that an initial region was merged into.
+  /// Returns the number of the remaining region that contains the initial region of number `initial`.
   [[nodiscard]] std::int32_t region_of(std::int32_t initial) const;
 
   [[nodiscard]] const RegionSum& of(std::int32_t region) const { return sums_[static_cast<std::size_t>(region)]; }
@@ -68,17 +71,17 @@ class Regions {
     return pairs_[static_cast<std::size_t>(what)](a, b);
   }
 
-  /// Returns the length of a region's border with all others.
+  /// Returns the total length of a region's borders with all other regions.
   [[nodiscard]] double perimeter(std::int32_t region) const;
 
-  /// Returns the regions that share a border with this one, ascending.
+  /// Returns the numbers of the regions that share a border with `region`, ascending.
   [[nodiscard]] const std::set<std::int32_t>& neighbours(std::int32_t region) const {
     return neighbours_[static_cast<std::size_t>(region)];
   }
 
-  /// Adds to the statistics of a region.
+  /// Adds `sum` to the statistics of a region.
   void add(std::int32_t region, const RegionSum& sum) { sums_[static_cast<std::size_t>(region)] += sum; }
-  /// Adds to a statistic of the pairs (a, b) and (b, a); within a region (a == b), adds twice.
+  /// Adds `value` to the statistic `what` of the pairs (a, b) and (b, a). If a == b, adds it twice.
   void add(std::int32_t a, std::int32_t b, PairSum what, double value) {
     Eigen::MatrixXd& sums = pairs_[static_cast<std::size_t>(what)];
     sums(a, b) += value;
@@ -86,10 +89,10 @@ class Regions {
   }
   void make_neighbours(std::int32_t a, std::int32_t b);
 
-  /// Merges b into a.
+  /// Merges region b into region a, which takes over the statistics and neighbours of b.
   void merge(std::int32_t a, std::int32_t b);
 
-  /// Returns the merges so far: the region kept and the one merged into it.
+  /// Returns the merges so far, in order, as pairs: the region that remained, and the region merged into it.
   [[nodiscard]] const std::vector<std::pair<std::int32_t, std::int32_t>>& merges() const { return merges_; }
 
  private:

@@ -12,19 +12,22 @@
 namespace shapegauge {
 
 /// Reads a segmentation in the Princeton Segmentation Benchmark's format: one line per face of the mesh's file, in
-/// order, with the non-negative number of its segment. Returns the numbers by triangle, each from its polygon. Throws
+/// order, with the non-negative number of its segment. Returns one number per triangle, that of its polygon. Throws
 /// InputError if the file cannot be read, for a number of lines that differs from the number of faces, and for an
 /// invalid line.
 std::vector<std::int32_t> read_seg(const std::filesystem::path& path, const Shape& mesh);
 
-/// Parses the numbers of faces from such a text; `name` prefixes error messages.
+/// Parses a text in the format of read_seg(): returns one segment number per face, in order. `name` prefixes error
+/// messages. Throws InputError for an invalid line, and unless there are `faces` lines.
 std::vector<std::int32_t> parse_seg(const std::string& text, const std::string& name, std::size_t faces);
 
-/// Writes a segmentation, given by triangle or point, in that format, atomically. A polygon gets the number with the
-/// largest area in it. Throws InputError if the file cannot be written.
+/// Writes a segmentation, one label per triangle or point of the shape, in the format of read_seg(), atomically. Each
+/// polygon has one line, with the label of the largest area in the polygon. Throws InputError if the file cannot be
+/// written.
 void write_seg(const std::filesystem::path& path, const Shape& shape, std::span<const std::int32_t> labels);
 
-/// Writes one line per label, atomically. Throws InputError if the file cannot be written.
+/// Writes labels in the format of read_seg(), one per line, atomically. Throws InputError if the file cannot be
+/// written.
 void write_seg(const std::filesystem::path& path, std::span<const std::int32_t> labels);
 
 }  // namespace shapegauge

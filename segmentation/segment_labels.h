@@ -18,8 +18,9 @@ std::vector<std::int32_t> renumber_labels(std::span<const std::int32_t> labels);
 /// label per node.
 std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
 
-/// Gives each label of less than a share of the area to the adjacent label with the longest common border, smallest
-/// first (ties: the lowest label). Labels without neighbours stay. Labels start at 0; throws as connected_parts() does.
+/// Merges each label whose area is less than `min_share` of the whole area into the adjacent label with the longest
+/// common border, by increasing area (ties: the lowest label). Labels without neighbours stay. Returns one label per
+/// node, not renumbered. Labels must be at least 0. Throws as connected_parts() does.
 std::vector<std::int32_t> without_slivers(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
                                           double min_share);
 
@@ -28,7 +29,7 @@ std::vector<std::int32_t> without_slivers(const SurfaceGraph& graph, std::span<c
 /// Throws as connected_parts() does.
 std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
 
-/// Returns the colour of each label, from 0 on, as label_colours() assigns them.
+/// Returns the colours that label_colours() assigns, indexed by label.
 std::vector<Colour> colour_of_each_label(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
 
 }  // namespace shapegauge

@@ -14,12 +14,12 @@
 
 namespace shapegauge {
 
-/// Segmentation algorithm: part_segmentation(), or paper_segmentation().
+/// Segmentation algorithm: `best` is part_segmentation(), `paper` is paper_segmentation().
 enum class SegmentationAlgorithm { best, paper };
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<SegmentationAlgorithm>{"best", "paper"};
 
-/// SDF that paper_segmentation() clusters: of the offset surface, or the conventional one.
+/// Shape diameter function that paper_segmentation() clusters: of the offset surface, or the conventional one by cones.
 enum class SegmentedSdf { offset, cone };
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<SegmentedSdf>{"offset_sdf", "cone_sdf"};
@@ -27,12 +27,12 @@ inline constexpr std::array<std::string_view, 2> words_of<SegmentedSdf>{"offset_
 /// Options of segment_shape().
 struct SegmentationOptions {
   SegmentationAlgorithm method = SegmentationAlgorithm::best;
-  PartSegmentationOptions best{};  ///< paper: `parts` is the number of clusters; 0 for that of PaperSegmentationOptions
-  SegmentedSdf field = SegmentedSdf::offset;  ///< paper
-  double offset = OffsetSdfOptions{}.offset;  ///< paper: of the offset surface, as a fraction of the diagonal
+  PartSegmentationOptions best{};  ///< options of part_segmentation(); paper_segmentation() has `parts` clusters
+  SegmentedSdf field = SegmentedSdf::offset;  ///< SDF that paper_segmentation() clusters
+  double offset = OffsetSdfOptions{}.offset;  ///< offset distance for paper_segmentation(), in bounding-box diagonals
 };
 
-/// Parameters of SegmentationOptions.
+/// Names, bounds and help texts of the parameters in SegmentationOptions (option_parameters.h).
 inline constexpr std::array segmentation_table = {
     option_of<&SegmentationOptions::method>("method", "best: semantic parts; paper: clusters of patches by their SDF."),
     with_description("Number of parts (paper: of clusters); 0 for automatic (paper: 5 clusters).",
@@ -48,11 +48,12 @@ inline constexpr std::array segmentation_table = {
                                                                               "paper: offset distance.")),
 };
 
-/// Returns the only algorithm that has the parameter of segmentation_table; nothing if both have it.
+/// Returns the only algorithm that uses the named parameter of segmentation_table; nothing if both algorithms use it.
 std::optional<SegmentationAlgorithm> algorithm_with(std::string_view parameter);
 
-/// Segments a shape by the chosen algorithm: one label per triangle or point. `outcomes`, if any, receives those of the
-/// offset SDF where the algorithm uses it. Throws InputError as the algorithms do.
+/// Segments a shape by the algorithm `options.method`: returns one label per triangle or point. `outcomes`, if not
+/// null, receives the sample counts of the offset SDF if paper_segmentation() uses it. Throws InputError as the
+/// algorithms do.
 std::vector<std::int32_t> segment_shape(const Shape& shape, const SegmentationOptions& options,
                                         OffsetSdfOutcomes* outcomes = nullptr);
 

@@ -9,18 +9,18 @@
 
 namespace shapegauge {
 
-/// Shape that is segmented instead of another one, with the mapping between the two.
+/// Shape that is segmented in place of an original shape, with the mapping from the original to the proxy.
 struct SegmentationProxy {
-  Shape shape;
-  std::vector<std::int32_t> node_of;  ///< by triangle (or point) of the given shape: its node of the proxy
+  Shape shape;                        ///< proxy: mesh or point cloud to segment
+  std::vector<std::int32_t> node_of;  ///< triangle or point of the proxy for each triangle or point of the original
 
-  /// Transfers the proxy's labels to the given shape.
+  /// Transfers labels from the proxy to the original: returns one label per triangle or point of the original.
   [[nodiscard]] std::vector<std::int32_t> transfer(std::span<const std::int32_t> labels) const;
 };
 
-/// Chooses the shape to segment instead of a given one.
-/// - For a mesh of few triangles: the same surface subdivided to at least 8,000 triangles, since patches consist of
-///   triangles.
+/// Makes the shape to segment in place of `shape`.
+/// - For a mesh of less than 8,000 triangles: the same surface subdivided to at least 8,000 triangles, since patches
+///   consist of triangles.
 /// - For a mesh with more than one in twenty edges on a boundary: 10,000 points of its surface. A surface with cracks
 ///   everywhere has no usable adjacency and lets rays through; a point cloud has neither problem.
 ///

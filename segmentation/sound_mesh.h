@@ -11,17 +11,18 @@ namespace shapegauge {
 /// Mesh without the triangles that are not segmented themselves: duplicates (distinct_triangles()), and triangles with
 /// coincident corners, which have no area and no neighbours.
 struct SoundMesh {
-  Shape shape;
-  /// By triangle of the given mesh: its index in `shape`, that of its first duplicate or, for coincident corners,
-  /// that of the closest triangle. Empty for a cloud.
+  Shape shape;  ///< mesh to segment, or the unchanged point cloud
+  /// Per triangle of the original mesh, an index in `shape`: of the triangle itself, of its first duplicate or, for
+  /// coincident corners, of the closest triangle. Empty for a cloud.
   std::vector<std::int32_t> triangle_of;
 
-  /// Extends labels of `shape` to all triangles of the given mesh. Returns labels of a cloud unchanged.
+  /// Extends labels of `shape` to all triangles of the original mesh: returns one label per triangle. Returns labels of
+  /// a cloud unchanged.
   [[nodiscard]] std::vector<std::int32_t> extended(std::vector<std::int32_t> labels) const;
 };
 
-/// Returns the mesh to segment in place of a given one; a cloud stays unchanged. Throws InputError for an unusable
-/// shape (require_usable()), and if no triangle is left.
+/// Removes duplicate triangles and triangles with coincident corners from a mesh; a cloud stays unchanged. Throws
+/// InputError for an unusable shape (require_usable()), and if no triangle is left.
 SoundMesh sound_mesh(const Shape& given);
 
 }  // namespace shapegauge

@@ -13,18 +13,18 @@ namespace shapegauge {
 
 /// Link from one node of a surface graph to a neighbour. Every link has its reverse.
 struct SurfaceLink {
-  std::int32_t to = 0;
-  double length = 0;     ///< length of the common edge; for points of a cloud, the width of a point's area
-  double distance = 0;   ///< distance between the nodes along the surface, across the middle of the common edge
-  double concavity = 0;  ///< angle between the normals in radians; negative if the surface is convex
+  std::int32_t to = 0;  ///< index of the neighbouring node
+  double length = 0;    ///< length of the triangles' common edge; in a cloud, mean square root of the two points' areas
+  double distance = 0;  ///< distance of the two nodes along the surface, across the middle of the common edge
+  double concavity = 0;  ///< angle between the normals of the two nodes, in radians; negative if the surface is convex
 };
 
 /// Adjacency graph of the triangles of a mesh, or the points of a cloud, for segmentation. Nodes are numbered as the
 /// shape's triangles or points.
 struct SurfaceGraph {
-  Samples samples;                 ///< of the nodes: at the triangles' centroids or the cloud's points
-  std::vector<std::size_t> first;  ///< per node: begin of its links; one more entry at the end
-  std::vector<SurfaceLink> links;  ///< links of each node, by increasing neighbour
+  Samples samples;  ///< position, normal and area of each node: centroids of triangles or points of a cloud
+  std::vector<std::size_t> first;  ///< per node: index of its first link in `links`; last entry: number of links
+  std::vector<SurfaceLink> links;  ///< links of all nodes, sorted by node and then by neighbour
 
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(samples.points.rows()); }
 

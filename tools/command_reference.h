@@ -9,7 +9,8 @@ class App;
 
 namespace shapegauge {
 
-/// Returns docs/reference/commands.md: the commands of a program with their arguments, options and notes, in Markdown.
+/// Returns the text of docs/reference/commands.md: the commands of a program with their arguments, options and notes,
+/// in Markdown.
 std::string command_reference(const CLI::App& program);
 
 }  // namespace shapegauge

@@ -10,36 +10,38 @@
 
 namespace shapegauge {
 
-/// Pair of regions met while merging, with its label from human segmentations.
+/// Training example of a PartModel: a pair of regions compared while merging, with a label from human segmentations.
 struct PartExample {
-  RegionFeatures features;
-  double together = 0;  ///< share of pairs of nodes, one in each, that people put into one part
-  double weight = 0;    ///< training weight
+  RegionFeatures features;  ///< features of the pair of regions (features_of())
+  double together = 0;      ///< label: fraction of pairs of nodes, one per region, that people put into one part
+  double weight = 0;        ///< weight of the example in the cross entropy
 };
 
-/// Computes, for each pair of regions, the number of pairs of nodes, one in each, that are in the same segment,
-/// averaged over all human segmentations. `segmentations[k][i]` is the segment of node i, `patch[i]` its region.
-/// Symmetric; on the diagonal, pairs of a region's own nodes are counted once for each order.
+/// Computes a matrix (regions x regions) of the number of pairs of nodes, one in each region, that are in the same
+/// segment, averaged over all human segmentations. `segmentations[k][i]` is the segment of node i in segmentation k,
+/// `patch[i]` the region of the node. Symmetric; the diagonal counts each pair of nodes of a region twice. Throws
+/// ArgumentError for a segmentation with another number of nodes.
 Eigen::MatrixXd pairs_together(std::span<const std::int32_t> patch, std::int32_t regions,
                                const std::vector<std::vector<std::int32_t>>& segmentations);
 
-/// Collects the pairs of regions that merging compares, with their labels. Merges by the labels or, if given, by the
-/// model, until no pair has an affinity of 0.3. The weight of an example is the square root of its number of pairs of
-/// nodes; a surface's weights sum to 1.
+/// Merges regions and returns the compared pairs as training examples. `together` is the result of pairs_together().
+/// Merges by the labels or, if `model` is not null, by its probabilities, until all affinities are below 0.3. The
+/// weight of an example is the square root of its number of pairs of nodes; the weights of a surface sum to 1.
 std::vector<PartExample> part_examples(Regions regions, const Eigen::MatrixXd& together, const PartModel* model);
 
-/// Options of training.
+/// Options of train_part_model(): size of the model and parameters of the optimiser.
 struct TrainingOptions {
-  int hidden_units = 8;  ///< hidden units of each network
-  int networks = 3;      ///< networks with different initialisations; the model is their mean (of log odds)
-  int epochs = 4;        ///< passes over the examples
-  double decay = 3e-4;   ///< weight of half of the sum of squared weights
-  double rate = 0.01;    ///< initial learning rate, decaying to 0 as a cosine
-  std::uint64_t seed = 1;
+  int hidden_units = 8;    ///< number of hidden units of each network
+  int networks = 3;        ///< number of networks with different initialisations; the model averages their log odds
+  int epochs = 4;          ///< number of passes over the examples
+  double decay = 3e-4;     ///< weight decay: factor of half the sum of squared network weights in the loss
+  double rate = 0.01;      ///< initial learning rate of Adam, decaying to 0 as a cosine
+  std::uint64_t seed = 1;  ///< seed of initialisation and of the order of examples
 };
 
-/// Trains the model of least cross entropy on the examples with Adam (Kingma and Ba 2015) in batches of 256.
-/// Deterministic. Throws ArgumentError without examples and for options that are not positive.
+/// Trains a part model on the examples: minimises the weighted cross entropy by Adam (Kingma and Ba 2015) in batches of
+/// 256. Deterministic. Throws ArgumentError without examples and for hidden_units, networks, epochs or a rate that are
+/// not positive.
 PartModel train_part_model(const std::vector<PartExample>& examples, const TrainingOptions& options);
 
 }  // namespace shapegauge

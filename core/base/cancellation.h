@@ -11,7 +11,7 @@ namespace shapegauge {
 /// Cancels work from another thread, for example on Ctrl-C.
 class Cancellation {
  public:
-  /// Runs the work in the calling thread and TBB arena. Rethrows its exceptions; throws Interrupted after cancel().
+  /// Runs `work` in the calling thread and TBB arena. Rethrows exceptions of `work`; throws Interrupted after cancel().
   void run(const std::function<void()>& work);
 
   /// Requests cancellation and returns at once. The loops (parallel.h) and check_interruption() calls inside run() then

@@ -3,10 +3,10 @@
 
 #include <Eigen/Eigenvalues>
 
-/// Decompositions of Eigen that take a compiler several seconds, compiled once.
+/// Functions on Eigen's decompositions, compiled only once because each takes a compiler several seconds.
 namespace shapegauge {
 
-/// Returns the shortest rotation from one direction to another.
+/// Returns the matrix of the rotation by the smallest angle that turns `from` into the direction of `to`.
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 /// Returns the eigenvalues, in ascending order, and eigenvectors of a symmetric matrix.

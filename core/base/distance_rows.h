@@ -6,13 +6,14 @@
 
 namespace shapegauge {
 
-/// Distances, row-major: entry (i, j) is the distance from model i of the rows, a query, to model j of the columns.
+/// Matrix of distances between models, row-major: entry (i, j) is the distance from query model i to model j.
 /// Rows and columns are the same models in the same order, unless a function says otherwise.
 using DistanceMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 /// Non-owning view of a distance matrix.
 using DistanceTable = Eigen::Ref<const DistanceMatrix>;
 
-/// Returns `count` rows of a distance matrix from the row `first` on. The whole matrix need not be in memory.
+/// Function that returns `count` rows of a distance matrix, from row `first` on. The whole matrix need not be in
+/// memory.
 using RowSource = std::function<DistanceMatrix(Eigen::Index first, Eigen::Index count)>;
 
 }  // namespace shapegauge

@@ -28,7 +28,8 @@ class ArgumentError : public InputError {
   using InputError::InputError;
 };
 
-/// Returns what the work returns. Prefixes the message of an InputError with the source, such as a file.
+/// Calls `work` and returns its result. Prefixes the message of an InputError that it throws with `source`, such as a
+/// file name.
 template <typename Work>
 auto with_source(const std::string& source, const Work& work) {
   try {

@@ -7,7 +7,7 @@
 
 namespace shapegauge {
 
-/// Exception for interrupted work. The message states what was left behind.
+/// Exception for interrupted work. The message states what was written before the interruption.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(const std::string& message = "interrupted; no results were written")

@@ -11,7 +11,7 @@ namespace shapegauge {
 /// Length as written by a user: 2, 2mm or 0.1 in.
 struct Length {
   double value = 0;
-  std::string unit = {};  ///< one of length_unit_names(); empty if not given
+  std::string unit = {};  ///< name of the unit, one of length_unit_names(); empty if the user gave none
 };
 
 /// Returns the names of the supported units: um, mm, cm, m, km, in, ft.
@@ -20,7 +20,7 @@ std::vector<std::string> length_unit_names();
 /// Returns the length of a unit in metres. Throws InputError for an unknown name; the message lists the known ones.
 double metres_of(std::string_view unit);
 
-/// Parses a finite number with an optional unit name. Returns nothing for any other text.
+/// Parses a finite number with an optional unit name. Returns nothing for other text.
 std::optional<Length> parse_length(std::string_view text);
 
 /// Converts a length to the units of a file. Returns a length without a unit unchanged. Throws InputError, prefixed by

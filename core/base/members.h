@@ -3,8 +3,9 @@
 
 #include <tuple>
 
-/// Defines members(), which returns references to all members of a structure, for codecs (experiments/cache/codec.h).
-/// Does not compile when the structure gets another member:
+/// Defines members(), which returns a tuple of references to all members of a structure, for codecs
+/// (experiments/cache/codec.h). All members are listed in order; if one is missing, the code does not
+/// compile:
 ///
 ///     SHAPEGAUGE_MEMBERS(Interval, low, high)
 #define SHAPEGAUGE_MEMBERS(Structure, ...) \

@@ -13,8 +13,8 @@ namespace shapegauge {
 /// substitutions and swaps of adjacent characters that turn one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// Returns the candidate with the smallest edit distance, if it is small relative to the word's length. Of equally near
-/// candidates the first wins.
+/// Returns the candidate with the smallest edit distance to a word, the first of equal ones. Returns nothing if the
+/// distance exceeds both 2 and a third of the word's length, or reaches the candidate's length.
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates);
 
 /// Returns the end of a message about an unknown word: `; did you mean "offset"?` if a candidate is near, otherwise `;

@@ -18,7 +18,7 @@
 
 namespace shapegauge {
 
-/// Member of an options struct, described as a parameter.
+/// Describes a member of an options struct as a Parameter, with functions that read and set the member.
 template <typename Options>
 struct OptionParameter {
   Parameter parameter;
@@ -26,7 +26,7 @@ struct OptionParameter {
   void (*set)(Options&, const ParameterValue&);
 };
 
-/// Struct and value type of a pointer to member.
+/// Type trait of a pointer to member: its struct (Options) and the type of the member (Value).
 template <typename Member>
 struct MemberOf;
 template <typename OptionsOf, typename ValueOf>
@@ -39,12 +39,12 @@ struct MemberOf<ValueOf OptionsOf::*> {
 template <typename Value>
 inline constexpr bool is_integer = std::is_integral_v<Value> && !std::is_same_v<Value, bool>;
 
-/// Type in which a parameter stores the value of a member.
+/// Type in which a ParameterValue stores a member of type Value: a word for an enumeration, 64 bits for an integer.
 template <typename Value>
 using HeldValue = std::conditional_t<is_integer<Value>, std::int64_t,
                                      std::conditional_t<std::is_enum_v<Value>, std::string_view, Value>>;
 
-/// Converts a member's value to the type that the parameter stores.
+/// Converts the value of a member of an options struct to the type that a ParameterValue stores.
 template <typename Value>
 constexpr HeldValue<Value> to_parameter_value(const Value& value) {
   if constexpr (std::is_enum_v<Value>) {
@@ -54,8 +54,8 @@ constexpr HeldValue<Value> to_parameter_value(const Value& value) {
   }
 }
 
-/// Converts a parameter's value to the type of the member. A word stands for the empty list or for an enumeration
-/// value.
+/// Converts a parameter's value to the type of the member. A word becomes an enumeration value or, for a list, the
+/// empty list.
 template <typename Value>
 Value member_value(const ParameterValue& value) {
   if constexpr (std::is_same_v<Value, IntegerList>) {
@@ -69,7 +69,7 @@ Value member_value(const ParameterValue& value) {
 }
 
 /// Makes an OptionParameter for a member of an options struct: an integer, an IntegerList, a double, a bool or an
-/// enumeration with words_of. The choices of a list all mean the empty list.
+/// enumeration with words_of. Every word among the choices of a list means the empty list.
 template <auto member>
 constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view description,
                          std::span<const std::string_view> choices = {}) {
@@ -104,7 +104,7 @@ constexpr auto option_of(std::string_view name, std::string_view description) {
   return option_of<member>(name, Bounds{}, description);
 }
 
-/// Removes the default of an option, which makes it mandatory.
+/// Removes the default of an option, which makes the option mandatory.
 template <typename Options>
 constexpr OptionParameter<Options> without_default(OptionParameter<Options> option) {
   option.parameter.default_value = {};
@@ -118,14 +118,15 @@ constexpr OptionParameter<Options> with_unit(std::string_view unit, OptionParame
   return option;
 }
 
-/// Replaces the description of an option, for a table in which it needs another one.
+/// Replaces the description of an option, for a table that needs a different one.
 template <typename Options>
 constexpr OptionParameter<Options> with_description(std::string_view description, OptionParameter<Options> option) {
   option.parameter.description = description;
   return option;
 }
 
-/// Makes an OptionParameter for an option of a nested options struct. `table` is the table of the nested struct.
+/// Makes an OptionParameter for an option of the nested options struct `member`: entry `index` of `table`, the nested
+/// struct's table.
 template <auto member, const auto& table, std::size_t index>
 constexpr auto nested_option() {
   using Options = typename MemberOf<decltype(member)>::Options;
@@ -135,7 +136,7 @@ constexpr auto nested_option() {
       .set = [](Options& options, const ParameterValue& value) { table.at(index).set(options.*member, value); }};
 }
 
-/// Returns the parameters of a table of options.
+/// Returns the Parameter of each entry of a table of options, in order.
 template <typename Options, std::size_t count>
 constexpr std::array<Parameter, count> parameters_of(const std::array<OptionParameter<Options>, count>& table) {
   return [&]<std::size_t... indices>(std::index_sequence<indices...>) {
@@ -144,7 +145,7 @@ constexpr std::array<Parameter, count> parameters_of(const std::array<OptionPara
   (std::make_index_sequence<count>());
 }
 
-/// Returns the parameter of that name. The table must contain it.
+/// Returns the Parameter called `name` of a table of options. The table must contain it.
 template <typename Options, std::size_t count>
 constexpr const Parameter& parameter_named(std::string_view name,
                                            const std::array<OptionParameter<Options>, count>& table) {
@@ -153,7 +154,8 @@ constexpr const Parameter& parameter_named(std::string_view name,
   return table.at(index).parameter;
 }
 
-/// Validates options against the bounds of their table. Throws ArgumentError, prefixed by `what`.
+/// Validates options against the bounds of their table. Throws ArgumentError, prefixed by `what`, for an invalid
+/// option.
 template <typename Options, std::size_t count>
 void check_options(std::string_view what, const std::array<OptionParameter<Options>, count>& table,
                    const Options& options) {
@@ -166,8 +168,8 @@ void check_options(std::string_view what, const std::array<OptionParameter<Optio
   }
 }
 
-/// Returns the values of options. `parameters` are parameters_of() the table and must outlive the result. Throws
-/// InputError for a value out of bounds.
+/// Converts an options struct to parameter values. `parameters` are parameters_of() the table and must outlive the
+/// result. Throws InputError for a value out of bounds.
 template <typename Options, std::size_t count>
 ParameterValues values_of(const std::array<Parameter, count>& parameters,
                           const std::array<OptionParameter<Options>, count>& table, const Options& options) {
@@ -176,7 +178,7 @@ ParameterValues values_of(const std::array<Parameter, count>& parameters,
   return values;
 }
 
-/// Returns the options with the given parameter values.
+/// Converts parameter values to an options struct. Every option of the table must have a value.
 template <typename Options, std::size_t count>
 Options options_from(const std::array<OptionParameter<Options>, count>& table, const ParameterValues& values) {
   Options options;

@@ -7,19 +7,21 @@
 
 #include "shapegauge/core/base/interruption.h"
 
-/// Interruptible versions of TBB's loops over ranges. A cancelled TBB loop returns normally with partial results; these
-/// throw Interrupted. They rethrow exceptions of the body.
+/// Interruptible versions of TBB's loops over ranges. A cancelled TBB loop returns normally with partial results; the
+/// functions here throw Interrupted instead. They rethrow exceptions of the body.
 
 namespace shapegauge {
 
-/// Calls body(subrange) for subranges chosen by TBB.
+/// Calls body(subrange) in parallel for subranges chosen by TBB that make up the range. Throws Interrupted if
+/// cancelled.
 template <typename Range, typename Body>
 void parallel_for_parts(const Range& range, const Body& body) {
   tbb::parallel_for(range, body);
   check_interruption();
 }
 
-/// Combines the results of body(subrange, partial value) over subranges chosen by TBB.
+/// Reduces a range in parallel: combines the results of body(subrange, partial value) over subranges chosen by TBB with
+/// join(a, b), starting from `identity`. Throws Interrupted if cancelled.
 template <typename Range, typename Value, typename Body, typename Join>
 Value parallel_reduce_parts(const Range& range, const Value& identity, const Body& body, const Join& join) {
   const Value result = tbb::parallel_reduce(range, identity, body, join);

@@ -28,7 +28,7 @@ struct Bounds {
   [[nodiscard]] bool contains(double value) const;
 };
 
-/// Describes the interval, to follow "it must be": "from 0 to 1", "above 0 and at most 1", "at least 1".
+/// Formats the interval in words that follow "it must be": "from 0 to 1", "above 0 and at most 1", "at least 1".
 std::string to_string(const Bounds& bounds);
 
 /// Throws InputError "<what> is <value>; it must be <bounds>" unless the bounds contain the value.
@@ -59,18 +59,19 @@ class IntegerList {
   std::size_t size_ = 0;
 };
 
+/// Type of the values of a parameter.
 enum class ParameterKind {
   number,    ///< finite double within the bounds, or one of the choices if there are any ("auto")
   integer,   ///< integer within the bounds
-  integers,  ///< up to 16 integers within the bounds, or one of the choices
+  integers,  ///< list of up to 16 integers within the bounds, or one of the choices
   boolean,
-  choice  ///< one of the choices
+  choice  ///< one of the words in Parameter::choices
 };
 
-/// Value of a parameter, or none. A word refers to one of the parameter's own choices and lives as long as they do.
+/// Value of a parameter, or none. A word is a view of one of the parameter's choices and is valid as long as they are.
 using ParameterValue = std::variant<std::monostate, bool, std::int64_t, double, std::string_view, IntegerList>;
 
-/// Unit of lengths relative to the bounding box's diagonal.
+/// Parameter::unit of lengths that are fractions of the bounding-box diagonal.
 inline constexpr std::string_view bounding_box_diagonals = "diagonals of the bounding box";
 
 /// Describes one setting of an algorithm. Registry entries list their parameters. Configurations, the JSON schema, the
@@ -79,16 +80,16 @@ inline constexpr std::string_view bounding_box_diagonals = "diagonals of the bou
 struct Parameter {
   std::string_view name;
   ParameterKind kind = ParameterKind::number;
-  ParameterValue default_value = {};               ///< of the parameter's kind; none if mandatory
-  Bounds bounds = {};                              ///< of numbers and integers
-  std::span<const std::string_view> choices = {};  ///< legal words
-  std::string_view description;                    ///< one sentence
-  std::string_view unit = {};                      ///< of a number, to follow "in": "degrees"; empty: a pure number
+  ParameterValue default_value = {};               ///< default value, of the parameter's kind; none if mandatory
+  Bounds bounds = {};                              ///< valid values of numbers and integers
+  std::span<const std::string_view> choices = {};  ///< valid words, of a choice or instead of a number
+  std::string_view description;                    ///< description in one sentence
+  std::string_view unit = {};                      ///< unit of a number, as in "in degrees"; empty for a pure number
 
   [[nodiscard]] bool required() const { return std::holds_alternative<std::monostate>(default_value); }
 };
 
-/// Returns the choice that a word stands for, by its name or an older one; nothing for another word.
+/// Returns the choice of a parameter that equals a word; nothing if there is none. The result outlives `word`.
 std::optional<std::string_view> choice_of(const Parameter& parameter, std::string_view word);
 
 /// Validates a value and converts it to the parameter's kind. An integer becomes a double for a number parameter and a
@@ -100,13 +101,13 @@ ParameterValue validate_value(const Parameter& parameter, const ParameterValue& 
 /// InputError as validate_value() does.
 ParameterValue parse_value(const Parameter& parameter, std::string_view text);
 
-/// Formats a value as parse_value() reads it; empty for none.
+/// Formats a value as text that parse_value() reads; empty for no value.
 std::string to_string(const ParameterValue& value);
 
-/// Formats the unit to follow a number: ", in degrees"; empty without a unit.
+/// Formats the unit of a parameter as text that follows a number: ", in degrees"; empty without a unit.
 std::string unit_phrase(const Parameter& parameter);
 
-/// Describes the valid values: "a number from 0 to 1, in degrees, or auto".
+/// Describes the valid values of a parameter: "a number from 0 to 1, in degrees, or auto".
 std::string legal_values(const Parameter& parameter);
 
 /// Values for a list of parameters. Refers to the list, which must outlive it.
@@ -124,7 +125,7 @@ class ParameterValues {
   /// Returns the value of a parameter; null if it is not in the list.
   [[nodiscard]] const ParameterValue* find(std::string_view name) const;
 
-  /// Returns the value of a parameter as its kind's type. The parameter must be in the list and have a value.
+  /// Returns the value of a parameter in the C++ type of its kind. The parameter must be in the list and have a value.
   /// @{
   [[nodiscard]] const ParameterValue& value(std::string_view name) const;
   [[nodiscard]] double number(std::string_view name) const { return std::get<double>(value(name)); }

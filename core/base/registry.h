@@ -15,8 +15,7 @@
 
 namespace shapegauge {
 
-/// Returns true if an entry has all of these functions (pointers to members of it), which may be null pointers or
-/// empty.
+/// Returns true if none of an entry's function members is null or empty. `functions` are pointers to these members.
 template <auto... functions, typename Entry>
 bool has_functions([[maybe_unused]] const Entry& entry) {
   return (static_cast<bool>(entry.*functions) && ...);
@@ -41,7 +40,7 @@ class Registry {
 
   /// Adds an entry, making it available to configurations, listings and the schema. Data that its views and spans refer
   /// to must live as long as the program. Throws ArgumentError for a name that is empty or taken and for an entry
-  /// without its functions, and the errors of the check.
+  /// without a function that it must have, and as the constructor's `check` does.
   void add(Entry entry) {
     if (entry.name.empty()) throw ArgumentError("a " + kind_ + " needs a name");
     if (!is_complete_(entry)) {
@@ -57,7 +56,7 @@ class Registry {
     entries_.push_back(std::move(entry));
   }
 
-  /// Returns the entry of that name, or null.
+  /// Returns the entry called `name`; null if there is none.
   [[nodiscard]] const Entry* find(std::string_view name) const {
     return find_if([&](const Entry& entry) { return entry.name == name; });
   }
@@ -72,14 +71,14 @@ class Registry {
     return nullptr;
   }
 
-  /// Returns the entry of that name. Throws ArgumentError for an unknown name; the message suggests the nearest or
+  /// Returns the entry called `name`. Throws ArgumentError for an unknown name; the message suggests the nearest or
   /// lists all.
   [[nodiscard]] const Entry& at(std::string_view name) const {
     if (const Entry* const found = find(name)) return *found;
     throw ArgumentError(unknown_word_message(kind_, name, names()));
   }
 
-  /// Returns all entries.
+  /// Returns all entries, in the order of registration.
   [[nodiscard]] std::vector<std::reference_wrapper<const Entry>> entries() const {
     const std::shared_lock lock(mutex_);
     return {entries_.begin(), entries_.end()};

@@ -9,7 +9,8 @@
 
 namespace shapegauge {
 
-/// Spells a setting for an interface. `value` is empty if the message gives none.
+/// Function that formats a setting for an interface, such as "--offset 0.03". `value` is empty if the message gives
+/// none.
 using SettingSpelling = std::string (*)(std::string_view name, std::string_view value);
 
 /// Replaces the settings that a message names in backquotes, between spaces or punctuation. Other text in backquotes

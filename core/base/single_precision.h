@@ -6,8 +6,8 @@
 
 namespace shapegauge {
 
-/// Counts the distinct rows of a table that become equal when rounded to single precision. One row of each group of
-/// equal ones is not counted. `numbers` are row by row and not NaN.
+/// Returns the number of distinct rows that a table loses by rounding to single precision: k different rows that become
+/// equal count as k - 1. `numbers` holds the table row by row, without NaN.
 std::size_t rows_merged_in_single_precision(std::span<const double> numbers, std::size_t columns);
 
 }  // namespace shapegauge

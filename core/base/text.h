@@ -29,14 +29,14 @@ std::string lower_case(std::string text);
 /// and for numbers outside the range of double precision.
 std::optional<double> parse_number(std::string_view word);
 
-/// Returns a number of things with the word for one or for several of them: "1 row", "3 rows".
+/// Formats a count with a noun in the singular (`one`) or plural (`several`): "1 row", "3 rows".
 std::string count_text(std::int64_t count, std::string_view one, std::string_view several);
 
 /// Formats a number for messages with two significant digits, and from 100 to 10^6 as an integer: "0.12", "250".
 std::string two_digits(double number);
 
-/// Formats a number with that many significant digits and without an exponent: "1234600", "0.00012"; finite numbers
-/// from 1e15 or below 1e-9 keep theirs.
+/// Formats a number with `digits` significant digits and without an exponent: "1234600", "0.00012". Numbers from 1e15
+/// on and below 1e-9 have an exponent.
 std::string plain_number(double number, int digits);
 
 /// Quotes a word for a one-line message: in quotation marks, sanitised by printable(), truncated to 40 bytes.

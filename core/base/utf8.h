@@ -8,14 +8,14 @@
 
 namespace shapegauge {
 
-/// Appends a Unicode character as UTF-8.
+/// Appends a Unicode code point, encoded as UTF-8.
 void append_utf8(std::string& text, std::uint32_t character);
 
 /// Converts a text that begins with the byte order mark of UTF-16, as Excel writes it, to UTF-8; returns any other text
 /// as it is. Invalid surrogates become U+FFFD.
 std::string to_utf8(std::string text);
 
-/// Returns the length of the UTF-8 character at the beginning of the text; 0 for an invalid one.
+/// Returns the length, in bytes, of the UTF-8 character at the beginning of the text; 0 if it is invalid.
 std::size_t length_of_character(std::string_view text);
 
 /// Replaces every byte that is not part of a UTF-8 character by its escape sequence, such as "\xE4".

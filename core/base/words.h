@@ -16,19 +16,19 @@ namespace shapegauge {
 template <typename Enumeration>
 inline constexpr std::array<std::string_view, 0> words_of{};
 
-/// Returns the word of a value.
+/// Returns the word of an enumeration value (words_of).
 template <typename Enumeration>
 constexpr std::string_view word_of(Enumeration value) {
   return words_of<Enumeration>.at(static_cast<std::size_t>(value));
 }
 
-/// Returns the word of a value as a string.
+/// Returns the word of an enumeration value (words_of) as a string.
 template <typename Enumeration>
 requires(words_of<Enumeration>.size() > 0) std::string name_of(Enumeration value) {
   return std::string(word_of(value));
 }
 
-/// Returns the value of a word, if any.
+/// Returns the enumeration value that a word names; nothing for an unknown word.
 template <typename Enumeration>
 constexpr std::optional<Enumeration> value_of_word(std::string_view word) {
   for (std::size_t i = 0; i < words_of<Enumeration>.size(); ++i) {
@@ -37,7 +37,7 @@ constexpr std::optional<Enumeration> value_of_word(std::string_view word) {
   return std::nullopt;
 }
 
-/// Returns all words, for options and messages.
+/// Returns the words of all values of an enumeration, for options and messages.
 template <typename Enumeration>
 std::vector<std::string> list_of_words() {
   return {words_of<Enumeration>.begin(), words_of<Enumeration>.end()};

@@ -15,51 +15,54 @@ namespace shapegauge {
 struct CheckOptions {
   double min_wall = 0;  ///< minimum thickness of walls; 0: not checked
   double min_gap = 0;   ///< minimum width of gaps; 0: not checked
-  /// Smaller regions are only counted. At least the square of an eighth of the limit, but no more than a hundredth of
-  /// the surface: a part much smaller than the limit is a thin wall.
+  /// Minimum area of the regions to list; smaller regions are only counted. At least the square of an eighth of the
+  /// limit is used, but no more than a hundredth of the surface: a part much smaller than the limit is a thin wall.
   double min_area = 0;
-  bool keep_surface = false;  ///< fill PartReport::surface
-  InscribedBallOptions ball = {};
+  bool keep_surface = false;       ///< fill PartReport::surface
+  InscribedBallOptions ball = {};  ///< options of the balls that measure thickness and width
 };
 
 /// Connected region of the surface whose thickness, or distance across a gap, is below the limit.
 struct ThinRegion {
-  double area = 0;
-  double minimum = 0;                                  ///< diameter of the smallest ball
-  double median = 0;                                   ///< of the diameters, by area
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the smallest ball: where it touches the region
-  Eigen::Vector3d opposite = Eigen::Vector3d::Zero();  ///< and the opposite surface
-  /// The sides of a sharp edge, or of a notch, which are listed, but no violation: they open by more than 30 degrees up
-  /// to the limit. A thin place that never reaches the limit is a wall, whatever its section.
+  double area = 0;     ///< area of the region
+  double minimum = 0;  ///< diameter of the smallest ball in the region: its smallest thickness or width
+  double median = 0;   ///< median of the ball diameters in the region, weighted by area
+  /// Point of the region that the smallest ball touches.
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  /// Point of the opposite surface that the smallest ball of the region touches.
+  Eigen::Vector3d opposite = Eigen::Vector3d::Zero();
+  /// True for the sides of a sharp edge or notch that open by more than 30 degrees up to the limit. They are listed,
+  /// but are no violation. A thin region that never reaches the limit is a wall, whatever its cross-section.
   bool is_edge = false;
   std::vector<std::int32_t> faces;  ///< faces that the region covers at least partly, ascending
 };
 
-/// Regions below one limit.
+/// Thin regions of a surface below one limit, that of wall thickness or that of gap width.
 struct ThinRegions {
-  double limit = 0;
-  std::vector<ThinRegion> regions;  ///< by area, largest first
-  std::size_t small_regions = 0;    ///< smaller than CheckOptions::min_area
-  double small_area = 0;            ///< of all of these
-  /// Spacing of samples on faces opposite to a wall or gap. Narrower thin places may be missed.
+  double limit = 0;                 ///< minimum thickness or width that was checked; 0: not checked
+  std::vector<ThinRegion> regions;  ///< regions of at least the minimum area, largest first
+  std::size_t small_regions = 0;    ///< number of regions smaller than CheckOptions::min_area
+  double small_area = 0;            ///< total area of the small regions
+  /// Maximum spacing of the samples, in the shape's units: the limit, or more on a mesh of a very large area. Narrower
+  /// thin regions may be missed.
   double spacing = 0;
 
+  /// Returns true if no region is a violation: all are sharp edges or notches (ThinRegion::is_edge).
   [[nodiscard]] bool pass() const;
 };
 
-/// Surface of a part, divided where it is below a limit: the triangles of a mesh with the smallest diameter in each, as
-/// a fraction of the limit for walls or gaps. NaN where the part passes.
+/// Surface of a part as a mesh whose triangles are divided where thickness or gap width is below a limit.
 struct CheckedSurface {
   Shape mesh;
-  Eigen::VectorXd fractions;
+  Eigen::VectorXd fractions;  ///< per triangle: smallest ball diameter / limit; NaN where the part passes
 };
 
 /// Result of check_part().
 struct PartReport {
-  ThinRegions walls;
-  ThinRegions gaps;
-  std::size_t voids = 0;        ///< closed cavities (closed_components())
-  bool closed = false;          ///< closed and consistently oriented; otherwise the orientation of each face decides
+  ThinRegions walls;            ///< regions whose thickness is below CheckOptions::min_wall
+  ThinRegions gaps;             ///< regions whose distance across a gap is below CheckOptions::min_gap
+  std::size_t voids = 0;        ///< number of closed cavities (closed_components())
+  bool closed = false;          ///< true if closed and consistently oriented; otherwise each face's orientation decides
   CheckedSurface surface = {};  ///< empty unless CheckOptions::keep_surface
 
   [[nodiscard]] bool passes() const { return walls.pass() && gaps.pass(); }
@@ -67,10 +70,10 @@ struct PartReport {
 
 /// Finds the regions of a mesh whose walls are too thin or whose gaps are too narrow (docs/manual/check.md).
 ///
-/// The thickness at a point of the surface is the diameter of its inscribed_ball(), the width of a gap that of the ball
-/// outside. Faces are divided until their parts are smaller than the limit, or lie opposite to nothing, and
-/// along the border of a region further. Closed meshes may face inwards as a whole. The same result on any number of
-/// threads.
+/// The thickness at a point of the surface is the diameter of its inscribed_ball(); the width of a gap is the diameter
+/// of the ball on the outside. Faces are divided until the pieces are smaller than the limit or have no opposite
+/// surface nearby, and further along the border of a region. Closed meshes may face inwards as a whole. The result is
+/// the same on any number of threads.
 ///
 /// Throws InputError for a cloud, an unusable shape, a mesh without area, and for limits that are negative or all 0.
 PartReport check_part(const Shape& mesh, const CheckOptions& options);

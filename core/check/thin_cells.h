@@ -18,22 +18,22 @@ namespace shapegauge {
 /// Triangular part of a face.
 struct Cell {
   std::array<Eigen::Vector3d, 3> corners;
-  std::int32_t face = 0;
-  std::int32_t origin = 0;  ///< index of the cell that was divided
+  std::int32_t face = 0;    ///< index of the face in the mesh
+  std::int32_t origin = 0;  ///< index of the cell passed to CellSampler::divide() that contains this one
 };
 
 /// Returns the faces of a mesh as cells, without degenerate and duplicate ones.
 std::vector<Cell> cells_of(const Shape& mesh);
 
-/// Cell of which at least a part is below the limit.
+/// Cell where the thickness or gap width is below the limit, at least in part.
 struct ThinCell {
   Cell cell;
-  double area = 0;                                 ///< of the part below the limit
-  std::array<std::optional<double>, 3> diameters;  ///< near the corners; nothing if not below the limit
-  bool is_edge = false;                            ///< at a sharp edge (ThinRegion::is_edge)
+  double area = 0;                                 ///< area of the part of the cell below the limit
+  std::array<std::optional<double>, 3> diameters;  ///< ball diameter near each corner; empty if not below the limit
+  bool is_edge = false;                            ///< true at a sharp edge (ThinRegion::is_edge)
 };
 
-/// Division of cells into those below a limit, at least in part, and others.
+/// Result of CellSampler::divide(): cells that are below the limit at least in part, and the others.
 struct DividedCells {
   std::vector<ThinCell> thin;
   std::vector<Cell> others;
@@ -48,19 +48,20 @@ struct MeasuredPoint {
   TouchingBall ball;
 };
 
-/// Finds the parts of a mesh's surface that are below a limit.
+/// Finds the parts of a mesh's surface where wall thickness or gap width is below a limit.
 class CellSampler {
  public:
-  /// Size of cells along the border of a region, as a fraction of the limit.
+  /// Maximum size of cells along the border of a region, as a fraction of the limit.
   static constexpr double border_size = 1.0 / 8;
 
-  /// Keeps references to mesh and balls.
+  /// Prepares the sampling of balls on one side of the surface. Keeps references to mesh and balls.
   CellSampler(const Shape& mesh, const TouchingBalls& balls, BallSide side, double limit, bool parallel);
 
   /// Divides cells until those below the limit are smaller than spacing().
   [[nodiscard]] DividedCells divide(std::vector<Cell> cells) const;
 
-  /// Returns the smallest ball near a thin cell: descends into the half with the smaller one.
+  /// Returns the smallest ball near a thin cell. Halves the cell repeatedly and continues in the half with the smaller
+  /// ball.
   [[nodiscard]] MeasuredPoint min_near(const ThinCell& thin) const;
 
   [[nodiscard]] double limit() const { return limit_; }
@@ -69,7 +70,7 @@ class CellSampler {
   [[nodiscard]] double spacing() const { return spacing_; }
 
  private:
-  /// What examine() makes of a cell.
+  /// Result of examine() for a cell: whether to split it, or its ThinCell if it is below the limit.
   struct Finding {
     bool split = false;
     std::optional<ThinCell> thin = {};

@@ -15,11 +15,11 @@ inline constexpr int bilateral_version = 2;
 /// Options of bilateral_smoothing().
 struct BilateralOptions {
   int iterations = 1;
-  double spatial_width = 0.02;  ///< standard deviation of the spatial Gaussian, in square roots of the area
+  double spatial_width = 0.02;  ///< standard deviation of the spatial Gaussian, in square roots of the surface area
   double value_width = 0.5;     ///< standard deviation of the value Gaussian, in standard deviations of the field
 };
 
-/// Parameters of BilateralOptions.
+/// Names, bounds and help texts of the parameters in BilateralOptions (option_parameters.h).
 inline constexpr std::array bilateral_table = {
     option_of<&BilateralOptions::iterations>("iterations", {.low = 0, .high = 100}, "Number of iterations."),
     with_unit("square roots of the area",
@@ -36,8 +36,8 @@ inline constexpr std::array bilateral_table = {
 ///
 /// Distances are those of shortest paths between samples. The paths follow the dual edges of faces, the edges of the
 /// mesh or, for points of a cloud and surface samples, the edges to 8 nearest neighbours. Values that are not finite
-/// are ignored and stay unchanged; weights stay. Throws InputError for options out of range, an unusable shape
-/// (require_usable()), and samples or a field of another shape.
+/// are ignored and stay unchanged, as do the field's weights. Throws InputError for options out of range, an unusable
+/// shape (require_usable()), and samples or a field of another shape.
 ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, ScalarField field,
                                 const BilateralOptions& options = {});
 

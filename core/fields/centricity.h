@@ -19,7 +19,7 @@ inline constexpr int centricity_version = 2;
 /// Statistic of the geodesic distances from a point to all others.
 enum class Centricity {
   mean,          ///< area-weighted mean over the surface (Gal, Shamir, Cohen-Or 2007)
-  eccentricity,  ///< maximum (Ion et al. 2007)
+  eccentricity,  ///< maximum over the surface (Ion et al. 2007)
 };
 
 template <>
@@ -29,10 +29,10 @@ inline constexpr std::array<std::string_view, 2> words_of<Centricity>{"mean", "e
 struct CentricityOptions {
   Centricity measure = Centricity::mean;
   GeodesicOptions geodesics = {};
-  int sources = 48;  ///< number of landmarks; all vertices if there are no more
+  int sources = 48;  ///< number of landmark vertices; all vertices if the shape has no more
 };
 
-/// Parameters of CentricityOptions.
+/// Names, bounds and help texts of the parameters in CentricityOptions (option_parameters.h).
 inline constexpr std::array centricity_table = {
     option_of<&CentricityOptions::measure>(
         "measure", "Statistic of the geodesic distances: mean, by area, or eccentricity, the maximum."),
@@ -57,11 +57,13 @@ inline constexpr std::array centricity_table = {
 /// does.
 Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const CentricityOptions& options = {});
 
-/// Computes the same statistic at the points of a surface proxy, from the distances to its landmarks.
+/// Computes the mean geodesic distance, or the eccentricity, at the points of a surface proxy, from their distances to
+/// the proxy's landmarks; in the shape's units.
 Eigen::VectorXd centricity(const ProxyGeodesics& geodesics, Centricity measure);
 
-/// Interpolates values at a shape's vertices to samples of it: barycentrically for samples inside triangles, by lookup
-/// for samples at a cloud's points. Throws InputError for samples of another shape.
+/// Interpolates values at a shape's vertices (one row per vertex) to samples of the shape (one row per sample):
+/// barycentrically for samples inside triangles, by lookup for samples at a cloud's points. Throws InputError for
+/// samples of another shape.
 Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eigen::MatrixXd& at_vertices);
 
 }  // namespace shapegauge

@@ -30,7 +30,7 @@ struct Spectrum;
 /// Shape for which several fields are computed, with the data they share. Keeps a reference to the shape.
 class FieldSource {
  public:
-  /// Refers to a shape, whose diagnostics may be passed if they are known, at this scale or another one.
+  /// Refers to a shape. Pass its diagnostics, if known, to skip computing them; the shape may have been scaled since.
   explicit FieldSource(const Shape& shape, std::optional<ShapeDiagnostics> known = {});
   ~FieldSource();
   FieldSource(const FieldSource&) = delete;
@@ -40,14 +40,14 @@ class FieldSource {
 
   [[nodiscard]] const Shape& shape() const { return *shape_; }
 
-  /// Returns the solver, built on first use. Throws as its constructor does.
+  /// Returns the solver of the shape's offset SDF, built on first use. Throws as the solver's constructor does.
   const OffsetSdfSolver& offset_sdf_solver();
 
-  /// Returns the automatic offset, chosen on first use. Throws as automatic_offset() does.
+  /// Returns the automatic offset of the shape, chosen on first use. Throws as automatic_offset() does.
   const AutomaticOffset& automatic_offset();
 
-  /// Returns the laplacian_spectrum() with that many eigenvalues, computed on first use. Throws as laplacian_spectrum()
-  /// does.
+  /// Returns the laplacian_spectrum() of the mesh with `eigenvalues` eigenvalues, computed on first use. Throws as
+  /// laplacian_spectrum() does.
   const Spectrum& spectrum(int eigenvalues);
 
   /// Returns the shape's surface proxy and the data computed on it, shared with descriptors.
@@ -58,14 +58,14 @@ class FieldSource {
   std::optional<ShapeDiagnostics> known_;
   std::unique_ptr<OffsetSdfSolver> offset_sdf_solver_;
   std::optional<AutomaticOffset> automatic_offset_;
-  std::map<int, std::unique_ptr<Spectrum>> spectra_;  ///< by number of eigenvalues
+  std::map<int, std::unique_ptr<Spectrum>> spectra_;  ///< spectra by requested number of eigenvalues
   std::unique_ptr<ProxySource> proxy_;
 };
 
-/// Sampling sites of a field.
+/// Where a field is sampled on a shape: at each face, each vertex, or a number of points of the surface.
 struct SamplePlan {
   SampleSite site = SampleSite::faces;
-  Eigen::Index count = 0;  ///< number of surface samples
+  Eigen::Index count = 0;  ///< number of samples if `site` is surface; otherwise unused
 
   auto operator<=>(const SamplePlan&) const = default;
 };
@@ -73,73 +73,76 @@ struct SamplePlan {
 /// Samples a shape according to the plan (sample_shape(), sample_surface()).
 Samples take_samples(const Shape& shape, const SamplePlan& plan);
 
-/// Number of samples by outcome. The key "total" is always present.
+/// Number of samples for each outcome of a field's computation, by name, such as "missing". The key "total" is always
+/// present.
 using FieldOutcomes = std::map<std::string, std::size_t>;
 
-/// Returns the outcomes of an offset SDF by name.
+/// Converts the sample counts of an offset SDF to counts by name of outcome.
 FieldOutcomes field_outcomes(const OffsetSdfOutcomes& outcomes);
 
 /// Returns a warning such as "3 of 200 samples missing" for each outcome that users should know about.
 std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes);
 
-/// Returns a warning if the weights of samples have no positive, finite sum: means and shares by area have no value.
+/// Returns a warning if the weights of samples have no positive, finite sum: area-weighted means and fractions
+/// are then undefined.
 std::optional<std::string> weights_warning(const Samples& samples);
 
-/// Values of a field on one shape.
+/// Values of a field at the samples of one shape, with sample counts and run times.
 struct FieldValues {
-  Eigen::VectorXd values;       ///< one per sample; NaN if missing
-  Points normals = {};          ///< outward unit normals, one per sample, of fields that estimate them; otherwise empty
-  FieldOutcomes outcomes = {};  ///< if a field returns none: "total" and "missing", counted from the values
-  std::optional<double> offset = {};  ///< r as a fraction of the diagonal, if the field chose it for the shape
+  Eigen::VectorXd values;       ///< value at each sample; NaN if missing
+  Points normals = {};          ///< outward unit normal at each sample if the field estimates normals; otherwise empty
+  FieldOutcomes outcomes = {};  ///< sample counts by outcome; default: "total" and "missing", from the values
+  std::optional<double> offset = {};  ///< automatically chosen offset, as a fraction of the bounding-box diagonal
   double build_seconds =
-      0;  ///< construction of spatial structures, including those shared with other fields of the shape
-  double query_seconds = 0;  ///< queries for all samples; total time of a field that does not separate the two
+      0;  ///< time to build spatial structures, including those shared with other fields of the shape
+  double query_seconds = 0;  ///< time of all queries; total time if the field does not separate building and queries
 };
 
-/// Computes the values at the samples of a shape. `parallel` distributes the samples over the threads of the calling
-/// TBB arena; values must not depend on it.
+/// Function that computes the values of a field at samples of a shape. `parallel` distributes the samples over the
+/// threads of the calling TBB arena; values must not depend on it.
 using FieldFunction = std::function<FieldValues(FieldSource&, const Samples&, bool parallel)>;
 
 /// Physical dimension of a field's values: the power of the shape's scale that they are proportional to.
 enum class FieldDimension { none = 0, length = 1, area = 2 };
 
-/// Returns `length` to the power of the dimension: the factor of values if lengths change by the factor `length`.
+/// Returns the factor by which values of a dimension change if lengths change by the factor `length`: `length` to the
+/// power of the dimension.
 double unit_of(FieldDimension dimension, double length);
 
 /// Cache versions of algorithms by name; see docs/manual/cache.md.
 using AlgorithmVersions = std::map<std::string, int>;
 
-/// Computation of a field with given settings.
+/// Function that computes a field with given settings, with the versions and physical dimension of its values.
 struct FieldComputation {
-  AlgorithmVersions versions;  ///< of all algorithms that the values depend on, apart from the samples
-  FieldDimension dimension = FieldDimension::length;  ///< of the values; comparisons of shapes undo the scale by it
+  AlgorithmVersions versions;  ///< versions of all algorithms that the values depend on, except sampling
+  FieldDimension dimension = FieldDimension::length;  ///< physical dimension of the values, to undo scaling of shapes
   FieldFunction compute;
 };
 
-/// Type of field.
+/// Entry of field_types(): a kind of scalar field on shapes, its parameters and the function that makes it.
 struct FieldType {
   std::string name;
-  std::string description;  ///< one sentence
-  /// Names, choices and descriptions must outlive the entry; they are not copied.
+  std::string description;  ///< description in one sentence
+  /// Parameters of the type. Their names, choices and descriptions are not copied and must outlive the entry.
   std::vector<Parameter> parameters;
-  /// Makes the computation for the given settings. Throws InputError if settings contradict each other.
+  /// Returns the computation of the field for given settings. Throws InputError if settings contradict each other.
   std::function<FieldComputation(const ParameterValues& values, const SamplePlan& samples)> make;
-  bool is_thickness = false;  ///< the values are thicknesses, in the shape's units: a method of `sdf`
+  bool is_thickness = false;  ///< values are thicknesses in the shape's units: a method of the command `sdf`
 };
 
-/// Returns the registry of field types: those of this folder (docs/developer/extending.md), followed by those added. An
+/// Returns the registry of field types: the built-in ones, followed by added ones (docs/developer/extending.md). An
 /// entry must have a `make` function, and no parameters called type, at or bilateral.
 Registry<FieldType>& field_types();
 
 /// Returns the parameters of smoothing along the surface (bilateral_smoothing()), available for every field.
 std::span<const Parameter> bilateral_parameters();
 
-/// Settings of a field. Equal settings mean the same field.
+/// Settings of a field: type, parameter values, sampling and smoothing. Equal settings mean the same field.
 struct FieldSettings {
-  std::string type;  ///< a name of field_types()
+  std::string type;  ///< name of the type in field_types()
   ParameterValues values;
   SamplePlan samples = {};
-  std::optional<ParameterValues> smoothing = {};  ///< of bilateral_parameters(); not smoothed if absent
+  std::optional<ParameterValues> smoothing = {};  ///< values of bilateral_parameters(); absent: no smoothing
 
   bool operator==(const FieldSettings&) const = default;
 };

@@ -3,7 +3,7 @@
 
 #include "shapegauge/core/fields/field.h"
 
-/// Entries of field_types() that this folder adds; not part of the public interface.
+/// Functions that make the built-in entries of field_types(); not part of the public interface.
 namespace shapegauge {
 
 FieldType offset_sdf_type();

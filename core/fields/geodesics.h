@@ -22,13 +22,13 @@ enum class GeodesicMethod {
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<GeodesicMethod>{"graph", "heat", "exact"};
 
-/// Options of geodesic distances.
+/// Options of geodesic_distances().
 struct GeodesicOptions {
   GeodesicMethod method = GeodesicMethod::graph;
-  int neighbours = 8;  ///< nearest points connected in a point cloud, and across the gaps between components
+  int neighbours = 8;  ///< number of nearest points connected in a cloud, and across gaps between components
 };
 
-/// Parameters of GeodesicOptions.
+/// Names, bounds and help texts of the parameters in GeodesicOptions (option_parameters.h).
 inline constexpr std::array geodesic_table = {
     option_of<&GeodesicOptions::method>("method",
                                         "graph: shortest paths, for any shape, a few percent too long; heat and exact: "
@@ -38,7 +38,8 @@ inline constexpr std::array geodesic_table = {
         "Nearest points connected in a point cloud, and across the gaps between components."),
 };
 
-/// Returns the distances from one vertex to all vertices, in the shape's units. NaN at vertices that no triangle uses.
+/// Function that returns the distances from one vertex to all vertices, in the shape's units. NaN at vertices that no
+/// triangle uses.
 using GeodesicDistances = std::function<Eigen::VectorXd(std::int32_t source)>;
 
 /// Prepares geodesic distances on a shape for any number of sources. The returned function does not refer to the shape.

@@ -5,8 +5,8 @@
 
 namespace shapegauge {
 
-/// Implements the methods of CGAL, heat and exact. `shape` must be usable and have no coincident used vertices. Throws
-/// InputError as geodesic_distances() does.
+/// Implements geodesic_distances() for CGAL's methods, heat and exact. `shape` must be usable and have no coincident
+/// used vertices. Throws InputError as geodesic_distances() does.
 GeodesicDistances geodesic_distances_cgal(const Shape& shape, GeodesicMethod method);
 
 }  // namespace shapegauge

@@ -9,7 +9,7 @@
 
 namespace shapegauge {
 
-/// Cache version of the signatures here and of the spectrum; see docs/manual/cache.md.
+/// Cache version of the heat and wave kernel signatures and of laplacian_spectrum(); see docs/manual/cache.md.
 inline constexpr int heat_kernel_version = 3;
 
 /// Computes the heat kernel signature (Sun, Ovsjanikov, Guibas 2009) at the vertices: the sum over the spectrum of
@@ -20,25 +20,25 @@ Eigen::VectorXd heat_kernel_signature(const Spectrum& spectrum, double area, dou
 
 /// Options of scale_invariant_heat_kernel_signature().
 struct ScaleInvariantOptions {
-  double first_time = 0.0005;  ///< positive, in units of the surface area
-  double last_time = 2;        ///< greater than first_time
-  int times = 128;             ///< 4 to 10000, evenly spaced by logarithm
-  int frequencies = 6;         ///< 1 to times / 2
+  double first_time = 0.0005;  ///< earliest diffusion time, positive, in units of the surface area
+  double last_time = 2;        ///< latest diffusion time, above first_time, in units of the surface area
+  int times = 128;             ///< number of times, 4 to 10000, evenly spaced on a logarithmic scale
+  int frequencies = 6;         ///< number of Fourier coefficients, 1 to times / 2
 };
 
 /// Computes the scale-invariant heat kernel signature (Bronstein and Kokkinos 2010). The derivative of the log heat
 /// kernel signature by log time turns a change of scale into a translation in time. The signature is the magnitudes of
-/// its first discrete Fourier coefficients, one a column.
+/// the derivative's first discrete Fourier coefficients: one row per vertex, one column per coefficient.
 Eigen::MatrixXd scale_invariant_heat_kernel_signature(const Spectrum& spectrum, double area,
                                                       const ScaleInvariantOptions& options = {});
 
 /// Options of wave_kernel_signature().
 struct WaveKernelOptions {
-  int energies = 16;       ///< evenly spaced between the logarithms of the spectrum's ends
-  double width_steps = 7;  ///< standard deviation of an energy filter, in hundredths of the energy range, as published
+  int energies = 16;       ///< number of energies, evenly spaced in the range of log lambda
+  double width_steps = 7;  ///< standard deviation of an energy filter, in hundredths of the energy range
 };
 
-/// Parameters of WaveKernelOptions.
+/// Names, bounds and help texts of the parameters in WaveKernelOptions (option_parameters.h).
 inline constexpr std::array wave_kernel_table = {
     option_of<&WaveKernelOptions::energies>("energies", {.low = 2, .high = 1000},
                                             "Number of energies, evenly spaced on a logarithmic scale."),

@@ -22,25 +22,25 @@ struct InscribedBallOptions {
   bool parallel = true;                   ///< distribute the samples over the threads of the calling TBB arena
 };
 
-/// Parameters of InscribedBallOptions.
+/// Names, bounds and help texts of the parameters in InscribedBallOptions (option_parameters.h).
 inline constexpr std::array inscribed_ball_table = {
     with_unit("degrees", option_of<&InscribedBallOptions::separation_angle_degrees>(
                              "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
                              "Minimum angle at the ball's centre between its two contacts.")),
 };
 
-/// Side of the surface on which a ball lies.
+/// Side of the surface on which a touching ball lies: inside measures walls, outside measures gaps.
 enum class BallSide {
-  inside,   ///< opposite to the outward normal of the sample: thickness
-  outside,  ///< at the outward normal of the sample: width of a gap
+  inside,   ///< opposite to the outward normal of the sample; the diameter is the wall thickness
+  outside,  ///< in the direction of the outward normal of the sample; the diameter is the width of a gap
 };
 
 /// Ball that touches the surface at a sample and at an opposite point, in the shape's units.
 struct TouchingBall {
   double diameter = 0;
-  Eigen::Vector3d contact;  ///< opposite point
-  /// Angle at the centre between sample and contact, or between their normals, whichever is larger: 180 between
-  /// parallel walls.
+  Eigen::Vector3d contact;  ///< opposite point of the surface that the ball touches
+  /// Angle at the ball's centre between the sample and the contact, or between the surface normals at the two,
+  /// whichever is larger: 180 between parallel walls.
   double angle_degrees = 0;
 };
 
@@ -60,13 +60,13 @@ class TouchingBalls {
   /// without one normal each.
   [[nodiscard]] Eigen::VectorXd diameters(const Samples& samples, BallSide side) const;
 
-  /// Returns the ball at a point with a unit normal; nothing if its diameter is not below `limit`. The smaller
-  /// the limit, the faster. The diameter is at most 0.1 % too large.
+  /// Returns the ball that touches the surface at a point with a unit normal; nothing if the ball's diameter is not
+  /// below `limit`. The smaller the limit, the faster. The diameter is at most 0.1 % too large.
   [[nodiscard]] std::optional<TouchingBall> ball_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                                                     BallSide side, double limit) const;
 
-  /// Returns false if no point of a part of the mesh's surface has a ball of a diameter below `limit`. May return true
-  /// if none has. `normal` is that of the part.
+  /// Returns false only if no ball of a diameter below `limit` touches the surface at a point of a triangular part of
+  /// the mesh; may return true if there is no such ball. `normal` is the unit normal of the part.
   [[nodiscard]] bool may_touch(const Triangle& part, const Eigen::Vector3d& normal, BallSide side, double limit) const;
 
  private:
@@ -80,13 +80,14 @@ class TouchingBalls {
 ///
 /// A point is opposite if it is at least the separation angle away from the sample, seen from the centre of the ball
 /// through both, and if the same holds for the angle between the outward normals. The outward side of a triangle is the
-/// one facing away from the sample, whatever its orientation. At 0 every point is opposite. Above 90 degrees the sides
-/// next to a right-angled edge are not. The triangles around a sampled vertex never stop the ball.
+/// one facing away from the sample, whatever its orientation. At a separation angle of 0 every point is opposite. Above
+/// 90 degrees the two sides of a right-angled edge are not opposite. The triangles around a sampled vertex never stop
+/// the ball.
 ///
 /// The diameter is exact unless many triangles are about equally near to the centre, as in a finely tessellated sphere;
 /// then it is at most 0.1 % too large. NaN if the sample has no normal, and if nothing stops the ball before its
 /// diameter reaches the bounding-box diagonal. For a cloud the points are the surface, and the cloud must have normals.
-/// The same bytes on any number of threads. Throws InputError as TouchingBalls does.
+/// The same input gives the same bytes on any number of threads. Throws InputError as TouchingBalls does.
 Eigen::VectorXd inscribed_ball(const Shape& shape, const Samples& samples, const InscribedBallOptions& options = {});
 
 }  // namespace shapegauge

@@ -13,9 +13,9 @@ namespace shapegauge {
 /// Cotangent Laplacian of a mesh, for the eigenvalue problem stiffness u = lambda mass u (Pinkall and Polthier 1993;
 /// linear finite elements). Coincident vertices share a node; vertices that no triangle with area uses have none.
 struct Laplacian {
-  Eigen::SparseMatrix<double> stiffness;  ///< symmetric, positive semidefinite, rows sum to 0
-  Eigen::VectorXd mass;                   ///< lumped: each corner gets a third of its triangle's area
-  std::vector<std::int32_t> node_of;      ///< per vertex; -1 for none
+  Eigen::SparseMatrix<double> stiffness;  ///< one row per node; symmetric, positive semidefinite, rows sum to 0
+  Eigen::VectorXd mass;                   ///< lumped mass of each node: a third of the area of its triangles
+  std::vector<std::int32_t> node_of;      ///< per vertex of the mesh: index of its node; -1 without a node
 };
 
 /// Assembles the Laplacian of a triangle mesh of any kind. All triangles at an edge contribute: one (the natural,
@@ -24,11 +24,11 @@ struct Laplacian {
 /// without area.
 Laplacian cotangent_laplacian(const Shape& mesh);
 
-/// Smallest eigenvalues and eigenvectors of the Laplacian.
+/// Smallest eigenvalues of a mesh's Laplacian and their eigenvectors.
 struct Spectrum {
-  Eigen::VectorXd eigenvalues;   ///< ascending, with one zero a component first; in units of 1 / squared length
-  int components = 1;            ///< number of components of the mesh, and of zero eigenvalues
-  Eigen::MatrixXd eigenvectors;  ///< one column per eigenvalue, at the shape's vertices; orthonormal by area; NaN at
+  Eigen::VectorXd eigenvalues;   ///< ascending, beginning with one zero per component; unit: 1 / squared length
+  int components = 1;            ///< number of components of the mesh, which is also the number of zero eigenvalues
+  Eigen::MatrixXd eigenvectors;  ///< one column per eigenvalue, one row per vertex; orthonormal by area; NaN at
                                  ///< vertices without a node
 };
 
@@ -39,8 +39,8 @@ struct Spectrum {
 /// for a mesh of more than 1,000 components, and if the iteration does not converge.
 Spectrum laplacian_spectrum(const Shape& mesh, int count);
 
-/// Computes the spectrum of an existing Laplacian. Throws InputError for a count below 1, more than 1,000 components,
-/// and if the iteration does not converge.
+/// Computes the `count` smallest eigenvalues of an existing Laplacian and their eigenvectors. Throws InputError for a
+/// count below 1, more than 1,000 components, and if the iteration does not converge.
 Spectrum laplacian_spectrum(const Laplacian& laplacian, int count);
 
 }  // namespace shapegauge

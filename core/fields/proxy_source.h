@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 2> words_of<FieldSurface>{"mesh", 
 /// thread-safe. Accessors throw as the underlying computations do.
 class ProxySource {
  public:
-  /// Number of landmarks of geodesics().
+  /// Number of landmarks from which geodesics() computes distances.
   static constexpr int landmarks = 500;
   /// Minimum number of eigenvalues that spectrum() computes.
   static constexpr int shared_eigenvalues = 40;
@@ -35,23 +35,25 @@ class ProxySource {
 
   [[nodiscard]] const Shape& shape() const { return *shape_; }
 
+  /// Returns the surface proxy of the shape.
   const SurfaceProxy& proxy();
 
+  /// Returns the geodesic distances from the proxy's landmarks to its points.
   const ProxyGeodesics& geodesics();
 
-  /// Returns the smallest eigenvalues of the proxy's Laplacian, with eigenvectors at the proxy's points; fewer if there
-  /// are fewer points. One computation serves all requests for up to shared_eigenvalues.
+  /// Returns the `eigenvalues` smallest eigenvalues of the proxy's Laplacian, with eigenvectors at the proxy's points;
+  /// fewer if there are fewer points. One computation serves all requests for up to shared_eigenvalues.
   Spectrum spectrum(int eigenvalues);
 
   /// Interpolates values at the proxy's points to samples of the shape: means over the nearest points, weighted by
-  /// distance and by the agreement of their normals with the sample's, of either sign.
+  /// distance and by the absolute cosine between the normals of point and sample.
   Eigen::VectorXd at_samples(const Samples& samples, const Eigen::VectorXd& at_points);
 
  private:
   const Shape* shape_;
   std::unique_ptr<SurfaceProxy> proxy_;
   std::unique_ptr<ProxyGeodesics> geodesics_;
-  std::map<int, Spectrum> spectra_;  ///< by number of eigenvalues
+  std::map<int, Spectrum> spectra_;  ///< spectra by computed number of eigenvalues
 };
 
 }  // namespace shapegauge

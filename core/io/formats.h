@@ -15,10 +15,10 @@
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
-/// The formats of this folder, each in a source of its own.
+/// Readers and writers of the built-in shape formats, each format in a source file of its own.
 namespace shapegauge {
 
-/// Formats for shape_formats().
+/// Returns the entry of shape_formats() for one built-in format.
 /// @{
 ShapeFormat off_format();
 ShapeFormat obj_format();
@@ -28,7 +28,7 @@ ShapeFormat gltf_format();
 ShapeFormat xyz_format();
 /// @}
 
-/// Throws InputError if the bytes do not begin like a text of points.
+/// Throws InputError, prefixed by `name`, unless the bytes begin like a text file of points (read_xyz()).
 void check_xyz_header(const std::string& bytes, const std::string& name);
 
 /// Reads a shape from the bytes of an OFF file, ASCII or binary (Geomview's manual, "OFF Files"). Accepts common
@@ -51,7 +51,7 @@ Shape read_off(const std::string& bytes, const std::string& name);
 /// written, a coordinate is not finite or a vertex index is out of range.
 void write_off(const std::filesystem::path& path, const Shape& shape);
 
-/// The same, with a last line of text, such as a comment.
+/// Writes a shape as write_off() without `line` does, and appends `line`, such as a comment.
 void write_off(const std::filesystem::path& path, const Shape& shape, std::string_view line);
 
 /// Reads a shape from the bytes of a Wavefront OBJ file: its `v` and `f` statements (`v`, `v/vt`, `v//vn`, `v/vt/vn`;
@@ -68,7 +68,7 @@ Shape read_obj(const std::string& bytes, const std::string& name);
 /// not finite or a vertex index is out of range.
 void write_obj(const std::filesystem::path& path, const Shape& shape);
 
-/// The same, with a last line of text, such as a comment.
+/// Writes a shape as write_obj() without `line` does, and appends `line`, such as a comment.
 void write_obj(const std::filesystem::path& path, const Shape& shape, std::string_view line);
 
 /// Reads a shape from the bytes of a PLY file, ASCII or binary of either byte order: x, y, z of the element `vertex`
@@ -98,7 +98,8 @@ void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite
                std::string_view comment = {});
 
 /// Writes a shape as PLY with a normal at each triangle or vertex. According to `site`, the element `face` or `vertex`
-/// has the properties `nx`, `ny`, `nz` (doubles, written exactly). The normals of a cloud itself are omitted.
+/// has the properties `nx`, `ny`, `nz` (doubles, written exactly). Normals that a cloud has itself (Shape::normals)
+/// are omitted.
 ///
 /// Throws InputError as write_ply() of a shape does, and if the number of normals differs from the number of samples of
 /// the site.
@@ -137,10 +138,10 @@ Shape read_gltf(const ShapeSource& source);
 ///
 /// The first three columns are coordinates. Columns 4 to 6 are normals if at least nine in ten of their non-zero
 /// vectors have a length from 0.95 to 1.05 and a component is negative, unlike in colours and labels; otherwise they
-/// are ignored, like all further columns. Zero normals stay zero; if all are, the cloud has none. The first line may
-/// consist of the names of the columns, which begin with x, y and z (and nx, ny and nz for normals), or of the number
-/// of points n. After n points, the number of points of another scan may follow. If 2n lines of three columns follow
-/// (the PWN format), the second half are normals of any length.
+/// are ignored, like all further columns. Zero normals stay zero; if all are zero, the cloud has no normals. The first
+/// line may consist of the names of the columns, which begin with x, y and z (and nx, ny and nz for normals), or of the
+/// number of points n. After n points, the number of points of another scan may follow. If 2n lines of three columns
+/// follow (the PWN format), the second half are normals of any length.
 ///
 /// `name` prefixes error messages. Throws InputError, with the line, for a coordinate or normal that is missing, not a
 /// number or not finite; an inconsistent number of columns; a number of points that differs from the first line; and

@@ -10,22 +10,22 @@
 
 namespace shapegauge {
 
-/// Returns true for "-", the name of standard input and standard output.
+/// Returns true if the path is "-", which stands for standard input or standard output.
 bool is_standard_stream(const std::filesystem::path& path);
 
-/// File to be written.
+/// Output file of a command: its path and the checks that check_output_files() makes of it.
 struct OutputFile {
-  std::filesystem::path path;  ///< empty if not requested; "-" for standard output
-  std::string what;            ///< name in messages: "--per-query"
-  /// Extensions of the formats, with the dot, in lower case. Not checked if empty. A name without extension is
+  std::filesystem::path path;  ///< path of the file; empty if not requested; "-" for standard output
+  std::string what;            ///< name of the option or argument in error messages, such as "--per-query"
+  /// Accepted extensions, with the dot, in lower case; empty accepts all. A path without an extension is always
   /// accepted.
   std::vector<std::string> extensions = {};
-  bool takes_stream = false;  ///< "-" is accepted
-  bool may_be_input = false;  ///< with `replace`; all inputs must be read before anything is written
-  bool is_updated = false;    ///< may exist without `replace`: its contents are checked before it is overwritten
+  bool takes_stream = false;  ///< the path may be "-", standard output
+  bool may_be_input = false;  ///< may overwrite an input if `replace` is set; the caller reads all inputs first
+  bool is_updated = false;    ///< may exist without `replace`: the caller checks the contents before overwriting them
 };
 
-/// Extensions of pages, for OutputFile::extensions.
+/// Extensions of HTML pages, for OutputFile::extensions.
 inline const std::vector<std::string> page_extensions{".html", ".htm"};
 
 /// Returns true if the name ends in one of page_extensions, ignoring case.
@@ -33,8 +33,8 @@ bool is_page(const std::filesystem::path& output);
 
 /// Throws InputError if an output is an input or another output (including links and other spellings of a path), if it
 /// exists and `replace` is not set, if its extension is not supported, and if standard input or standard output is
-/// named twice. Devices and pipes are always accepted. A file that does not exist yet is not replaced later either,
-/// should another process create it meanwhile (expect_new_file()).
+/// named twice. Devices and pipes are always accepted. If another process creates an output after this check, writing
+/// it fails, unless it may be replaced (expect_new_file()).
 void check_output_files(std::span<const std::filesystem::path> inputs, std::span<const OutputFile> outputs,
                         bool replace);
 

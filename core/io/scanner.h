@@ -15,7 +15,7 @@ namespace shapegauge {
 /// Reads binary numbers sequentially from memory.
 class ByteScanner {
  public:
-  /// The bytes must outlive the scanner.
+  /// Starts at the first of the bytes, whose numbers are in byte order `order`. The bytes must outlive the scanner.
   ByteScanner(std::string_view bytes, std::endian order) : bytes_(bytes), swap_(order != std::endian::native) {}
 
   [[nodiscard]] std::size_t remaining() const { return bytes_.size(); }
@@ -49,7 +49,7 @@ class ByteScanner {
 /// InputErrors with the file's name and the line; lines are counted only for errors.
 class TextScanner {
  public:
-  /// Both arguments must outlive the scanner. `name` prefixes error messages.
+  /// Starts at the beginning of `text`. Both arguments must outlive the scanner. `name` prefixes error messages.
   TextScanner(const std::string& text, const std::string& name)
       : begin_(text.data()), end_(text.data() + text.size()), position_(begin_), word_(begin_), name_(&name) {
     if (text.starts_with("\xEF\xBB\xBF")) position_ += 3;
@@ -70,7 +70,7 @@ class TextScanner {
     return position_ == end_ || *position_ == '#' || is_line_end(*position_);
   }
 
-  /// Skips to the end of the line.
+  /// Skips to the end of the current line.
   void skip_line() {
     while (position_ != end_ && !is_line_end(*position_)) ++position_;
   }
@@ -78,33 +78,34 @@ class TextScanner {
   /// Reads a finite number. Returns false at the end of the text. `role` names the number in errors: "a coordinate".
   bool read_number(double& value, std::string_view role);
 
-  /// Reads an integer. Returns false at the end of the text.
+  /// Reads an integer. Returns false at the end of the text. `role` names the integer in errors: "an index".
   bool read_integer(std::int64_t& value, std::string_view role);
 
   /// Returns the next word; empty at the end of the text.
   std::string_view read_word();
 
-  /// Skips `count` words. Returns false if the text ends before.
+  /// Skips `count` words. Returns false if fewer are left.
   bool skip_words(std::size_t count);
 
   /// Returns the unread text.
   [[nodiscard]] std::string_view rest() const { return {position_, remaining()}; }
   [[nodiscard]] std::size_t remaining() const { return static_cast<std::size_t>(end_ - position_); }
 
-  /// Skips `count` characters of rest(). A subsequent error points to the first of them.
+  /// Skips `count` characters of rest(). A subsequent error points to the first skipped one.
   void advance(std::size_t count) {
     word_ = position_;
     position_ += count;
   }
 
-  /// Returns the offset of the last word or number, for fail_at().
+  /// Returns the offset, in bytes from the beginning of the text, of the last word or number read, for fail_at().
   [[nodiscard]] std::size_t word_offset() const { return static_cast<std::size_t>(word_ - begin_); }
 
   /// Throws InputError "<name>:<line>: <message>" for the line of the last word or number.
   [[noreturn]] void fail(std::string_view message) const { fail_at(word_offset(), message); }
+  /// Throws InputError "<name>:<line>: <message>" for the line at an offset in bytes (word_offset()).
   [[noreturn]] void fail_at(std::size_t offset, std::string_view message) const;
 
-  /// Throws InputError "<name>: <message>", for faults of the text as a whole.
+  /// Throws InputError "<name>: <message>" without a line, for faults of the text as a whole.
   [[noreturn]] void fail_whole(std::string_view message) const;
 
  private:

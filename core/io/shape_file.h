@@ -29,32 +29,33 @@ inline constexpr int shape_reading_version = 2;
 /// finite, and a polygon of more than 100000 corners.
 Shape read_shape(const std::filesystem::path& path);
 
-/// Reads a shape from the contents of a file. `extension` selects the format, with its dot; if empty, the source's name
-/// and its first bytes do.
+/// Reads a shape from the contents of a file. `extension`, with its dot, selects the format. If it is empty, the
+/// extension of the source's name or else the first bytes select the format.
 Shape read_shape(const ShapeSource& source, std::string_view extension = {});
 
-/// Returns true if the format is known from the extension or the bytes.
+/// Returns true if the extension of the source's name or the first bytes identify a format of shape_formats().
 bool is_recognised_shape(const ShapeSource& source);
 
 /// Returns the names of the neighbouring files that the shape depends on, for ShapeSource::neighbour(); none for most
 /// formats. Throws InputError if the names cannot be read from the source.
 std::vector<std::string> shape_neighbours(const ShapeSource& source);
 
-/// Checks the header only. Throws InputError if the file is absent, empty, or clearly not of a format in
-/// shape_formats(). Cheap enough for a whole data set before a long run.
+/// Checks only the header of a shape file. Throws InputError if the file is absent, empty, or clearly not of a format
+/// in shape_formats(). Cheap enough for a whole data set before a long run.
 void check_shape_header(const std::filesystem::path& path);
 
-/// Writes a shape to a file atomically.
+/// Function that writes a shape to a file atomically, in one format.
 using ShapeWriter = void (*)(const std::filesystem::path&, const Shape&);
 
 /// Returns the writer for the name's extension, ignoring case. Throws InputError for an extension without a writer in
 /// shape_formats().
 ShapeWriter shape_writer(const std::filesystem::path& path);
 
-/// File format of shapes. Extensions are in lower case, with their dot.
+/// Entry of shape_formats(): a file format of shapes with its reader and writer. Extensions are in lower case, with
+/// their dot.
 struct ShapeFormat {
   std::string_view name;
-  std::string_view description;  ///< one line
+  std::string_view description;  ///< description in one line
   std::span<const std::string_view> extensions;
   /// Extensions that this format shares with unrelated files. A file with such an extension is read as a shape only if
   /// it is explicitly named as one.
@@ -65,18 +66,18 @@ struct ShapeFormat {
   /// Throws InputError if the bytes, of a whole file or its beginning, do not begin like this format. `name` prefixes
   /// error messages.
   void (*check_header)(const std::string& bytes, const std::string& name) = nullptr;
-  /// Reads the shape; neighbouring files through the source. Throws InputError.
+  /// Reads the shape, with neighbouring files through the source. Throws InputError if the files are invalid.
   Shape (*read)(const ShapeSource& source) = nullptr;
   /// Returns the names of the neighbouring files that read() depends on; cached results depend on them as well. Null
-  /// for none.
+  /// for a format without neighbouring files.
   std::vector<std::string> (*neighbours)(const ShapeSource& source) = nullptr;
-  ShapeWriter write = nullptr;  ///< null if the format is not written
-  /// True if y is the vertical axis by convention, as of modelling; false for z, as of CAD, printing and scanning.
+  ShapeWriter write = nullptr;  ///< writes the format; null if shapegauge only reads it
+  /// True if y is the vertical axis by convention, as in modelling; false for z, as in CAD, printing and scanning.
   bool y_is_up = false;
 };
 
 /// Returns the registry of shape formats: the built-in ones, listed in shape_file.cpp, followed by added ones. Entries
-/// must have `check_header` and `read`, and extensions of their own.
+/// must have `check_header` and `read`, and extensions that no other entry has.
 Registry<ShapeFormat>& shape_formats();
 
 /// Returns advice on a common format that is not supported (.step, .fbx), as a sentence; nothing for other files.

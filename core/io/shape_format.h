@@ -61,27 +61,27 @@ class SoupBuilder {
 
   void number_polygons();
 
-  /// Replaces the fans that do not cover their polygons.
+  /// Replaces the triangle fans that do not cover their polygons by other triangulations (triangulate_polygon.h).
   void replace_fans();
 
-  /// Returns the triangles that replace the fan [begin, end); none if the fan covers its polygon.
+  /// Returns the triangles that replace the fan of triangles [begin, end); none if the fan covers its polygon.
   [[nodiscard]] std::vector<std::array<std::int32_t, 3>> fan_replacement(std::size_t begin, std::size_t end) const;
 
   std::vector<std::array<double, 3>> vertices_;
   std::vector<std::array<double, 3>> normals_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
-  std::vector<std::int32_t> polygons_;  ///< of the triangles, if they are numbered
-  bool is_numbered_ = false;            ///< false as long as triangle i is face i
+  std::vector<std::int32_t> polygons_;  ///< per triangle: index of its face; unused while `is_numbered_` is false
+  bool is_numbered_ = false;            ///< false while every triangle i is face i
   std::int32_t faces_ = 0;
   std::size_t corners_ = 0;
   std::int32_t first_ = 0;
   std::int32_t previous_ = 0;
 };
 
-/// Returns the first line that is neither blank nor a comment (`#`), trimmed.
+/// Returns the first line of a text that is neither blank nor a comment (`#`), trimmed; empty if there is none.
 std::string_view first_line_of_data(std::string_view text);
 
-/// Error messages shared by all formats, without the file and line.
+/// Formats an error message shared by all formats. Callers prefix the file and line.
 /// @{
 std::string message_truncated(std::int64_t got, std::int64_t expected, std::string_view what);
 std::string message_no_such_vertex(std::int64_t face, std::int64_t vertex, std::int64_t vertices);
@@ -94,10 +94,10 @@ std::string message_too_many_corners(std::int64_t face);
 /// finite, a vertex index out of range, or a wrong number of normals.
 void require_writable(const std::filesystem::path& path, const Shape& shape);
 
-/// Returns true for a point cloud with normals, which writers store.
+/// Returns true for a point cloud with normals, whose normals writers store.
 inline bool has_cloud_normals(const Shape& shape) { return is_cloud(shape) && shape.normals.rows() > 0; }
 
-/// Appends a number with the fewest digits that reproduce it.
+/// Appends a number with the fewest digits that reproduce it, and the separator.
 template <typename Number>
 void append_number(std::string& text, Number number, char separator) {
   std::array<char, 32> digits;  // the longest double has 24 characters
@@ -106,7 +106,7 @@ void append_number(std::string& text, Number number, char separator) {
   text.append(digits.data(), end + 1);
 }
 
-/// Appends the three numbers of a row, separated by blanks.
+/// Appends the three numbers of a row, separated by blanks and followed by `end`.
 template <typename Row>
 void append_numbers(std::string& text, const Row& row, char end = '\n') {
   append_number(text, row[0], ' ');

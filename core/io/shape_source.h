@@ -13,8 +13,8 @@ namespace shapegauge {
 /// File of a shape as seen by the reader of a format: its bytes, and access to the neighbouring files that it refers
 /// to, such as the buffers of a `.gltf`.
 struct ShapeSource {
-  std::string bytes;  ///< the whole file
-  std::string name;   ///< prefixes error messages
+  std::string bytes;  ///< contents of the whole file
+  std::string name;   ///< path of the file, or another name; prefixes error messages
   /// Folder of the file and its neighbours; absent if the bytes are not from a file (standard input).
   std::optional<std::filesystem::path> folder = {};
 
@@ -25,7 +25,8 @@ struct ShapeSource {
   /// or a URI with a scheme. Follows symbolic links within the folder.
   [[nodiscard]] std::filesystem::path neighbour(std::string_view file) const;
 
-  /// Reads that file. Throws InputError, also if it is absent, unreadable, empty, or not a regular file.
+  /// Reads the file at neighbour(file). Throws InputError as neighbour() does, and if the file is absent, unreadable,
+  /// empty, or not a regular file.
   [[nodiscard]] std::string read_neighbour(std::string_view file) const;
 };
 

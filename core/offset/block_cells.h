@@ -8,11 +8,11 @@
 
 namespace shapegauge {
 
-/// Set of cells of a block: bit x + 4 y + 16 z of a word.
+/// Set of cells of a block of 4 x 4 x 4 cells, as a bit mask: bit x + 4 y + 16 z is the cell (x, y, z).
 using BlockCells = std::uint64_t;
 inline constexpr BlockCells all_cells = ~BlockCells{0};
 
-/// Cells at a side of the block.
+/// Cells on the six sides of a block: low_x_cells have x = 0, high_x_cells have x = 3, and so on for y and z.
 inline constexpr BlockCells low_x_cells = 0x1111111111111111;
 inline constexpr BlockCells high_x_cells = low_x_cells << 3U;
 inline constexpr BlockCells low_y_cells = 0x000F000F000F000F;
@@ -20,7 +20,7 @@ inline constexpr BlockCells high_y_cells = low_y_cells << 12U;
 inline constexpr BlockCells low_z_cells = 0x000000000000FFFF;
 inline constexpr BlockCells high_z_cells = low_z_cells << 48U;
 
-/// Flood-fills the free cells of a block from some cells, across faces.
+/// Returns the cells of `free` that are connected to `cells` across faces of cells in `free`, within one block.
 inline BlockCells flood_fill(BlockCells cells, BlockCells free) {
   cells &= free;
   while (true) {
@@ -33,7 +33,8 @@ inline BlockCells flood_fill(BlockCells cells, BlockCells free) {
   }
 }
 
-/// Returns the cells of the neighbour on a side (0 to 5: -x, +x, -y, +y, -z, +z) that touch cells of a block.
+/// Returns the cells of a neighbouring block that share a face with the cells `cells` of this block. `side` (0 to 5:
+/// -x, +x, -y, +y, -z, +z) is the side of this block on which the neighbour lies.
 inline BlockCells cells_across(BlockCells cells, int side) {
   switch (side) {
     case 0:

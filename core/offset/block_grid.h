@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: h edge of a cell, r offset distance, O(r) offset solid (points within r of the surface).
 #pragma once
 
 #include <Eigen/Core>
@@ -19,10 +20,11 @@ inline constexpr int cells_per_block = block_edge * block_edge * block_edge;
 struct BlockGrid {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< corner of the grid, in the shape's coordinates
   double cell = 1;                                   ///< edge h of a cell, in the shape's units
-  double r = 0;                                      ///< offset, in cells
-  Eigen::Vector3i blocks = Eigen::Vector3i::Zero();  ///< number along each axis
+  double r = 0;                                      ///< offset distance r, in cells
+  Eigen::Vector3i blocks = Eigen::Vector3i::Zero();  ///< number of blocks along each axis
 
-  /// Makes the grid for an offset and cells of edge h. The outermost blocks are farther than the offset from the box.
+  /// Makes a grid of cells of edge h around a bounding box. The outermost blocks are farther from the box than the
+  /// offset.
   BlockGrid(const Eigen::AlignedBox3d& bounds, double offset, double h);
 
   [[nodiscard]] Eigen::Vector3d to_cells(const Eigen::Vector3d& x) const { return (x - origin) / cell; }
@@ -41,28 +43,31 @@ struct BlockGrid {
     const auto y = static_cast<std::size_t>(blocks.y());
     return {static_cast<int>(index % x), static_cast<int>(index / x % y), static_cast<int>(index / (x * y))};
   }
-  /// Returns the block that contains a point of the grid. Truncates, which is faster than rounding down: coordinates
-  /// just below 0 give block 0.
+  /// Returns the coordinates of the block that contains the point x of the grid, in cells. Truncates, which is faster
+  /// than rounding down: coordinates just below 0 give block 0.
   // NOLINTNEXTLINE(readability-convert-member-functions-to-static): reads like to_cells()
   [[nodiscard]] Eigen::Vector3i block_of(const Eigen::Vector3d& x) const { return (x / block_edge).cast<int>(); }
 };
 
-/// Cells of a block near the boundary of the offset solid.
+/// Block of 4 x 4 x 4 cells near the boundary of the offset solid O(r), the points within r of the surface.
 struct BoundaryBlock {
-  std::uint64_t free = 0;  ///< bits of the cells whose centres lie outside O(r)
-  /// By cell: triangle closest to its centre, approximately. ExteriorGrid stores the complement for exterior cells.
+  std::uint64_t free = 0;  ///< bit mask of the cells whose centres lie outside O(r)
+  /// Per cell: index of the triangle closest to its centre, approximately. ExteriorGrid stores the bitwise complement
+  /// of the index for exterior cells.
   std::array<std::int32_t, cells_per_block> nearest{};
   std::uint32_t index = 0;  ///< index of the block in the grid
 };
 
-/// Classification of a block. `free`: the centres of all cells are farther from the surface than r plus the band.
-/// `covered`: they are nearer than r by more than a cell's diagonal. `mixed`: all other blocks.
+/// Classification of a block by the distances of its cells' centres from the surface. `free`: all are larger than r +
+/// band, the band being that of ExteriorGrid. `covered`: all are smaller than r minus the diagonal of a cell. `mixed`:
+/// all other blocks.
 enum class BlockKind : std::uint8_t { free, covered, mixed };
 
-/// Marks all blocks within `reach` blocks of a marked one, along each axis.
+/// Marks all blocks that are at most `reach` blocks away from a marked block along each axis. `marked` has one entry
+/// per block: 0 or 1.
 void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach);
 
-/// Marks all blocks whose neighbour by one step up along any subset of the axes is marked.
+/// Marks all blocks with a marked neighbour whose coordinates are each equal or larger by one.
 void dilate_down(const BlockGrid& grid, std::vector<std::uint8_t>& marked);
 
 }  // namespace shapegauge

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: r offset distance, E(r) exterior (exterior_grid.h), x query point.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +10,19 @@
 
 namespace shapegauge {
 
-/// Data of the eight cells whose centres are the corners of the unit cube that contains a point.
+/// Data of the eight cells of a grid around a point: their centres are the corners of a unit cube that contains it.
 struct CellsAround {
-  std::array<std::int32_t, 8> triangles{};  ///< triangle closest to each cell; padded by repetition
-  int count = 0;                            ///< number of cells with a triangle
-  bool touches_exterior = false;            ///< true if one of the eight is exterior
+  std::array<std::int32_t, 8> triangles{};  ///< triangle closest to each cell that has one; padded by repetition
+  int count = 0;                            ///< number of cells with a closest triangle, 0 to 8
+  bool touches_exterior = false;            ///< true if one of the eight cells is exterior
 };
 
-/// Reads the cells around a point (in cells). Near the border of the grid, takes its outermost cells.
+/// Returns the data of the eight cells around the point x, in cell coordinates. Near the border of the grid, uses the
+/// outermost cells.
 CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x);
 
-/// Computes the vectors from the closest points of the surrounding triangles to x. Returns false if none is known.
+/// Computes the vectors to x from the closest points of the triangles in `around`. Returns false if there are no
+/// triangles.
 inline bool vectors_around(const ExteriorGrid& exterior, const CellsAround& around, const Eigen::Vector3d& x,
                            TriangleTable::Vectors& vectors) {
   if (around.count == 0) return false;
@@ -27,8 +30,10 @@ inline bool vectors_around(const ExteriorGrid& exterior, const CellsAround& arou
   return true;
 }
 
-/// Returns true if the segment from x to a nearby exterior point is free. A convex obstacle that touches both ends may
-/// bulge into it: E(r) extends into narrow valleys between balls that contain no cell centre, and balls are convex.
+/// Returns true if the segment from x to the exterior point `to`, at most 5 cells away, is free: no triangle is closer
+/// to it than r, within a tolerance. The tolerance is the depth by which a convex obstacle that touches both ends may
+/// bulge into the segment: E(r) extends into narrow valleys between balls that contain no cell centre, and balls are
+/// convex.
 bool is_connected_to(const ExteriorGrid& exterior, const Eigen::Vector3d& x, const Eigen::Vector3d& to);
 
 }  // namespace shapegauge

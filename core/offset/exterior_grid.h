@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: h edge of a cell, r offset distance, E(r) exterior, block of 4 x 4 x 4 cells (block_grid.h).
 #pragma once
 
 #include <array>
@@ -13,35 +14,38 @@ namespace shapegauge {
 /// Exterior E(r) of a shape at the resolution of a grid: the cells whose centres are farther than r from the surface
 /// and which are connected across faces, through such cells, to the border of the grid.
 ///
-/// Nothing leaks through a wall: free centres on different sides of it are at least 2r apart, and h is less than r. A
-/// passage is always open if its half-width exceeds r by sqrt(3)/2 h, and never if its half-width is less than r - h^2
-/// / 8r.
+/// Nothing leaks through a wall: free centres on different sides of it are at least 2r apart, and h, the edge of a
+/// cell, is less than r. A passage is always open if its half-width exceeds r by sqrt(3)/2 h, and never if its
+/// half-width is less than r - h^2 / 8r.
 class ExteriorGrid {
  public:
-  /// Cells up to r + band (in cells) from the surface have a nearest triangle.
+  /// Computes the exterior. Cells up to r + band (in cells) from the surface store their nearest triangle. Keeps
+  /// references to grid and surface.
   ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel);
 
   [[nodiscard]] const BlockGrid& grid() const { return grid_; }
   [[nodiscard]] const GridSurface& surface() const { return surface_; }
   [[nodiscard]] const std::vector<BoundaryBlock>& boundary() const { return boundary_; }
-  /// Returns the exterior cells of a block of boundary().
+  /// Returns the bit mask of the exterior cells of a block, given its index in boundary().
   [[nodiscard]] std::uint64_t boundary_cells(std::size_t boundary_index) const { return exterior_[boundary_index]; }
 
-  /// State of a block: its index in boundary(), all_exterior, or at most none_exterior.
+  /// State of a block: its index in boundary() if it is mixed, all_exterior if all its cells are exterior, otherwise
+  /// none_exterior or a smaller number.
   static constexpr std::int32_t all_exterior = -1;
   static constexpr std::int32_t none_exterior = -2;
   [[nodiscard]] std::int32_t block(std::size_t index) const { return state_[index]; }
-  /// Returns the states of all blocks.
+  /// Returns the array of the states of all blocks of the grid.
   [[nodiscard]] const std::int32_t* blocks() const { return state_.data(); }
 
-  /// Cubes between the centres of a block's cells and their upper neighbours that have an exterior corner: a bit of
-  /// each one's lowest cell, for the two lower and the two upper layers.
+  /// Bit mask of the cubes of a block with an exterior corner. The corners of the cube of a cell are the centre of that
+  /// cell and those of its seven upper neighbours. The first word is for the cells with z = 0 or 1, the second for z =
+  /// 2 or 3.
   using Cubes = std::array<std::uint32_t, 2>;
-  /// Returns a pointer that is indexed by state: cubes()[block(i)] are the cubes of block i. Indices may be negative.
-  /// The cubes of none_exterior are empty, those of smaller states are not.
+  /// Returns a pointer to cubes indexed by the states of blocks, which may be negative: cubes()[block(i)] are the cubes
+  /// of block i. They are empty for none_exterior, but not for smaller states.
   [[nodiscard]] const Cubes* cubes() const { return cubes_.data() + first_cubes_; }
 
-  /// Returns the exterior cells of a block.
+  /// Returns the bit mask of the exterior cells of a block, given its index in the grid.
   [[nodiscard]] std::uint64_t exterior_cells(std::size_t index) const {
     const std::int32_t state = state_[index];
     if (state < 0) return state == all_exterior ? ~std::uint64_t{0} : 0;
@@ -49,7 +53,8 @@ class ExteriorGrid {
   }
 
  private:
-  /// Block near the surface that the flood fill reached, with its cells adjacent to exterior ones.
+  /// Block near the surface that the flood fill reached, with the bit mask `seeds` of its cells adjacent to exterior
+  /// cells.
   struct Reached {
     std::uint32_t block;
     std::uint64_t seeds;
@@ -66,9 +71,9 @@ class ExteriorGrid {
   const GridSurface& surface_;
   std::vector<std::int32_t> state_;
   std::vector<BoundaryBlock> boundary_;
-  std::vector<std::uint64_t> exterior_;  ///< per block of boundary_: cells that belong to E(r)
-  std::vector<Cubes> cubes_;             ///< by state
-  std::ptrdiff_t first_cubes_ = 0;       ///< index of those of state 0
+  std::vector<std::uint64_t> exterior_;  ///< per block of boundary_: bit mask of the cells that belong to E(r)
+  std::vector<Cubes> cubes_;             ///< cubes of blocks, in the order of their states
+  std::ptrdiff_t first_cubes_ = 0;       ///< index in cubes_ of the cubes of state 0
 };
 
 }  // namespace shapegauge

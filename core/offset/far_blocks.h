@@ -10,7 +10,7 @@
 
 namespace shapegauge {
 
-/// Set of blocks: a bit for each, in rows along x.
+/// Set of blocks of a grid, stored as one bit per block, in rows along x.
 class BlockRows {
  public:
   using Word = std::uint64_t;
@@ -31,11 +31,12 @@ class BlockRows {
   std::vector<Word> rows_;
 };
 
-/// Blocks connected to the border of the grid through blocks that are not near the surface. Flood-filled a row at a
-/// time; the row of a block along x has the index y + z * (number of blocks along y).
+/// Set of far blocks: blocks connected to the border of the grid through blocks that are not near the surface. It is
+/// flood-filled row by row. The row of a block along x has the index y + z * (number of blocks along y).
 class FarBlocks {
  public:
-  /// `near_surface` marks the blocks near the surface. The first block of the grid, at its border, is not one of them.
+  /// Flood-fills the grid from its first block, at the border, which must not be near the surface. `near_surface` has
+  /// one entry per block: non-zero near the surface.
   FarBlocks(const BlockGrid& grid, const std::vector<std::uint8_t>& near_surface);
 
   [[nodiscard]] std::size_t size_x() const { return size_x_; }
@@ -45,15 +46,15 @@ class FarBlocks {
     return (far_.row(row)[x / BlockRows::bits] >> (x % BlockRows::bits) & 1U) != 0;
   }
 
-  /// Returns the cells of a block that touch far blocks.
+  /// Returns the cells of the block at `x` in a row that share a face with a far block.
   [[nodiscard]] BlockCells touching(std::size_t row, std::size_t x) const;
 
  private:
-  /// Calls visit(row, cells) for each adjacent row, with the cells of a block of this row that touch it.
+  /// Calls visit(next, cells) for each row next to `row`, with the cells of a block of `row` that touch the row `next`.
   template <typename Visit>
   void for_each_side(std::size_t row, const Visit& visit) const;
   void flood();
-  /// Spreads a row to an adjacent one. Returns true if that one changed.
+  /// Spreads the far blocks of a row to the adjacent row `next`. Returns true if `next` has changed.
   bool spread_to_row(std::size_t row, std::size_t next);
 
   std::size_t size_x_;

@@ -15,36 +15,37 @@
 
 namespace shapegauge {
 
-/// Number of padding entries of padded arrays; no vector is wider.
+/// Number of extra entries at the end of padded arrays, so that whole SIMD vectors can be read. No vector is wider.
 inline constexpr std::size_t grid_padding = 16;
 
-/// Array in whole cache lines, so that no vector of a group of sixteen numbers crosses one.
+/// Array aligned to cache lines of 64 bytes: a SIMD vector inside an aligned group of 16 floats never crosses one.
 template <typename T>
 using AlignedArray = std::vector<T, boost::alignment::aligned_allocator<T, 64>>;
 
-/// Bounding boxes of groups of points, by axis and group. Padded.
+/// Bounding boxes of groups of consecutive points: group i extends from low[k][i] to high[k][i] along axis k. Padded by
+/// grid_padding entries.
 struct PointBoxes {
-  /// Number of consecutive points of a group. The first point of group i has the index i times this.
+  /// Number of consecutive points of a group. The index of the first point of group i is i * group_size.
   static constexpr std::size_t group_size = grid_padding;
   std::array<AlignedArray<float>, 3> low, high;
 };
 
 /// Points on triangles, sorted by block of a grid, and within a block along a Morton curve.
 struct GridPoints {
-  AlignedArray<float> x, y, z;         ///< in cells; padded by infinite ones
-  AlignedArray<float> area;            ///< area represented by each point; padded
-  std::vector<std::int32_t> triangle;  ///< triangle that contains each point; padded
+  AlignedArray<float> x, y, z;         ///< coordinates of the points, in cells; padded by infinity
+  AlignedArray<float> area;            ///< surface area represented by each point, in squared cells; padded
+  std::vector<std::int32_t> triangle;  ///< index of the triangle that contains each point; padded
   std::vector<std::uint32_t> first;    ///< per block: index of its first point; one more entry at the end
-  PointBoxes boxes;                    ///< of groups of points
+  PointBoxes boxes;                    ///< bounding boxes of groups of points
 
   [[nodiscard]] std::size_t size() const { return first.empty() ? 0 : first.back(); }
 
-  /// Range of points.
+  /// Range of point indices from begin to before end.
   struct Run {
     std::uint32_t begin, end;
   };
-  /// Collects the points of all blocks within `reach` of a position along each axis. The runs are ascending and not
-  /// empty.
+  /// Finds the index ranges of the points in all blocks within `reach` of a position along each axis, in cells. The
+  /// runs are ascending and not empty.
   void find_runs(const BlockGrid& grid, const Eigen::Vector3d& position, double reach, std::vector<Run>& runs) const;
 };
 
@@ -55,32 +56,33 @@ struct GridPoints {
 /// fine meshes. An omitted triangle is at most the diagonal of the cube away from its representative; at a distance of
 /// r this is an error of less than 0.006 r.
 struct GridSurface {
-  TriangleTable triangles;
-  GridPoints points;
-  /// Points of the omitted triangles, used only to locate samples.
+  TriangleTable triangles;  ///< all triangles of the shape, in cell coordinates
+  GridPoints points;        ///< points sampled on the triangles that are not omitted
+  /// Points on the omitted triangles, which other triangles represent. Used only to test whether samples lie on the
+  /// surface.
   GridPoints omitted;
-  double spacing;  ///< of the points, in cells
-  /// Maximum difference of squared distances between the nearest point and the nearest point of the closest triangle; 0
-  /// if most triangles have one point.
+  double spacing;  ///< maximum spacing of the points on a triangle, in cells
+  /// Bound for the search of the closest triangle: one of its points is at most this much farther away, in squared
+  /// cells, than the nearest of all points. 0 if most triangles have one point.
   double squared_margin = 0;
   double points_per_block = 0;  ///< mean number of points in blocks with points
 
-  /// Samples points at a spacing of `apart` cells.
+  /// Samples points on the shape at most `apart` cells apart.
   GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel);
 };
 
 /// Returns a triangle of the shape in cell coordinates.
 Triangle triangle_in_cells(const BlockGrid& grid, const Shape& shape, Eigen::Index triangle);
 
-/// Size of a surface, in the shape's units.
+/// Measures of a surface that bound the number of points sampled on it, in the shape's units.
 struct SurfaceExtent {
   explicit SurfaceExtent(const Shape& shape);
 
-  double pieces = 0;   ///< number of triangles or points
+  double pieces = 0;   ///< number of triangles, or of points of a cloud
   double lengths = 0;  ///< sum of the triangles' longest edges
-  double area = 0;
+  double area = 0;     ///< area of the surface
 
-  /// Returns an upper bound of the number of points of a GridSurface of this spacing.
+  /// Returns an upper bound of the number of points of a GridSurface of a spacing in the shape's units.
   [[nodiscard]] double max_points(double spacing) const {
     return pieces + 2 * lengths / spacing + area / (spacing * spacing);
   }

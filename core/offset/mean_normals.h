@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: p sample, n its normal, p' raised sample, q closest point of E(r) to p', r offset distance.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,19 +10,20 @@
 
 namespace shapegauge {
 
-/// Depth inside O(r), in units of r, over which the direction of a raised sample turns from its normal to the mean of
-/// the surrounding ones. Values are therefore continuous where q = p + r n becomes covered.
+/// Depth of p + r n inside the offset solid O(r), in units of r, at which a sample p is raised along the mean of the
+/// surrounding normals. At smaller depths its normal n is mixed in, which makes values continuous where q = p + r n
+/// becomes covered.
 inline constexpr double blend_depth = 0.05;
 
-/// Returns the raised sample p' on the side of the normal and the mean; q is the point of E(r) closest to it. `depth`
-/// is that of p + r n inside O(r), in units of r.
+/// Returns p', the sample p raised by r in a direction between its normal and the mean of the surrounding normals. The
+/// search for q starts from p'. `depth` is that of p + r n inside the offset solid O(r), in units of r.
 inline Eigen::Vector3d raised(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::Vector3d& mean,
                               double depth, double r) {
   const double part = std::min(1.0, depth / blend_depth);
   return p + r * ((1 - part) * normal + part * mean);
 }
 
-/// Local means of a surface's normals, by which samples are raised
+/// Local means of a surface's normals, in whose direction samples are raised
 /// (docs/methods/offset_sdf.md#why-the-sample-is-raised).
 class MeanNormals {
  public:
@@ -35,7 +37,8 @@ class MeanNormals {
  private:
   const BlockGrid& grid_;
   const GridSurface& surface_;
-  /// By point of the surface: unit normal of its triangle, or 0. Padded; empty without triangles.
+  /// Per point of the surface: components of the unit normal of its triangle, 0 if undefined. Padded; empty without
+  /// triangles.
   AlignedArray<float> x_, y_, z_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: r offset distance, E(r) exterior, p' raised sample, q closest point of E(r) to p'.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,18 +12,18 @@
 
 namespace shapegauge {
 
-/// Search for the point of E(r) nearest to p in the neighbourhood of a starting point. All points are in cells.
+/// Search for the point q of the exterior E(r) nearest to p, near a starting point. All points are in cells.
 struct OffsetPointTask {
-  Eigen::Vector3d p;
-  Eigen::Vector3d start;  ///< at a distance of about r from the surface
-  std::int32_t triangle;  ///< triangle of the first half-space
-  Eigen::Vector3d known;  ///< result of another search, near which this one is abandoned; infinite if there is none
-  std::optional<Eigen::Vector3d> found;  ///< result; nothing if the search fails or is abandoned
+  Eigen::Vector3d p;      ///< raised sample p', in cells
+  Eigen::Vector3d start;  ///< starting point, at a distance of about r from the surface
+  std::int32_t triangle;  ///< index of the triangle that defines the first half-space
+  Eigen::Vector3d known;  ///< point found by another search; this search is abandoned near it; infinite for none
+  std::optional<Eigen::Vector3d> found;  ///< result: the nearest point; empty if the search fails or is abandoned
 };
 
-/// Solves tasks: iterates projections of p onto the half-spaces tangent to the balls about the triangles nearest to the
-/// current point (docs/methods/offset_sdf.md#the-steps-to-q). Each task runs in a lane of the processor's vectors, in
-/// single precision relative to p. Results do not depend on the other tasks.
+/// Sets the results of the tasks. Each search iterates projections of p onto the half-spaces tangent to the balls about
+/// the triangles nearest to the current point (docs/methods/offset_sdf.md#the-steps-to-q). It runs in a lane of the
+/// processor's vectors, in single precision relative to p. Results do not depend on the other tasks.
 void find_nearest_offset_points(const ExteriorGrid& exterior, ClosestTriangles& closest,
                                 std::span<OffsetPointTask> tasks);
 

@@ -32,7 +32,8 @@ HWY_INLINE bool AndNot(bool a, bool b) { return !a && b; }
 HWY_INLINE float IfThenElse(bool mask, float a, float b) { return mask ? a : b; }
 HWY_INLINE float IfThenZeroElse(bool mask, float a) { return mask ? 0 : a; }
 
-/// Truth values and integers of numbers V, and constants.
+/// Types and constants that belong to a number type V, which is a float or a SIMD vector of floats: its masks (truth
+/// values), its integers, and functions that make and combine them.
 template <typename V>
 struct NumbersOf {
   using D = hn::DFromV<V>;
@@ -67,7 +68,7 @@ HWY_INLINE V number(float value) {
   return NumbersOf<V>::number(value);
 }
 
-/// Vector of space.
+/// Three-dimensional vector whose components are numbers V.
 template <typename V>
 struct Vector3 {
   V x, y, z;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: r offset distance, d(x) distance from x to the surface, O(r) points x with d(x) <= r, E(r) exterior.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,18 +10,19 @@
 
 namespace shapegauge {
 
-/// Tolerance of the offset surface, in units of r.
+/// Relative tolerance of the offset surface: a point is not covered if its distance from the surface is at least (1 -
+/// surface_slack) r.
 inline constexpr double surface_slack = 1e-3;
 
-/// Place, in cells, with its depth inside O(r).
+/// Query of the depth of a point inside the offset solid O(r).
 struct OffsetDepthTask {
-  Eigen::Vector3d x;
-  bool is_exterior = false;  ///< result
-  double depth = 0;          ///< result, in units of r; 1 if no surrounding cell has a triangle
+  Eigen::Vector3d x;         ///< query point, in cells
+  bool is_exterior = false;  ///< result: true if the point x belongs to the exterior E(r)
+  double depth = 0;  ///< result: 1 - d(x) / r, at least 0; 1 if x is exterior or no surrounding cell has a triangle
 };
 
-/// Solves tasks, one in each lane of the processor's vectors. Results do not depend on the other tasks. Depths of at
-/// least blend_depth are approximate.
+/// Sets the results of the tasks, one in each lane of the processor's vectors. Results do not depend on the other
+/// tasks. Depths of at least blend_depth are approximate.
 void find_offset_depths(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetDepthTask> tasks);
 
 }  // namespace shapegauge

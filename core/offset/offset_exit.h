@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: r offset distance, E(r) exterior, q' exit of the ray into E(r).
 #pragma once
 
 #include <Eigen/Core>
@@ -9,15 +10,15 @@
 
 namespace shapegauge {
 
-/// Ray from a point of the surface to E(r), which is at least r away. In cells.
+/// Query of the point q' where a ray from a sample on the surface enters the exterior E(r). Points are in cells.
 struct OffsetExitTask {
-  Eigen::Vector3d origin;
-  Eigen::Vector3d direction;  ///< unit vector
-  double exit = 0;            ///< result: distance along the ray
+  Eigen::Vector3d origin;     ///< sample on the surface; E(r) is at least r away from it
+  Eigen::Vector3d direction;  ///< unit vector along the ray
+  double exit = 0;            ///< result: distance along the ray from the origin to the exit q', in cells
 };
 
-/// Solves tasks. Each runs in a lane of the processor's vectors, in single precision. Results do not depend on the
-/// other tasks.
+/// Sets the exits of the tasks. Each ray runs in a lane of the processor's vectors, in single precision. Results do not
+/// depend on the other tasks.
 void find_offset_exits(const ExteriorGrid& exterior, ClosestTriangles& closest, std::span<OffsetExitTask> tasks);
 
 }  // namespace shapegauge

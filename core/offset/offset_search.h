@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: p sample, n its normal, p' sample raised by r, q closest point of E(r) to p', site (offset_sites.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -17,23 +18,25 @@
 
 namespace shapegauge {
 
-/// Sample whose q has to be searched for, since p + r n and p - r n are covered. Points are in cells.
+/// Sample p with normal n whose closest exterior point q must be searched for, since p + r n and p - r n are inside the
+/// offset solid. Points are in cells.
 struct CoveredSample {
-  Eigen::Index index;
+  Eigen::Index index;  ///< index of the sample
   Eigen::Vector3d p;
-  std::array<Eigen::Vector3d, 2> raised;  ///< p' on either side; equal if the sample has no normal
-  std::int32_t triangle;                  ///< that probably contains p
-  std::size_t group;                      ///< samples of a group are consecutive and near each other
+  std::array<Eigen::Vector3d, 2> raised;  ///< p raised to either side (p'); equal if the sample has no normal
+  std::int32_t triangle;                  ///< index of a triangle that probably contains p
+  std::size_t group;  ///< index of the group; samples of a group are consecutive and near each other
 };
 
-/// q, the point of E(r) nearest to a raised sample; a site near it if no iteration has converged.
+/// Result of a search: the point q of E(r) nearest to a raised sample, or a site near it if no iteration has converged.
 struct SearchedPoint {
   Eigen::Vector3d q;
   bool has_converged;
 };
 
-/// Searches for q of covered samples by iterations from sites (docs/methods/offset_sdf.md#algorithm). Each search is in
-/// a State, and advance() is its only transition:
+/// Searches for the closest exterior points q of covered samples, by iterations that start at sites, which are points
+/// of the offset surface (docs/methods/offset_sdf.md#algorithm). Each search is in a State, and advance() is its only
+/// transition:
 ///
 ///     near_sites ---> iteration <--> far_sites
 ///                      |     ^
@@ -46,7 +49,7 @@ class OffsetSearch {
  public:
   OffsetSearch(const ExteriorGrid& exterior, const OffsetSites& sites, ClosestTriangles& closest);
 
-  /// Returns q of each sample, valid until the next call.
+  /// Returns one result per sample, in the order of the samples. The reference is valid until the next call.
   const std::vector<SearchedPoint>& find(std::span<const CoveredSample> samples);
 
  private:
@@ -54,43 +57,43 @@ class OffsetSearch {
   static inline const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(infinity);
   static constexpr std::size_t max_starts = 9;
 
-  /// Next step of a search.
+  /// State of a search, which is its next step.
   enum class State : std::uint8_t {
-    near_sites,  ///< the sites nearest to the raised sample on each side
-    far_sites,   ///< farther sites on the current side: no iteration from the near ones has converged
-    iteration,   ///< an iteration
-    end
+    near_sites,  ///< collect the sites nearest to the raised samples on both sides
+    far_sites,   ///< collect farther sites on the current side: no iteration from the near sites has converged
+    iteration,   ///< iterate from a site
+    end          ///< finished
   };
 
-  /// Search from the sample as raised to one side.
+  /// Progress of a search on one side of the surface.
   struct Side {
-    Eigen::Vector3d raised;                              ///< p'
-    double distance = 0;                                 ///< from p' to the nearest site
+    Eigen::Vector3d raised;                              ///< sample raised to this side (p'), in cells
+    double distance = 0;                                 ///< distance from the raised sample p' to the nearest site
     std::array<NearbySites::Site, max_starts> starts{};  ///< sites from which iterations begin, nearest first
     std::size_t start_count = 0;
     std::size_t next_start = 0;
     bool has_far_sites = false;
-    Eigen::Vector3d found = nowhere;  ///< q, if found from this side
+    Eigen::Vector3d found = nowhere;  ///< closest exterior point q found from this side; infinite if none
   };
 
   struct Search {
     CoveredSample sample;
     std::array<Side, 2> sides;
     State state = State::near_sites;
-    std::size_t current = 0;  ///< side
+    std::size_t current = 0;  ///< index of the current side
     bool is_last_side = false;
-    int repeats = 0;         ///< of the current iteration
-    double best = infinity;  ///< distance of q from p'
+    int repeats = 0;         ///< number of repetitions of the current iteration
+    double best = infinity;  ///< distance from the raised sample p' to q; infinite until a point is found
     Eigen::Vector3d q = nowhere;
 
     [[nodiscard]] Side& side() { return sides[current]; }
     [[nodiscard]] bool is_found() const { return best < infinity; }
   };
 
-  /// Consecutive searches of a group.
+  /// Searches of one group of samples: those from begin to before end.
   struct Group {
     std::size_t begin, end;
-    Eigen::AlignedBox3d box;  ///< of the raised samples
+    Eigen::AlignedBox3d box;  ///< bounding box of the raised samples of the group
   };
 
   void begin(std::span<const CoveredSample> samples);
@@ -109,10 +112,10 @@ class OffsetSearch {
   void keep_nearest(Search& search, const Eigen::Vector3d& x) const;
   [[nodiscard]] Eigen::Vector3d nearest_site(const Search& search) const;
 
-  /// Maximum decrease of the distance, in cells, from a site to its refined point, with few exceptions. With fine cells
-  /// it is up to 0.133 r.
+  /// Returns the maximum decrease of the distance to p', in cells, in an iteration that starts at a site, with few
+  /// exceptions. With fine cells it is up to 0.133 r.
   [[nodiscard]] double gain() const { return std::max(0.4, 0.133 * r_); }
-  /// Maximum excess of the distance of a far site over that of the nearest one.
+  /// Returns the maximum difference, in cells, between the distances from p' to a far site and to the nearest site.
   [[nodiscard]] double far_margin() const { return 3 * gain(); }
 
   const ExteriorGrid& exterior_;
@@ -124,8 +127,8 @@ class OffsetSearch {
   std::vector<NearbySites::Site> found_sites_;
   std::vector<Search> searches_;
   std::vector<Group> groups_;
-  std::vector<OffsetPointTask> tasks_;  ///< iterations
-  std::vector<std::size_t> running_;    ///< search of each task
+  std::vector<OffsetPointTask> tasks_;  ///< iterations in progress
+  std::vector<std::size_t> running_;    ///< per task: index of its search
   std::vector<SearchedPoint> results_;
 };
 

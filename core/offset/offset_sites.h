@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: r offset distance, band width of the layer of exterior cells that have sites, in cells.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,29 +14,32 @@
 
 namespace shapegauge {
 
-/// Samples of the outer offset surface, about one per squared cell edge: the centre of each exterior cell within the
-/// band around the offset solid, moved towards its closest triangle to a distance of r.
+/// Sites, the starting points of searches: samples of the outer offset surface, about one per squared cell edge. A site
+/// is the centre of an exterior cell within the band around the offset solid, moved towards its closest triangle to a
+/// distance of r.
 struct OffsetSites {
-  /// Sites of consecutive boundary blocks. Chunks are not copied into one array: for offsets of a few thousandths there
-  /// are millions of sites.
+  /// Sites of up to 64 consecutive blocks of ExteriorGrid::boundary(). Chunks are not copied into one array: for
+  /// offsets of a few thousandths there are millions of sites.
   struct Chunk {
     static constexpr std::size_t blocks = 64;
-    std::vector<float> x, y, z;                     ///< padded
-    std::vector<std::int32_t> triangle;             ///< triangle at a distance of r from each
+    std::vector<float> x, y, z;                     ///< coordinates of the sites, in cells; padded
+    std::vector<std::int32_t> triangle;             ///< index of the triangle at a distance of r from each site
     std::array<std::uint16_t, blocks + 1> first{};  ///< per block: index of its first site; one more entry at the end
   };
   std::vector<Chunk> chunks;
-  /// Occupancy of cubes of `cube_edge` blocks along each axis, and the list of occupied cubes.
+  /// Per cube of `cube_edge` blocks along each axis: 1 if it contains sites, otherwise 0.
   std::vector<std::uint8_t> occupied;
-  std::vector<Eigen::Vector3i> occupied_cubes;
-  Eigen::Vector3i cubes = Eigen::Vector3i::Zero();  ///< number along each axis
+  std::vector<Eigen::Vector3i> occupied_cubes;      ///< coordinates of the cubes that contain sites
+  Eigen::Vector3i cubes = Eigen::Vector3i::Zero();  ///< number of cubes along each axis
   static constexpr int cube_edge = 8;
-  /// Maximum distance of a site from its block along an axis, in cells: it is moved away from the centre of a cell.
+  /// Maximum distance, in cells along an axis, of a site from the block of its cell: sites are moved away from the
+  /// centres of cells.
   double overhang = 0;
 
   OffsetSites(const ExteriorGrid& exterior, double band, bool parallel);
 
-  /// A site's number is its chunk's index times this, plus its index in the chunk.
+  /// Maximum number of sites in a chunk. The number of a site is max_in_chunk times the index of its chunk, plus its
+  /// index in the chunk.
   static constexpr std::uint32_t max_in_chunk = Chunk::blocks * cells_per_block;
   [[nodiscard]] Eigen::Vector3d position(std::uint32_t site) const {
     const Chunk& chunk = chunks[site / max_in_chunk];
@@ -46,10 +50,10 @@ struct OffsetSites {
     return chunks[site / max_in_chunk].triangle[site % max_in_chunk];
   }
 
-  /// Sites of a boundary block of the exterior.
+  /// Range of the sites of one block of ExteriorGrid::boundary().
   struct BlockSites {
     const Chunk& chunk;
-    std::size_t begin, end;       ///< indices in the chunk
+    std::size_t begin, end;       ///< range of indices of the sites in the chunk
     std::uint32_t number_before;  ///< number of the chunk's first site
   };
   [[nodiscard]] BlockSites sites_of_block(std::size_t block) const {
@@ -60,7 +64,7 @@ struct OffsetSites {
   }
 };
 
-/// Sites near a group of samples, in contiguous arrays.
+/// Collects the sites near a group of samples in contiguous arrays, and finds the nearest. Positions are in cells.
 class NearbySites {
  public:
   NearbySites(const ExteriorGrid& exterior, const OffsetSites& sites) : exterior_(exterior), sites_(sites) {}
@@ -68,19 +72,19 @@ class NearbySites {
   /// Returns the distance from x to the nearest of all sites; infinite without sites.
   double distance_to_nearest(const Eigen::Vector3d& x);
 
-  /// Collects the sites within `reach` of the box.
+  /// Collects all sites within `reach` of the box, and others near it, in place of those collected before.
   void collect(const Eigen::AlignedBox3d& box, double reach);
 
   struct Site {
-    std::uint32_t site;  ///< number of the site
-    float distance;
+    std::uint32_t site;  ///< number of the site (OffsetSites::max_in_chunk)
+    float distance;      ///< distance of the site from the measured point, in cells
   };
-  /// Computes the distances from two points to all collected sites, and returns those to the nearest; infinite without
-  /// sites.
+  /// Computes the distances from two points to all collected sites. Returns the distance from each point to the nearest
+  /// site; infinite without sites.
   std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& points);
-  /// Returns starting points for the search from one of the measured points, by ascending distance: sites whose
-  /// distance exceeds the smallest by less than the margin, each farther than `apart` from those before; at most
-  /// max_count.
+  /// Finds the starting points for the search from one of the two measured points, by ascending distance. They are
+  /// sites whose distance exceeds the smallest by at most the margin, each farther than `apart` from the sites before
+  /// it; at most max_count.
   void start_sites(std::size_t point, double margin, double apart, std::size_t max_count, std::vector<Site>& found);
 
  private:
@@ -92,11 +96,11 @@ class NearbySites {
   const ExteriorGrid& exterior_;
   const OffsetSites& sites_;
   std::vector<float> x_, y_, z_, squared_scratch_;
-  std::array<std::vector<float>, 2> squared_;  ///< squared distances from the two points
+  std::array<std::vector<float>, 2> squared_;  ///< per measured point: squared distances to the collected sites
   std::array<double, 2> nearest_{};
   std::vector<std::uint32_t> site_, candidates_;
   std::vector<Site> within_margin_;
-  std::vector<std::pair<double, std::uint32_t>> queue_;  ///< squared distances of cubes, with their indices
+  std::vector<std::pair<double, std::uint32_t>> queue_;  ///< cubes by distance: squared distance and index
 };
 
 }  // namespace shapegauge

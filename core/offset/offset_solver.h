@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Symbols: p sample, n its normal, r offset distance, h edge of a cell, q closest exterior point, q' opposite exit.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,28 +10,29 @@
 
 namespace shapegauge {
 
-/// Outcome of a sample.
+/// Outcome of the search for q, the exterior point closest to a sample p with normal n.
 enum class OffsetOutcome : std::uint8_t {
-  direct,     ///< q is p + r n or p - r n
-  searched,   ///< q was found by iteration
-  undecided,  ///< no iteration converged: q is a point of the offset surface near the nearest one
-  missing,    ///< not a point of the surface
+  direct,     ///< the closest exterior point q is p + r n or p - r n (n the normal at the sample p)
+  searched,   ///< the closest exterior point q was found by iteration
+  undecided,  ///< no iteration converged: q is the nearest site, a point of the offset surface up to two cells too far
+  missing,    ///< no value: p does not lie on the surface
 };
 
 /// Options of solve_on_grid().
 struct OffsetSolverOptions {
-  double offset = 0.05;         ///< r
-  double cells_per_offset = 3;  ///< r / h: 2.5 to 16
+  double offset = 0.05;         ///< offset distance r, in the shape's units
+  double cells_per_offset = 3;  ///< r / h, the offset in cells of edge h: 2.5 to 16
   bool parallel = true;         ///< use the threads of the calling TBB arena
 };
 
-/// Results per sample, in the shape's units.
+/// Results of solve_on_grid(), in the shape's units, one entry per sample p. q is the exterior point closest to p, and
+/// q' the point where the ray from q through p enters the exterior again.
 struct OffsetResults {
-  Eigen::VectorXd values;   ///< |qq'| - 2r; NaN where missing
-  Points directions;        ///< (q - p)/|q - p|; zero where missing
-  Eigen::VectorXd heights;  ///< |pq|; NaN where missing
+  Eigen::VectorXd values;   ///< SDF per sample, |qq'| - 2r; NaN where missing
+  Points directions;        ///< unit vectors (q - p)/|q - p| to the closest exterior points q; zero where missing
+  Eigen::VectorXd heights;  ///< distance |pq| from each sample p to its closest exterior point q; NaN where missing
   std::vector<OffsetOutcome> outcomes;
-  double offset = 0;         ///< r as used: larger than requested if the grid would exceed the memory bound
+  double offset = 0;         ///< offset distance used: larger than requested if the grid would exceed the memory bound
   double build_seconds = 0;  ///< time for points, flood fill and sites
 };
 

@@ -20,13 +20,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 
-constexpr std::size_t max_contacts = 5;
-/// Tolerance of half-spaces, in cells: about 3e-5 r.
+constexpr std::size_t max_contacts = 5;  ///< maximum number of half-spaces in a step
+/// Distance from a half-space up to which a point counts as inside, in cells: about 3e-5 r.
 constexpr float tolerance = 1e-4F;
-/// Height of a half-space that contains everything.
+/// Value of HalfSpace::height for a half-space that contains all points.
 constexpr float no_height = -1e30F;
 
-/// Half-space normal . x >= height.
+/// Half-space of all points x with normal . x >= height. The normal has unit length.
 template <typename V>
 struct HalfSpace {
   Vector3<V> normal;
@@ -41,15 +41,16 @@ HWY_INLINE HalfSpace<V> tangent_half_space(const Vector3<V>& x, const Vector3<V>
   return {normal, dot(normal, x) - length + number<V>(r)};
 }
 
-/// Projection of p onto half-spaces. By the Karush-Kuhn-Tucker conditions it is the sum of push_i normal_i, with
-/// push_i >= 0 for one, two or three active half-spaces, whose planes contain it, and 0 for the others.
+/// Projection of p, the origin, onto the intersection of half-spaces. By the Karush-Kuhn-Tucker conditions it is the
+/// sum of push_i normal_i, with push_i >= 0 for one, two or three active half-spaces, whose planes contain it, and 0
+/// for the others.
 template <typename V>
 struct Projection {
-  Vector3<V> x;
-  MaskOf<V> is_found;  ///< false if the intersection is empty
-  IntegerOf<V> count;  ///< of active half-spaces
-  std::array<V, 2> pushes;
-  std::array<IntegerOf<V>, 2> contacts;  ///< the active ones, of one or two
+  Vector3<V> x;                          ///< projected point
+  MaskOf<V> is_found;                    ///< false if the intersection is empty
+  IntegerOf<V> count;                    ///< number of active half-spaces, 0 to 3
+  std::array<V, 2> pushes;               ///< push_i of the active half-spaces, if one or two are active
+  std::array<IntegerOf<V>, 2> contacts;  ///< indices of the active half-spaces, if one or two are active
 
   // An implicit constructor would not be compiled for the instruction set.
   HWY_INLINE Projection()
@@ -107,7 +108,7 @@ class Projector {
  private:
   static constexpr float min_determinant = 1e-5F;
 
-  /// A single active plane can only be the one farthest from p.
+  /// Projects p onto one half-space, the one from which it is farthest: no other can be the only active one.
   HWY_INLINE void project_on_worst() {
     V worst = heights_[0];
     Vector3<V> normal = normals_[0];
@@ -143,7 +144,7 @@ class Projector {
     result_.set_contact(where, 1, Numbers::integer(static_cast<std::int32_t>(j)), push_j);
   }
 
-  /// Solves by Cramer's rule.
+  /// Projects p onto the intersection of three planes, by Cramer's rule.
   HWY_INLINE void project_on_three(std::size_t i, std::size_t j, std::size_t k) {
     const V one = number<V>(1);
     const V a = gram_[i][j];
@@ -173,14 +174,14 @@ class Projector {
 
   HWY_INLINE Mask is_satisfied(V violation) const { return violation <= number<V>(tolerance); }
 
-  /// Returns whether there is no projection yet, the system is regular and no multiplier negative.
+  /// Returns the lanes without a projection yet where the system is regular and no multiplier is negative.
   HWY_INLINE Mask unresolved(V determinant, V min_push) const {
     const Mask is_solution = And(determinant >= number<V>(min_determinant), min_push >= number<V>(0));
     return AndNot(result_.is_found, is_solution);
   }
 
   std::array<Vector3<V>, max_contacts> normals_;
-  std::array<V, max_contacts> heights_;  ///< how far p is outside of each half-space
+  std::array<V, max_contacts> heights_;  ///< distance of p from each half-space; negative inside
   std::array<std::array<V, max_contacts>, max_contacts> gram_;
   Projection<V> result_;
 };
@@ -189,7 +190,7 @@ class Projector {
 template <typename V>
 struct Feature {
   MaskOf<V> is_face;
-  Vector3<V> edge;  ///< unit direction; zero at a corner
+  Vector3<V> edge;  ///< unit direction of the edge; zero at a corner
 };
 
 /// Returns the feature that contains a point of a triangle, given the triangle's record (triangle_table.h).
@@ -211,15 +212,16 @@ HWY_INLINE Feature<V> feature_at(const V* record, const Vector3<V>& point) {
   return {And(off_ab, And(off_ac, off_bc)), select(is_on_edge, direction, zero_vector<V>())};
 }
 
-/// Active contact of a projection.
+/// Active half-space of a projection: its normal, and the feature of its triangle that is closest to the projection.
 template <typename V>
 struct ActiveContact {
   Vector3<V> normal;
   Feature<V> feature;
 };
 
-/// Returns the curvature correction of a step. Balls about edges and corners curve away from their half-spaces:
-/// tangentially to the active contacts, where the curvature is 1 / r, the step is too short by the factor 1 - push / r.
+/// Returns the curvature correction, a vector to be added to a step. Balls about edges and corners curve away from
+/// their half-spaces: tangentially to the active contacts, where the curvature is 1 / r, the step is too short by the
+/// factor 1 - push / r.
 template <typename V>
 HWY_INLINE Vector3<V> curvature_correction(const Projection<V>& to, const std::array<ActiveContact<V>, 2>& contacts,
                                            const Vector3<V>& step, float r) {

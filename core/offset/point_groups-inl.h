@@ -25,11 +25,11 @@ namespace shapegauge::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Vector type of one number per point or per group, at most as wide as a group.
+/// Highway tag of vectors with one float per point, or per group of points; at most as wide as a group.
 using PointLanes = hn::CappedTag<float, grid_padding>;
 using Numbers = hn::Vec<PointLanes>;
 
-/// Calls visit(lane) for each lane of a mask.
+/// Calls visit(lane) for each lane that is set in a mask.
 template <typename Visit>
 HWY_INLINE void for_each_lane_of(hn::Mask<PointLanes> mask, const Visit& visit) {
   std::array<std::uint8_t, 8> bytes{};
@@ -39,10 +39,10 @@ HWY_INLINE void for_each_lane_of(hn::Mask<PointLanes> mask, const Visit& visit) 
   }
 }
 
-/// Without AVX-512, compressing a vector takes longer than copying the selected lanes one by one.
+/// True if compressing a vector is faster than copying the selected lanes one by one: only with AVX-512.
 constexpr bool compresses_fast = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3;
 
-/// Copies the selected ones of a vector of numbers, in order; may write a whole vector.
+/// Copies those numbers of a vector whose lanes are set in the mask, in order. May write a whole vector.
 template <typename Number>
 HWY_INLINE void copy_selected(const Number* numbers, hn::Mask<PointLanes> mask, Number* copies) {
   if constexpr (compresses_fast) {
@@ -54,8 +54,9 @@ HWY_INLINE void copy_selected(const Number* numbers, hn::Mask<PointLanes> mask, 
   }
 }
 
-/// Copies the selected ones of a vector of points from i on to the places from `count` on, as copy_selected() does.
-/// `points` and `copies` have arrays x, y, z and triangle. Returns the number of copies up to then.
+/// Copies those points of the vector that begins at point i whose lanes are set in the mask, as copy_selected() does.
+/// `points` and `copies` have arrays x, y, z and triangle; copies are written from index `count` on. Returns the index
+/// after the last copy.
 template <typename Points, typename Copies>
 HWY_INLINE std::size_t copy_selected_points(const Points& points, std::size_t i, hn::Mask<PointLanes> mask,
                                             Copies& copies, std::size_t count) {
@@ -76,23 +77,24 @@ HWY_INLINE std::size_t copy_selected_points(const Points& points, std::size_t i,
   }
 }
 
-/// Position from which distances are computed, in all lanes.
+/// Query position from which distances are computed, repeated in all lanes.
 struct QueryPoint {
   HWY_INLINE explicit QueryPoint(const Eigen::Vector3f& at)
       : x(hn::Set(PointLanes(), at.x())), y(hn::Set(PointLanes(), at.y())), z(hn::Set(PointLanes(), at.z())) {}
 
-  /// Computes the squared distances to a vector of points.
+  /// Returns the squared distances from the query position to a vector of points.
   [[nodiscard]] HWY_INLINE Numbers squared(const float* px, const float* py, const float* pz) const {
     const PointLanes d;
     return squared_length(hn::Sub(hn::LoadU(d, px), x), hn::Sub(hn::LoadU(d, py), y), hn::Sub(hn::LoadU(d, pz), z));
   }
 
-  /// Computes the largest difference of coordinates from each of a vector of points.
+  /// Returns the Chebyshev distances (largest differences of coordinates) from the query position to a vector of
+  /// points.
   [[nodiscard]] HWY_INLINE Numbers largest_difference(Numbers px, Numbers py, Numbers pz) const {
     return hn::Max(hn::Max(hn::Abs(hn::Sub(px, x)), hn::Abs(hn::Sub(py, y))), hn::Abs(hn::Sub(pz, z)));
   }
 
-  /// Distances to a vector of boxes along the axes.
+  /// Distances from the query position to a vector of boxes, along each axis; 0 inside.
   struct ToBoxes {
     Numbers x, y, z;
 
@@ -118,8 +120,8 @@ struct QueryPoint {
   }
 };
 
-/// Calls visit(first group, mask) for vectors that contain each group of the runs once. The runs are ascending and not
-/// empty.
+/// Calls visit(first group, mask) for vectors of consecutive groups of points, the mask being set for groups of the
+/// runs. Each group of the runs is visited once. The runs must be ascending and not empty.
 template <typename Visit>
 HWY_INLINE void for_each_vector_of_groups(const std::vector<GridPoints::Run>& runs, const Visit& visit) {
   const PointLanes d;
@@ -131,7 +133,7 @@ HWY_INLINE void for_each_vector_of_groups(const std::vector<GridPoints::Run>& ru
   }
 }
 
-/// Calls visit(group) for the groups of the runs whose boxes are within a distance of a position.
+/// Calls visit(group) for each group of the runs whose bounding box is within `distance` of the query position.
 template <typename Visit>
 HWY_INLINE void for_each_group(const std::vector<GridPoints::Run>& runs, const QueryPoint& from,
                                const PointBoxes& boxes, float distance, const Visit& visit) {

@@ -35,7 +35,7 @@ using LaneBits = std::uint32_t;
 constexpr std::size_t max_lanes = 16;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Numbers by lane, in memory.
+/// Array in memory of one float per lane.
 struct alignas(64) RealLanes : std::array<float, max_lanes> {};
 struct alignas(64) IntegerLanes : std::array<std::int32_t, max_lanes> {};
 struct VectorLanes {
@@ -80,7 +80,7 @@ HWY_INLINE Mask mask_of(LaneBits bits) {
   const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)};
   return hn::LoadMaskBits(D(), bytes.data());
 }
-/// Calls visit(lane) for each bit.
+/// Calls visit(lane) for each lane whose bit is set.
 template <typename Visit>
 void for_each_lane(LaneBits bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
@@ -105,14 +105,15 @@ void run_in_lanes(std::span<Task> tasks, const Begin& begin, const Step& step) {
   }
 }
 
-/// Triangles, -1 if there is none, with the vectors from their closest points to places.
+/// One triangle per lane, with the vector from its closest point to the position in this lane.
 struct Surrounding {
-  IntegerLanes triangle;
-  VectorLanes vector;
-  RealLanes squared;  ///< infinite without a triangle
+  IntegerLanes triangle;  ///< index of the triangle; -1 if there is none
+  VectorLanes vector;     ///< vector from the closest point of the triangle to the position
+  RealLanes squared;      ///< squared length of `vector`; infinite without a triangle
 };
 
-/// Computes the vectors from triangles to places.
+/// Computes the vectors to positions from the triangles in `surrounding`, one per lane. `records` are those of
+/// TriangleTable.
 HWY_INLINE void measure(const float* records, const Vectors& places, Surrounding& surrounding) {
   const Integers triangle = load(surrounding.triangle);
   const Mask has_triangle = is_triangle(triangle);
@@ -126,12 +127,13 @@ HWY_INLINE void measure(const float* records, const Vectors& places, Surrounding
 
 constexpr std::size_t cells_around_point = 8;
 
-/// Integer coordinates.
+/// Integer coordinates of one cell per lane.
 struct CellLanes {
   Integers x, y, z;
 };
 
-/// Returns the lowest of the eight cells around places, as cells_around() does.
+/// Returns, per lane, the cell with the lowest coordinates of the eight cells around a position, as cells_around()
+/// does.
 HWY_INLINE CellLanes lowest_cells_around(const ExteriorGrid& exterior, const Vectors& places) {
   const auto along = [&](Reals coordinate, int axis) HWY_ATTR {
     const Integers nearest_corner = hn::ConvertTo(DI(), hn::Add(coordinate, real(0.5F)));
@@ -141,7 +143,8 @@ HWY_INLINE CellLanes lowest_cells_around(const ExteriorGrid& exterior, const Vec
   return {along(places.x, 0), along(places.y, 1), along(places.z, 2)};
 }
 
-/// Finds the triangles of eight cells per lane, given the lowest. Returns the lanes with an exterior cell.
+/// Finds the triangles closest to the eight cells around a position in each lane, given the lowest cell. Writes them to
+/// the eight entries of `found`. Returns the lanes with an exterior cell.
 HWY_INLINE Mask find_cells(const ExteriorGrid& exterior, const CellLanes& lowest, Surrounding* found) {
   const DI di;
   constexpr std::int32_t block_size = sizeof(BoundaryBlock) / sizeof(std::int32_t);

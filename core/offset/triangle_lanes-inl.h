@@ -18,12 +18,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 
-/// One vector of space per lane.
+/// One three-dimensional vector per lane.
 template <typename D>
 using LaneVectors = Vector3<hn::Vec<D>>;
 
-/// Loads sixteen numbers of one record per lane as sixteen vectors: loads groups of four numbers and transposes them
-/// within 128-bit lanes. Faster than gathering.
+/// Loads one record of sixteen floats per lane, given its index in `numbers`, as sixteen vectors: fields[i] has the
+/// i-th float of each record. Loads groups of four floats and transposes them within 128-bit lanes, which is faster
+/// than gathering.
 template <typename D>
 HWY_INLINE void load_transposed(D d, const float* records, const std::int32_t* numbers, hn::Vec<D>* fields) {
 #if HWY_TARGET == HWY_SCALAR
@@ -61,14 +62,15 @@ HWY_INLINE void load_transposed(D d, const float* records, const std::int32_t* n
 #endif
 }
 
-/// Vectors from the closest points of triangles, with their squared lengths.
+/// Per lane: vector from the closest point of a triangle to a position, and its squared length.
 template <typename D>
 struct LaneDistances {
   LaneVectors<D> vector;
   hn::Vec<D> squared;
 };
 
-/// Computes, in each lane, the vector from the closest point of a triangle to a position.
+/// Computes, in each lane, the vector from the closest point of a triangle to a position. `triangles` are indices of
+/// `records`, which are those of TriangleTable.
 template <typename D>
 HWY_INLINE LaneDistances<D> vectors_from_triangles(D d, const float* records, const std::int32_t* triangles,
                                                    const LaneVectors<D>& place) {

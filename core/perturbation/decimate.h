@@ -6,7 +6,7 @@
 
 namespace shapegauge {
 
-/// Range of the target number of faces.
+/// Range of the target number of faces of decimate().
 inline constexpr Bounds decimate_faces_bounds{.low = 1, .high = 100'000'000};
 
 /// Simplifies a mesh to at most `faces` faces by edge collapses in order of quadric error (Garland and Heckbert 1997),
@@ -19,7 +19,7 @@ inline constexpr Bounds decimate_faces_bounds{.low = 1, .high = 100'000'000};
 /// half-edge structure still cannot represent stay unchanged. The result has more faces than requested if too many are
 /// fixed or no collapse is left.
 ///
-/// Returns a mesh with at most that many faces unchanged. Throws InputError for a point cloud, a number of faces out of
+/// Returns a mesh with at most `faces` faces unchanged. Throws InputError for a point cloud, a number of faces out of
 /// bounds, a mesh without extent, and if no edge can be collapsed.
 Shape decimate(const Shape& shape, Eigen::Index faces);
 

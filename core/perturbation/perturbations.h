@@ -16,21 +16,21 @@
 /// sample_points.h.
 namespace shapegauge {
 
-/// Distribution of a random displacement.
+/// Distribution of the random displacements of vertex_noise().
 enum class NoiseDistribution {
   gaussian,  ///< standard deviation of each coordinate = amplitude
-  uniform    ///< in a ball of radius = amplitude
+  uniform    ///< uniform in a ball of radius = amplitude
 };
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<NoiseDistribution>{"gaussian", "uniform"};
 
 /// Options of vertex_noise().
 struct VertexNoiseOptions {
-  double amplitude = 0.005;  ///< as a fraction of the bounding-box diagonal
+  double amplitude = 0.005;  ///< size of displacements, as a fraction of the bounding-box diagonal (NoiseDistribution)
   NoiseDistribution distribution = NoiseDistribution::uniform;
 };
 
-/// Parameters of VertexNoiseOptions.
+/// Names, bounds and help texts of the parameters in VertexNoiseOptions (option_parameters.h).
 inline constexpr std::array vertex_noise_table = {
     without_default(with_unit(
         bounding_box_diagonals,
@@ -45,7 +45,7 @@ inline constexpr std::array vertex_noise_table = {
 /// shape without extent.
 Shape vertex_noise(Shape shape, const VertexNoiseOptions& options, RandomNumbers& random);
 
-/// Range of a fraction of a shape's elements.
+/// Range of a fraction of a shape's elements: triangles, or points of a cloud.
 inline constexpr Bounds fraction_bounds{.low = 0, .high = 1};
 
 /// Removes exactly round(fraction * n) of a mesh's n faces, or of a cloud's n points, at random. All vertices of a mesh
@@ -59,10 +59,10 @@ Shape flip_orientation(Shape shape, double fraction, RandomNumbers& random);
 /// Options of punch_holes().
 struct PunchHolesOptions {
   int number = 5;        ///< number of holes; they may overlap
-  double radius = 0.05;  ///< as a fraction of the bounding-box diagonal
+  double radius = 0.05;  ///< radius of a hole, as a fraction of the bounding-box diagonal
 };
 
-/// Parameters of PunchHolesOptions.
+/// Names, bounds and help texts of the parameters in PunchHolesOptions (option_parameters.h).
 inline constexpr std::array punch_holes_table = {
     option_of<&PunchHolesOptions::number>("number", {.low = 0, .high = 100'000}, "Number of holes."),
     with_unit(bounding_box_diagonals,
@@ -83,7 +83,7 @@ inline constexpr Bounds motion_scale_bounds{.low = 1, .high = 1e6};
 /// for a shape without extent.
 Shape random_motion(Shape shape, double scale, RandomNumbers& random);
 
-/// Kind of perturbation, by its name in configurations, with its parameters.
+/// Entry of shape_perturbations(): a kind of perturbation, its name in configurations, and its parameters.
 struct ShapePerturbation {
   std::string_view name;
   std::string_view description;
@@ -92,7 +92,8 @@ struct ShapePerturbation {
   /// shape.
   Shape (*apply)(Shape shape, const ParameterValues& settings, RandomNumbers& random) = nullptr;
   int version = 1;  ///< cache version; see docs/manual/cache.md
-  /// Says how the result falls short of the settings; empty if it does not. Null: it never does.
+  /// Returns a sentence on how the result falls short of the settings, such as too many faces; empty if it does not.
+  /// Null if results never fall short.
   std::string (*remark)(const Shape& result, const ParameterValues& settings) = nullptr;
 };
 
@@ -115,15 +116,15 @@ Eigen::Matrix3d uniform_rotation(RandomNumbers& random);
 /// not finite.
 double required_diagonal(const Shape& shape);
 
-/// Returns the number of elements: triangles of a mesh, points of a cloud.
+/// Returns the number of elements of a shape: triangles of a mesh, points of a cloud.
 Eigen::Index element_count(const Shape& shape);
 
 /// Marks exactly round(fraction * count) elements at random (random_subset()). Throws InputError for a fraction out of
 /// bounds.
 std::vector<bool> random_selection(Eigen::Index count, double fraction, RandomNumbers& random);
 
-/// Removes the marked elements; the others keep their order. All vertices of a mesh stay. Throws InputError if nothing
-/// would be left.
+/// Removes the marked elements of a shape (triangles, or points of a cloud); the others keep their order. All vertices
+/// of a mesh stay. Throws InputError if nothing would be left.
 Shape without_elements(Shape shape, const std::vector<bool>& removed);
 
 }  // namespace shapegauge

@@ -16,7 +16,7 @@ namespace shapegauge {
 /// duplicate triangles have no neighbours (distinct_triangles()).
 struct VertexNeighbours {
   std::vector<std::size_t> first;        ///< per vertex: begin of its neighbours; one more entry at the end
-  std::vector<std::int32_t> neighbours;  ///< all neighbours, vertex by vertex
+  std::vector<std::int32_t> neighbours;  ///< indices of all neighbours, vertex by vertex
 
   [[nodiscard]] std::span<const std::int32_t> of(Eigen::Index vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
@@ -27,10 +27,10 @@ struct VertexNeighbours {
 /// Computes the vertex adjacency of a usable shape from its welding_of(); empty without triangles.
 VertexNeighbours vertex_neighbours(const Shape& shape, const Welding& welding);
 
-/// Noise of the vertices of a mesh.
+/// Estimated noise of the vertices of a mesh (noise_level()).
 struct NoiseLevel {
-  double deviation = 0;    ///< standard deviation along the normal, in the shape's units
-  double edge_length = 0;  ///< mean edge length of the smoothed mesh
+  double deviation = 0;    ///< standard deviation of the noise along the normal, in the shape's units
+  double edge_length = 0;  ///< mean edge length of the smoothed mesh, in the shape's units
   /// Fraction of edges whose ends lie on the same side of the smoothed mesh. About 0.46 for independent heights
   /// (noise), 0.6 and more for geometric features (ridges, creases, coarse curved parts).
   double agreement = 1;
@@ -47,8 +47,8 @@ struct NoiseLevel {
 /// zero for a cloud. `welding` is the shape's welding_of().
 NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours, const Welding& welding);
 
-/// Returns true for clearly noisy vertices: at least 500 used, distinct vertices, a relative() of at least 0.1, and an
-/// agreement below 0.56, which features do not reach.
+/// Returns true if the vertices of a mesh are clearly noisy: at least 500 used, distinct vertices, a relative() of at
+/// least 0.1, and an agreement below 0.56, which features do not reach.
 bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours);
 
 /// Low-pass filters the vertices of a mesh without shrinkage, by alternating Laplacian steps of opposite sign (Taubin
@@ -60,11 +60,11 @@ bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours);
 /// has a k of about (pi / n)^2. Vertices without neighbours stay. Throws InputError for a pass band out of range.
 Points taubin_smoothing(const Points& vertices, const VertexNeighbours& neighbours, double pass_band);
 
-/// Result of denoised().
+/// Result of denoised(): the shape, smoothed if it was noisy, and its noise.
 struct DenoisedShape {
   Shape shape;
-  NoiseLevel noise;      ///< of the input
-  double pass_band = 0;  ///< of the smoothing (taubin_smoothing()); 0 if not smoothed
+  NoiseLevel noise;      ///< noise of the input shape
+  double pass_band = 0;  ///< pass band of the smoothing (taubin_smoothing()); 0 if not smoothed
 };
 
 /// Smooths a mesh whose vertices are clearly noisy (is_noisy()), with a pass band of 0.025 / noise.relative() clamped

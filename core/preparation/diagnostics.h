@@ -15,28 +15,28 @@ inline constexpr int diagnostics_version = 7;
 /// (distinct_triangles()). Independent of the order of vertices and triangles.
 struct ShapeDiagnostics {
   std::size_t vertices = 0;
-  std::size_t unreferenced_vertices = 0;  ///< of a mesh: vertices not used by any triangle
-  std::size_t coincident_vertices = 0;    ///< vertices that coincide with an earlier one
-  double diagonal = 0;                    ///< bounding-box diagonal
+  std::size_t unreferenced_vertices = 0;  ///< number of vertices of a mesh that no triangle uses
+  std::size_t coincident_vertices = 0;    ///< number of vertices that coincide with an earlier one
+  double diagonal = 0;                    ///< bounding-box diagonal, in the shape's units
 
   std::size_t triangles = 0;
   double area = 0;
-  std::size_t degenerate_triangles = 0;  ///< triangles of zero area, up to the rounding of coordinates
-  std::size_t duplicate_triangles = 0;   ///< triangles with the same corners as an earlier one, in any order
-  std::size_t components = 0;            ///< of a mesh: components connected through vertices
+  std::size_t degenerate_triangles = 0;  ///< number of triangles of zero area, up to the rounding of coordinates
+  std::size_t duplicate_triangles = 0;   ///< number of triangles with the same corners as an earlier one, in any order
+  std::size_t components = 0;            ///< number of components of a mesh, connected through vertices
 
   bool closed = false;  ///< every edge has an even number of triangles (is_closed())
   std::size_t edges = 0;
-  std::size_t boundary_edges = 0;      ///< edges with one triangle
+  std::size_t boundary_edges = 0;      ///< number of edges with one triangle
   double boundary_length = 0;          ///< total length of the boundary edges, in the shape's units
-  std::size_t non_manifold_edges = 0;  ///< edges with more than two triangles
-  std::size_t inconsistent_edges = 0;  ///< edges whose two triangles have opposite orientations
+  std::size_t non_manifold_edges = 0;  ///< number of edges with more than two triangles
+  std::size_t inconsistent_edges = 0;  ///< number of edges whose two triangles have opposite orientations
 
   double gap_size = 0;         ///< radius of the widest gap (gap_sizes()), in the shape's units
-  double closable_gap = 0;     ///< radius of the widest that an automatic offset closes
-  std::size_t outliers = 0;    ///< of a cloud (outliers())
-  bool stray_normals = false;  ///< of a cloud (has_stray_normals())
-  double point_spacing = 0;    ///< of a cloud (point_spacing()), in the shape's units
+  double closable_gap = 0;     ///< radius of the widest gap that an automatic offset closes, in the shape's units
+  std::size_t outliers = 0;    ///< number of outliers of a cloud (outliers())
+  bool stray_normals = false;  ///< the normals of a cloud are not those of its surface (has_stray_normals())
+  double point_spacing = 0;    ///< point spacing of a cloud (point_spacing()), in the shape's units
   double noise_deviation = 0;  ///< of a mesh: standard deviation of the noise (NoiseLevel), in the shape's units
   bool noisy = false;          ///< the mesh is clearly noisy (is_noisy())
 };

@@ -5,7 +5,7 @@
 
 namespace shapegauge {
 
-/// An offset exceeds the gaps that it closes by this factor.
+/// Ratio of an automatic offset to the radius of the widest gap that it is meant to close.
 inline constexpr double offset_per_gap = 1.1;
 
 /// Largest automatic offset, as a fraction of the bounding-box diagonal: a larger offset surface says little about the
@@ -14,8 +14,8 @@ inline constexpr double largest_automatic_offset = 0.05;
 
 /// Radii of gaps, in the shape's units.
 struct GapSizes {
-  double widest = 0;
-  double closable = 0;  ///< the widest that the largest automatic offset closes
+  double widest = 0;    ///< radius of the widest gap; 0 without gaps
+  double closable = 0;  ///< radius of the widest gap that the largest automatic offset closes
 };
 
 /// Computes the radii of the gaps of a shape: the largest offset with which the outside reaches an inner space through
@@ -27,7 +27,7 @@ struct GapSizes {
 /// that radius about random points leave hardly a hole.
 ///
 /// Determined on a grid of about 200,000 distances to the shape, whose cells have at most about 1 % of the diagonal.
-/// Radii are accurate to about half a cell. Of an inner space that is open through gaps below half a cell only, the gap
+/// Radii are accurate to about half a cell. If an inner space is open only through gaps below half a cell, the radius
 /// is half the width of the widest crack of the mesh. Independent of orientation and of the order of vertices and
 /// triangles. Throws InputError for an unusable shape (require_usable()).
 GapSizes gap_sizes(const Shape& shape);

@@ -19,7 +19,7 @@ std::vector<bool> outliers(const Shape& shape);
 /// Returns the number of outliers().
 std::size_t outlier_count(const Shape& shape);
 
-/// Says how many of a cloud's points are outliers.
+/// Formats the number of outliers for a message: "3 of 1000 points are outliers, ...".
 std::string outlier_text(std::size_t count, Eigen::Index points);
 
 /// Returns the warning about outliers() of a shape, if it has any.

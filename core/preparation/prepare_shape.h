@@ -19,8 +19,8 @@ inline constexpr int preparation_version = 4;
 
 /// Quantity that normalises the scale of a shape.
 enum class ScaleEstimate {
-  area,       ///< unit positive_area(): exact on clean meshes, meaningless with noise or holes
-  tube_area,  ///< unit tube_area(): robust to noise, cracks and sampling
+  area,       ///< scales positive_area() to 1: exact on clean meshes, meaningless with noise or holes
+  tube_area,  ///< scales tube_area() to 1: robust to noise, cracks and sampling
 };
 
 template <>
@@ -28,14 +28,14 @@ inline constexpr std::array<std::string_view, 2> words_of<ScaleEstimate>{"area",
 
 /// Options of prepare_shape().
 struct PreparationOptions {
-  bool denoise = false;          ///< see denoised()
-  bool remove_outliers = false;  ///< see without_outliers()
+  bool denoise = false;          ///< smooth clearly noisy meshes (denoised())
+  bool remove_outliers = false;  ///< remove the outliers of clouds (without_outliers())
   ScaleEstimate scale = ScaleEstimate::area;
 
   bool operator==(const PreparationOptions&) const = default;
 };
 
-/// Parameters of PreparationOptions.
+/// Names, bounds and help texts of the parameters in PreparationOptions (option_parameters.h).
 inline constexpr std::array preparation_table = {
     option_of<&PreparationOptions::denoise>(
         "denoise", "Smooth clearly noisy meshes, in proportion to their noise; clean meshes and clouds are unchanged."),
@@ -50,14 +50,14 @@ inline constexpr std::array preparation_table = {
 /// Normalised shape and the quantities estimated for it.
 struct PreparedShape {
   Shape shape;
-  NoiseLevel noise;      ///< of the input; only with `denoise`
-  double pass_band = 0;  ///< of the smoothing; 0 if not smoothed
-  double area = 0;       ///< the area that was scaled to 1, in the input's units squared
+  NoiseLevel noise;      ///< noise of the input; only with the option `denoise`
+  double pass_band = 0;  ///< pass band of the smoothing (taubin_smoothing()); 0 if not smoothed
+  double area = 0;       ///< area of the input, which was scaled to 1, in the input's units squared
 };
 
 /// Removes outliers and noise if requested, and normals that are not those of the surface (remove_stray_normals()), and
-/// scales the shape about the origin to unit area. Throws InputError as
-/// positive_area() and tube_area() do, and for an unusable shape (require_usable()).
+/// scales the shape about the origin to unit area. Throws InputError as positive_area() and tube_area() do, and for an
+/// unusable shape (require_usable()).
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options);
 
 }  // namespace shapegauge

@@ -16,9 +16,10 @@ namespace shapegauge {
 /// the order of faces, vertices and corners, nor on the orientation of faces.
 struct DenseSamples {
   Points points;
-  Points normals;                       ///< unit vectors; zero if undefined
-  Eigen::VectorXd areas;                ///< area represented by each sample, positive
-  std::vector<std::int32_t> sheets;     ///< normals are consistently oriented within a sheet only; -1 for no sheet
+  Points normals;         ///< unit normal of each sample; zero if undefined
+  Eigen::VectorXd areas;  ///< area represented by each sample, positive
+  /// Index of the sheet of each sample; -1 for no sheet. Normals are consistently oriented within a sheet only.
+  std::vector<std::int32_t> sheets;
   std::vector<std::int32_t> triangles;  ///< triangle of the mesh that contains each sample; empty for a cloud
 };
 
@@ -32,14 +33,14 @@ inline double normal_agreement(const DenseSamples& samples, std::int32_t i, std:
 
 /// Returns true if two samples at a positive distance lie on the same sheet, judged by the angle of their normals and
 /// their distances from each other's tangent plane. On a circular arc with a turn of t, both distances are sin(t / 2)
-/// of the distance between the samples.
+/// times the distance between the samples.
 bool on_same_sheet(const DenseSamples& samples, std::int32_t i, std::int32_t j, double distance);
 
 /// Samples a mesh at `count` points, uniform by area and stratified along a Morton curve of its triangles. Duplicate
 /// triangles count once. Sheets are the orientable pieces connected by edges of exactly two triangles.
 ///
-/// Of a cloud, takes the distinct points, weighted by point_weights(), with unsigned_point_normals(), in no sheet. From
-/// more than `count` points, selects evenly along a Morton curve.
+/// For a cloud, returns the distinct points, weighted by point_weights(), with unsigned_point_normals(), in no sheet.
+/// From more than `count` points, selects evenly along a Morton curve.
 ///
 /// `uses` are the mesh's half_edges(). Throws InputError if the shape has no area.
 DenseSamples dense_samples(const Shape& shape, std::span<const HalfEdge> uses, Eigen::Index count);

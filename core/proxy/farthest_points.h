@@ -10,9 +10,9 @@ namespace shapegauge {
 
 /// Samples in farthest-point order and the assignment of all samples to them.
 struct FarthestPoints {
-  std::vector<std::int32_t> chosen;   ///< indices of samples
-  std::vector<std::int32_t> nearest;  ///< per sample: index into `chosen` of the sample that covers it
-  double covering_radius = 0;         ///< maximum distance of a sample from the chosen one that covers it
+  std::vector<std::int32_t> chosen;   ///< indices of the chosen samples, in farthest-point order
+  std::vector<std::int32_t> nearest;  ///< per sample: index into `chosen` of the chosen sample that covers it
+  double covering_radius = 0;         ///< maximum distance of a sample from the chosen sample that covers it
 };
 
 /// Chooses `count` samples, or fewer if there are fewer distinct positions, in farthest-point order (Gonzalez 1985;

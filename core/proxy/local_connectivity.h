@@ -16,10 +16,10 @@ namespace shapegauge {
 /// Element shared by two adjacent triangles.
 enum class SharedElement { edge, vertex };
 
-/// Local connectivity of the triangles of a mesh. A cloud has no triangles.
+/// Adjacency of the triangles of a mesh, for tests whether triangles are connected near a point. Empty for a cloud.
 class LocalConnectivity {
  public:
-  /// `merged` and `uses` are welded_vertices() and half_edges() of the shape.
+  /// Builds the adjacency. `merged` and `uses` are welded_vertices() and half_edges() of the shape.
   LocalConnectivity(const Shape& shape, std::span<const std::int32_t> merged, std::span<const HalfEdge> uses);
 
   /// Returns true if two triangles are connected by a path across edges.
@@ -28,6 +28,7 @@ class LocalConnectivity {
   }
 
   /// Returns true if a path connects two triangles through triangles whose bounding spheres intersect a ball.
+  /// Consecutive triangles share an edge or, if `shared` is vertex, a vertex; vertex needs a mesh with boundary edges.
   bool connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre, double radius,
                          SharedElement shared = SharedElement::edge);
 
@@ -43,7 +44,7 @@ class LocalConnectivity {
   using Neighbours = BucketSorted<Neighbour>;
 
   static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-  /// Returns the neighbours with that key.
+  /// Returns the neighbours of an element: of a triangle in across_edges_, of a vertex in fans_.
   static std::span<const Neighbour> of(const Neighbours& neighbours, std::int32_t key);
   void set_fans(const Shape& shape, std::span<const std::int32_t> merged);
   [[nodiscard]] bool visited(std::int32_t triangle) const { return visited_by_[at(triangle)] == search_; }
@@ -56,15 +57,15 @@ class LocalConnectivity {
   void for_each_neighbour(std::int32_t triangle, SharedElement shared, std::int32_t mark, Use use);
   void walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, SharedElement shared);
 
-  Neighbours across_edges_;                           ///< per triangle
-  Neighbours fans_;                                   ///< triangles by vertex; empty without boundary edges
+  Neighbours across_edges_;  ///< per triangle: triangles with a common edge
+  Neighbours fans_;          ///< per welded vertex: its triangles; empty without boundary edges
   std::vector<std::array<std::int32_t, 3>> corners_;  ///< per triangle: welded vertices; empty without boundary edges
-  std::vector<std::int32_t> fan_used_by_;             ///< per vertex: mark of the last use of its fan
-  Eigen::Matrix4Xd spheres_;                          ///< per triangle: centre and radius
-  std::vector<char> on_border_;                       ///< per triangle
-  std::vector<std::int32_t> component_;
-  std::vector<std::int32_t> visited_by_;  ///< per triangle: number of the last search that visited it
-  std::vector<std::int32_t> queue_;       ///< triangles in the order of visits
+  std::vector<std::int32_t> fan_used_by_;  ///< per vertex: mark of the last traversal that used its triangles
+  Eigen::Matrix4Xd spheres_;               ///< per triangle: centre and radius of its bounding sphere
+  std::vector<char> on_border_;            ///< per triangle: 1 if it has a boundary edge
+  std::vector<std::int32_t> component_;    ///< per triangle: index of its edge-connected component
+  std::vector<std::int32_t> visited_by_;   ///< per triangle: number of the last search that visited it
+  std::vector<std::int32_t> queue_;        ///< triangles in the order of visits
   std::int32_t search_ = 0;
   bool met_border_ = false;
 };

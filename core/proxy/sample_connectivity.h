@@ -10,15 +10,15 @@
 
 namespace shapegauge {
 
-/// Local connectivity of the samples of a surface, where triangles do not tell: of a cloud, and between components of a
-/// mesh. A sample is connected to those of its 8 nearest neighbours that are on the same sheet. At the crease between
-/// two parts that touch, samples of one face those of the other and are not connected.
+/// Local connectivity of the samples of a surface, used where triangles give none: in a cloud, and between components
+/// of a mesh. A sample is connected to each of its 8 nearest neighbours that is on the same sheet. At the crease
+/// between two touching parts, the samples of the two parts face each other and are not connected.
 class SampleConnectivity {
  public:
   explicit SampleConnectivity(const DenseSamples& samples);
 
-  /// Returns true if a path connects two samples through samples in the ball about `centre`, the midpoint of the two,
-  /// that is 1.5 times as large as the one with both on its boundary: samples are sparse.
+  /// Returns true if a path connects two samples through samples in a ball about `centre`, their midpoint. `distance`
+  /// is the distance between the two samples. The radius of the ball is 0.75 of it, and not half: samples are sparse.
   bool connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre, double distance);
 
  private:

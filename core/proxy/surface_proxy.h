@@ -12,7 +12,7 @@
 
 namespace shapegauge {
 
-/// Cache version; increment when a proxy, its Laplacian or its geodesics change.
+/// Cache version of surface_proxy(); increment when a proxy, its Laplacian or its geodesics change.
 inline constexpr int surface_proxy_version = 5;
 
 /// Combines the version of a descriptor that may be computed on the proxy with the version of the proxy.
@@ -20,20 +20,20 @@ constexpr int version_on_proxy(int version) { return 1000 * version + surface_pr
 
 /// Edge from a point of the proxy to a neighbour.
 struct ProxyArc {
-  std::int32_t to;
-  float length;
+  std::int32_t to;  ///< index of the neighbour
+  float length;     ///< length of the edge, in the shape's units
 };
 
 /// Proxy of a surface of any kind: evenly spread points with areas, normals, adjacency and a Laplacian.
 struct SurfaceProxy {
-  Points points;                       ///< in farthest-point order, in the shape's units
-  Points normals;                      ///< unit vectors; the first non-zero component is positive
+  Points points;                       ///< positions in farthest-point order, in the shape's units
+  Points normals;                      ///< unit normals without orientation: the first non-zero component is positive
   Eigen::VectorXd areas;               ///< area of the surface nearest to each point; the lumped mass of the Laplacian
   double covering_radius;              ///< maximum distance of a surface point from the proxy's point that covers it
-  std::int32_t components;             ///< number of components before they were linked
-  std::vector<std::size_t> first_arc;  ///< per point: begin of its arcs; one more entry at the end
-  std::vector<ProxyArc> arcs;          ///< both directions of each adjacency; one component
-  Eigen::SparseMatrix<double> stiffness;  ///< symmetric, positive semidefinite, rows sum to 0
+  std::int32_t components;             ///< number of connected components before they were linked by arcs
+  std::vector<std::size_t> first_arc;  ///< per point: index of its first arc; one more entry at the end
+  std::vector<ProxyArc> arcs;          ///< arcs between neighbours, in both directions; they connect all points
+  Eigen::SparseMatrix<double> stiffness;  ///< matrix of the Laplacian: symmetric, positive semidefinite, rows sum to 0
 
   [[nodiscard]] std::span<const ProxyArc> arcs_of(std::size_t point) const {
     return std::span(arcs).subspan(first_arc[point], first_arc[point + 1] - first_arc[point]);
@@ -49,8 +49,8 @@ struct SurfaceProxy {
 /// distances, have a planar Delaunay triangulation whose triangles count a third each (after Belkin, Sun, Wang 2009).
 /// The nearest components are linked, which makes every distance finite.
 ///
-/// There are fewer points than wanted if the shape has fewer distinct positions. docs/methods/surface_proxy.md has the
-/// measurements behind the default. Throws InputError as dense_samples() does.
+/// There are fewer points than requested if the shape has fewer distinct positions. docs/methods/surface_proxy.md has
+/// the measurements behind the default. Throws InputError as dense_samples() does.
 SurfaceProxy surface_proxy(const Shape& shape, Eigen::Index points = 2000);
 
 }  // namespace shapegauge

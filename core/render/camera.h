@@ -9,8 +9,8 @@ namespace shapegauge {
 
 /// Camera and image settings. The shape fills the image whatever its size and position.
 struct RenderOptions {
-  int width = 640;                                  ///< pixels
-  int height = 480;                                 ///< pixels
+  int width = 640;                                  ///< width of the image in pixels
+  int height = 480;                                 ///< height of the image in pixels
   Eigen::Vector3d towards_viewer = {0.6, 0.45, 1};  ///< direction from the shape to the viewer; any length but 0
   Eigen::Vector3d up = {0, 1, 0};                   ///< direction that is vertical in the image; any length but 0
   double margin = 0.04;                             ///< fraction of the width and height left empty on every side
@@ -18,8 +18,8 @@ struct RenderOptions {
   bool transparent = false;  ///< transparent background instead of white
 };
 
-/// Returns the direction that counts as the front of shapes with that vertical direction: -y if it is z or -z,
-/// otherwise z, projected to the horizontal plane.
+/// Returns the front direction of shapes whose vertical direction is `up`: -y if `up` is z or -z, otherwise z,
+/// projected to the horizontal plane.
 Eigen::Vector3d front_of(const Eigen::Vector3d& up);
 
 /// Returns the options with a view in which the shape stands upright: `options.up` is vertical, and the camera is
@@ -30,11 +30,11 @@ RenderOptions upright_view(const Shape& shape, RenderOptions options);
 
 /// Image plane of a parallel projection, in front of the shape.
 struct Camera {
-  Eigen::Vector3d top_left;  ///< corner of the image
-  Eigen::Vector3d right;     ///< unit
-  Eigen::Vector3d up;        ///< unit
-  Eigen::Vector3d forward;   ///< unit, away from the viewer
-  Eigen::Vector3d light;     ///< unit, to where the light comes from: above the viewer's left shoulder
+  Eigen::Vector3d top_left;  ///< position of the image's top left corner, in the shape's coordinates
+  Eigen::Vector3d right;     ///< unit vector to the right in the image
+  Eigen::Vector3d up;        ///< unit vector upwards in the image
+  Eigen::Vector3d forward;   ///< unit vector away from the viewer
+  Eigen::Vector3d light;     ///< unit vector towards the light: above the viewer's left shoulder
   double pixel = 0;          ///< side of a pixel in the shape's units
 
   [[nodiscard]] Eigen::Vector3d at(double column, double row, double depth) const {
@@ -42,7 +42,7 @@ struct Camera {
   }
 };
 
-/// Computes the camera of the options, in front of a mesh with an extent. Throws InputError for an option out of range.
+/// Computes the camera for a shape, which must have an extent. Throws InputError for an option out of range.
 Camera camera_for(const Shape& shape, const RenderOptions& options);
 
 }  // namespace shapegauge

@@ -21,18 +21,18 @@ Colour colour_of(double t);
 /// the colours of 0, 1/2 and 1.
 std::vector<Colour> colours_of(const Eigen::VectorXd& values, double lowest, double highest);
 
-/// Mapping of values to colours.
+/// Scale by which colours_of() maps values to the colour map.
 struct ColourScale {
   double low = 0;                        ///< value at the lower end of the map
   double high = 1;                       ///< value at the upper end of the map
   bool logarithmic = false;              ///< logarithmic scale; both ends are then above 0
-  std::optional<double> threshold = {};  ///< smaller values have the colour `below_threshold`
+  std::optional<double> threshold = {};  ///< smaller values have the colour `below_threshold`; none if absent
 };
 
 /// Colour of values below a threshold: a red that is not on the map.
 inline constexpr Colour below_threshold = {214, 39, 40};
 
-/// Maps values to colours on a scale.
+/// Maps each value to its colour on a scale.
 std::vector<Colour> colours_of(const Eigen::VectorXd& values, const ColourScale& scale);
 
 /// 8-bit sRGB image with opacity (not premultiplied): four bytes per pixel, row by row from the top.

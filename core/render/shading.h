@@ -15,9 +15,9 @@ inline constexpr double light_up = 1;
 inline constexpr double light_towards = 0.9;
 /// @}
 
-inline constexpr double light_wrap = 0.6;  ///< cosine of the angle beyond 90 degrees that the light still reaches
-inline constexpr double ambient_fraction = 0.36;  ///< fraction of the colour without light
-inline constexpr double wrapped_fraction = 0.54;  ///< fraction of the colour added where the light falls vertically
+inline constexpr double light_wrap = 0.6;         ///< the light reaches surfaces where dot(normal, light) > -light_wrap
+inline constexpr double ambient_fraction = 0.36;  ///< fraction of the colour that remains without light
+inline constexpr double wrapped_fraction = 0.54;  ///< fraction of the colour added where the light is perpendicular
 inline constexpr double frontal_fraction = 0.1;   ///< fraction of the colour added on a surface that faces the viewer
 
 }  // namespace shapegauge

@@ -5,7 +5,7 @@
 
 namespace shapegauge {
 
-/// Number of triangles of a splat.
+/// Number of triangles of a splat, the hexagon that represents a point of a cloud.
 constexpr int triangles_per_splat = 4;
 
 /// Makes a mesh that represents the surface of a point cloud: a hexagon in the tangent plane of each point. The

@@ -25,7 +25,8 @@ struct AutomaticOffset {
 /// has no extent.
 AutomaticOffset automatic_offset(const ShapeDiagnostics& shape);
 
-/// The same for a shape that is not diagnosed yet. Throws InputError for an unusable shape (require_usable()).
+/// Chooses the offset for a shape that has not been diagnosed yet. Throws InputError for an unusable shape
+/// (require_usable()).
 AutomaticOffset automatic_offset(const Shape& shape);
 
 }  // namespace shapegauge

@@ -15,7 +15,7 @@ namespace shapegauge {
 /// Cache version of cone_sdf(); see docs/manual/cache.md.
 inline constexpr int cone_sdf_version = 3;
 
-/// Ray-casting backend: Embree, or CGAL's own `sdf_values` as the reference.
+/// Ray-casting backend of cone_sdf(): Embree, or CGAL's own `sdf_values` as the reference.
 enum class ConeSdfEngine { embree, cgal };
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<ConeSdfEngine>{"embree", "cgal"};
@@ -23,13 +23,13 @@ inline constexpr std::array<std::string_view, 2> words_of<ConeSdfEngine>{"embree
 /// Options of the conventional SDF, which casts a cone of rays about the inward normal.
 struct ConeSdfOptions {
   ConeSdfEngine engine = ConeSdfEngine::embree;
-  double opening_angle_degrees = 60;
-  int rays = 25;
+  double opening_angle_degrees = 60;  ///< full opening angle of the cone
+  int rays = 25;                      ///< number of rays per sample
   bool postprocess = false;  ///< fill missing values, smooth and scale to [0, 1], as CGAL does; engine cgal only
   bool parallel = true;      ///< distribute the samples over the threads of the calling TBB arena
 };
 
-/// Parameters of ConeSdfOptions.
+/// Names, ranges and descriptions of the parameters in ConeSdfOptions.
 inline constexpr std::array cone_sdf_table = {
     option_of<&ConeSdfOptions::engine>("engine",
                                        "Ray-casting backend: embree is fast; cgal is CGAL's code, at faces only."),
@@ -41,12 +41,12 @@ inline constexpr std::array cone_sdf_table = {
         "postprocess", "Smooth the values and scale them to [0, 1] for each shape, as CGAL does; engine cgal only."),
 };
 
-/// Conventional SDF by sample.
+/// Result of cone_sdf(): the conventional SDF (shape diameter function), one value per sample.
 struct ConeSdfResult {
-  Eigen::VectorXd values;    ///< in the shape's units; NaN if no ray is valid
+  Eigen::VectorXd values;    ///< SDF per sample, in the shape's units; NaN if no ray of the sample is valid
   std::size_t missing = 0;   ///< number of NaN values
-  double build_seconds = 0;  ///< construction of spatial structures
-  double query_seconds = 0;  ///< queries for all samples
+  double build_seconds = 0;  ///< time for the construction of spatial structures
+  double query_seconds = 0;  ///< time for the queries of all samples
 };
 
 /// Computes the conventional SDF at samples of a shape (Shapira et al. 2008, with the choices of CGAL 5.5;

@@ -13,11 +13,11 @@ namespace shapegauge {
 /// count the median is the mean of the two middle values. Sorts the values. Needs at least one value.
 double mean_without_outliers(std::span<double> values);
 
-/// The cgal engine of cone_sdf(), for validated options: one value per triangle, on one thread. Throws InputError if
-/// the triangles do not form an oriented manifold.
+/// Computes cone_sdf() with the engine cgal, for validated options: one value per triangle, on one thread. Throws
+/// InputError if the triangles do not form an oriented manifold.
 ConeSdfResult cone_sdf_cgal(const Shape& shape, const ConeSdfOptions& options);
 
-/// The embree engine of cone_sdf(), for validated options and samples.
+/// Computes cone_sdf() with the engine embree, for validated options and samples.
 ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const ConeSdfOptions& options);
 
 }  // namespace shapegauge

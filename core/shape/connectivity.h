@@ -16,7 +16,7 @@ namespace shapegauge {
 template <typename Value>
 struct BucketSorted {
   std::vector<Value> values;
-  std::vector<std::size_t> first;  ///< by key: index of its first value; one more entry at the end
+  std::vector<std::size_t> first;  ///< per key: index of its first value in `values`; one more entry at the end
 };
 
 /// Sorts values stably by keys in [0, keys), in linear time. key(value) returns the key.
@@ -30,12 +30,12 @@ BucketSorted<Value> bucket_sort(const std::vector<Value>& values, std::size_t ke
   return result;
 }
 
-/// Union-find over the numbers from 0 on.
+/// Union-find over the integers from 0 to size() - 1.
 class DisjointSets {
  public:
   [[nodiscard]] std::size_t size() const { return parent_.size(); }
 
-  /// Adds numbers below `size`, each as a singleton set.
+  /// Adds the integers up to `size` - 1, each as a singleton set.
   void grow_to(std::size_t size) {
     while (parent_.size() < size) parent_.push_back(static_cast<std::int32_t>(parent_.size()));
   }
@@ -64,26 +64,26 @@ std::vector<std::int32_t> welded_vertices(const Points& vertices);
 /// it is a duplicate. Corners are compared by welded_vertices().
 std::vector<std::int32_t> first_duplicates(const Triangles& triangles, std::span<const std::int32_t> merged);
 
-/// Identities of a mesh's elements by position: shared by computations on the same mesh.
+/// Coincident vertices and duplicate triangles of a mesh, computed once for several functions (welding_of()).
 struct Welding {
-  std::vector<std::int32_t> vertices;   ///< welded_vertices()
-  std::vector<std::int32_t> triangles;  ///< first_duplicates()
+  std::vector<std::int32_t> vertices;   ///< per vertex: first vertex at the same position (welded_vertices())
+  std::vector<std::int32_t> triangles;  ///< per triangle: first triangle with the same corners (first_duplicates())
 
   [[nodiscard]] bool is_distinct(Eigen::Index triangle) const {
     return triangles[static_cast<std::size_t>(triangle)] == triangle;
   }
 };
 
-/// Returns the identities of the elements of a mesh.
+/// Computes the coincident vertices and duplicate triangles of a mesh.
 Welding welding_of(const Shape& shape);
 
 /// Half-edge: a side of a triangle and its undirected edge, with welded vertex indices (welded_vertices()).
 struct HalfEdge {
-  std::int32_t low;       ///< smaller vertex of the edge
-  std::int32_t high;      ///< greater vertex of the edge
+  std::int32_t low;       ///< smaller vertex index of the edge
+  std::int32_t high;      ///< greater vertex index of the edge
   std::int32_t triangle;  ///< triangle that the side belongs to
-  std::int8_t corner;     ///< corner at which the side begins; it leads to the next corner
-  bool forward;           ///< directed from the smaller vertex to the greater
+  std::int8_t corner;     ///< corner (0 to 2) at which the side begins; the side leads to the next corner
+  bool forward;           ///< true if the side leads from vertex `low` to vertex `high`
 
   [[nodiscard]] bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
@@ -92,14 +92,14 @@ struct HalfEdge {
 /// duplicate triangles only the first has half-edges (first_duplicates()).
 std::vector<HalfEdge> half_edges(const Triangles& triangles, const Welding& welding);
 
-/// The same for the welded_vertices().
+/// Returns the half-edges of a mesh with the welded_vertices() `merged`; finds the duplicate triangles itself.
 std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std::int32_t> merged);
 
 /// Returns the half-edges of the surface: those of all triangles or, if only degenerate triangles (is_degenerate())
-/// keep it from being closed, those of the others.
+/// keep the shape from being closed, those of all non-degenerate triangles.
 std::vector<HalfEdge> surface_half_edges(const Shape& shape, const Welding& welding);
 
-/// Calls visit(std::span<const HalfEdge>) with the half-edges of each edge.
+/// Calls visit(std::span<const HalfEdge>) once per edge, with all half-edges of the edge. `uses` are half_edges().
 template <typename Visit>
 void for_each_edge(std::span<const HalfEdge> uses, Visit visit) {
   for (std::size_t begin = 0; begin < uses.size();) {

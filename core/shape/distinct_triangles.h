@@ -13,8 +13,8 @@ namespace shapegauge {
 struct DistinctTriangles {
   Shape shape;  ///< all vertices of the mesh, and its triangles without duplicates
   std::vector<std::int32_t>
-      triangle_of;  ///< per triangle of the mesh: index in `shape` of the triangle or of its first duplicate
-  /// By vertex: its own index or, if only duplicates use it, the coincident vertex of their first triangle.
+      triangle_of;  ///< per triangle of the mesh: index in `shape` of the first triangle with the same corners
+  /// Per vertex: its own index or, if only duplicate triangles use it, the coincident vertex of the first of these.
   std::vector<std::int32_t> vertex_of;
 
   [[nodiscard]] bool has_duplicates() const { return shape.triangles.rows() < std::ssize(triangle_of); }

@@ -8,14 +8,14 @@
 
 namespace shapegauge {
 
-/// Undirected segment between two points.
+/// Undirected segment between two points: the indices a and b of its ends, and its length.
 struct Segment {
   std::int32_t a;
   std::int32_t b;
   double length;
 };
 
-/// Returns the segments from each point to its nearest neighbours.
+/// Returns the segments from each point to its `neighbours` nearest neighbours.
 std::vector<Segment> nearest_segments(const Points& points, Eigen::Index neighbours);
 
 /// Connects the components of a graph by adding segments until one component is left. First adds segments between

@@ -25,10 +25,11 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k);
 /// size of `among`.
 PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::Index k);
 
-/// Finds the point of `among` nearest to each point, as nearest_neighbours() does. `among` must not be empty.
+/// Returns, for each point, the index of the nearest point of `among`, found as nearest_neighbours() does. `among` must
+/// not be empty.
 std::vector<std::int32_t> nearest_points(const Points& points, const Points& among);
 
-/// Computes the distance of each point to its sixth neighbour, or to the last one in smaller clouds.
+/// Computes the distance of each point to its sixth nearest neighbour or, in smaller clouds, to its farthest one.
 std::vector<double> distances_to_sixth(const Points& points);
 
 /// Estimates unoriented normals of a cloud. Of the planes through a point and two of its 12 nearest neighbours, takes

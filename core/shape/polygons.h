@@ -37,7 +37,8 @@ std::vector<std::int32_t> labels_of_polygons(const Shape& shape, std::span<const
 /// Converts polygon labels to triangle labels. Expects polygon_count() labels.
 std::vector<std::int32_t> labels_of_triangles(const Shape& shape, std::span<const std::int32_t> of_polygons);
 
-/// Returns the beginning of a user note about values or labels of a mesh that has_polygons(); nothing for other shapes.
+/// Returns the text "5 faces of the file became 9 triangles" if the mesh has_polygons(), the beginning of a note on
+/// values or labels; nothing for other shapes.
 std::optional<std::string> polygon_note(const Shape& shape);
 
 }  // namespace shapegauge

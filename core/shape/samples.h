@@ -41,7 +41,8 @@ inline constexpr std::array<std::string_view, 3> words_of<SampleSite>{"faces", "
 struct Samples {
   SampleSite site = SampleSite::faces;
   Points points;  ///< one row per sample, in the shape's units
-  /// Unit normals by the triangles' orientation, or those of the cloud; zero if undefined (degenerate, unused).
+  /// Unit normal of each sample, by the triangles' orientation or of the cloud; zero if undefined (degenerate triangle,
+  /// unused vertex).
   Points normals;
   Eigen::VectorXd weights;              ///< area represented by each sample; zero if undefined
   std::vector<std::int32_t> triangles;  ///< triangle of each surface sample of a mesh; otherwise empty
@@ -54,8 +55,8 @@ struct Samples {
 /// - Clouds: the samples are the points, whatever the site, and the result's site is `vertices`. The weights are
 ///   point_weights(), with their errors; the normals are the file's or unsigned_point_normals().
 ///
-/// Duplicate triangles, and vertices that only they use, have the point and normal of their first and a weight of 0
-/// (distinct_triangles()). Throws InputError for an unusable shape (require_usable()).
+/// Duplicate triangles, and vertices that only they use, have the point and normal of the first duplicate and a weight
+/// of 0 (distinct_triangles()). Throws InputError for an unusable shape (require_usable()).
 Samples sample_shape(const Shape& shape, SampleSite site);
 
 /// Samples a shape at `count` points of the surface (SampleSite::surface, stratified_points()), with the triangles'

@@ -17,7 +17,7 @@ using Triangles = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor
 /// Polygons of a file that the triangles of a mesh belong to (polygons.h). The triangles of a polygon are consecutive,
 /// in the order of the polygons.
 struct Polygons {
-  std::vector<std::int32_t> of_triangle = {};  ///< polygon of each triangle; empty if triangle i is polygon i
+  std::vector<std::int32_t> of_triangle = {};  ///< index of each triangle's polygon; empty if triangle i is polygon i
   std::int32_t count = 0;                      ///< number of polygons of the file; unused if `of_triangle` is empty
 };
 
@@ -29,7 +29,7 @@ struct Shape {
   Points vertices;
   Triangles triangles;
   Points normals = {};     ///< unit normals of a point cloud if the file has them; otherwise empty
-  Polygons polygons = {};  ///< as read from the file; dropped by functions that change the list of triangles
+  Polygons polygons = {};  ///< polygons of the file; dropped by functions that change the list of triangles
 };
 
 /// Computes the axis-aligned bounding box of the vertices used by triangles, or of all points of a cloud. Empty for an
@@ -39,7 +39,8 @@ Eigen::AlignedBox<double, 3> bounding_box(const Shape& shape);
 /// Computes the length of the bounding-box diagonal; 0 for an empty shape.
 double bounding_box_diagonal(const Shape& shape);
 
-/// Computes the area of every triangle, in the shape's units squared. Duplicates have the area of their first.
+/// Computes the area of every triangle, in the shape's units squared. A duplicate has the area of the first
+/// triangle with the same corners.
 Eigen::VectorXd triangle_areas(const Shape& shape);
 
 /// Computes the unit normal of a triangle by the order of its corners; zero if the triangle is degenerate.
@@ -51,7 +52,7 @@ bool is_degenerate(const Shape& mesh, Eigen::Index triangle);
 /// Returns true for a point cloud: a shape without triangles.
 inline bool is_cloud(const Shape& shape) { return shape.triangles.rows() == 0; }
 
-/// Marks the vertices that a triangle uses.
+/// Returns one flag per vertex: true if a triangle uses the vertex.
 std::vector<bool> used_vertices(const Shape& shape);
 
 /// Computes the total area of the triangles, with duplicates counted once (distinct_triangles()); 0 for a point cloud.
@@ -59,14 +60,14 @@ double surface_area(const Shape& shape);
 
 struct Welding;
 
-/// The same for the shape's welding_of().
+/// Computes the total area of the triangles, with duplicates counted once. `welding` is the shape's welding_of().
 double surface_area(const Shape& shape, const Welding& welding);
 
 /// Describes why a shape is unusable: a coordinate that is not finite, or a vertex index out of range. Nothing for a
 /// usable shape. Shapes from readers are always usable.
 std::optional<std::string> find_defect(const Shape& shape);
 
-/// Throws InputError "the shape is unusable: ..." if the shape has a defect.
+/// Throws InputError "the shape is unusable: ..." if the shape has a defect (find_defect()).
 void require_usable(const Shape& shape);
 
 /// Coordinates in which a shape's bounding box is centred at the origin and has a diagonal of 1. Single precision and

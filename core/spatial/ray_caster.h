@@ -12,9 +12,9 @@ namespace shapegauge {
 
 /// Intersection of a ray with a shape.
 struct RayHit {
-  std::int32_t triangle = -1;  ///< -1: nothing was hit
-  double distance = 0;         ///< from the origin, in the shape's units
-  bool leaving = false;        ///< the ray runs along the triangle's normal, that is, out of an outward-oriented shape
+  std::int32_t triangle = -1;  ///< index of the triangle that was hit; -1 if the ray hits none
+  double distance = 0;         ///< distance from the ray's origin to the hit, in the shape's units
+  bool leaving = false;  ///< true if the ray leaves an outward-oriented shape: it runs along the triangle's normal
 
   explicit operator bool() const { return triangle >= 0; }
 };
@@ -46,7 +46,8 @@ class RayCaster {
   [[nodiscard]] RayHit first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                  std::span<const std::int32_t> skipped = {}) const;
 
-  /// Casts several rays from one origin. `hits` must have the size of `directions`.
+  /// Casts one ray per unit direction from a common origin, ignoring the triangles `skipped`. Writes the first hits to
+  /// `hits`, which must have the size of `directions`.
   void first_hits(const Eigen::Vector3d& origin, std::span<const Eigen::Vector3d> directions,
                   std::span<const std::int32_t> skipped, std::span<RayHit> hits) const;
 

@@ -20,20 +20,22 @@ struct ClosestHit {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
 };
 
-/// Ball, for queries of a part of space.
+/// Ball to which a search in a TriangleBVH is restricted.
 struct Ball {
   Eigen::Vector3d centre;
   double radius;
 };
 
-/// Cone, filled, of all directions from an apex that differ from the unit axis by at most an angle.
+/// Solid cone to which a search in a TriangleBVH is restricted: all directions from an apex that differ from the unit
+/// axis by at most an angle. The normals of the triangles can be restricted too.
 struct Cone {
   Eigen::Vector3d apex;
   Eigen::Vector3d axis;
-  double cosine;  ///< of the angle, which is at most 90 degrees
-  /// Cosine of the largest angle between the axis and the normals of triangles, on either side; -1: any triangles.
+  double cosine;  ///< cosine of the angle between axis and boundary, which is at most 90 degrees
+  /// Cosine of the largest allowed angle between the axis and a triangle's normal, taken with either sign; -1: any
+  /// triangles.
   double min_normal_cosine = -1;
-  bool faces_away = false;  ///< only normals that point away from the apex count
+  bool faces_away = false;  ///< true: min_normal_cosine applies to the normal that points away from the apex only
 };
 
 /// Bounding volume hierarchy over the triangles of a shape for proximity queries. Nodes have eight children and leaves
@@ -60,8 +62,8 @@ class TriangleBVH {
                                                   std::int32_t hint = -1) const;
 
   /// Calls `visit(triangle, ball)` at least for all triangles that intersect both ball and cone, roughly in order of
-  /// their distance from the cone's apex; the triangle is -1 after each leaf. `visit` may replace the ball by a smaller
-  /// one inside it, which prunes the search. Radii must be finite.
+  /// their distance from the cone's apex; after each leaf of the tree it is called with the triangle -1. `visit` may
+  /// replace the ball by a smaller one inside it, which prunes the search. Radii must be finite.
   void search(const Cone& cone, Ball& ball, const std::function<void(std::int32_t, Ball&)>& visit) const;
 
   /// Returns the corners of a triangle, by its index in the shape.

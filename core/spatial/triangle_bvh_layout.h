@@ -10,54 +10,55 @@
 
 namespace shapegauge {
 
-inline constexpr int children_per_node = 8;
-inline constexpr int triangles_per_leaf = 16;
+inline constexpr int children_per_node = 8;    ///< number of children of a node of the tree
+inline constexpr int triangles_per_leaf = 16;  ///< maximum number of triangles of a leaf
 
-/// Bounds of eight children, coordinate by coordinate: a box and a disk, which is a flat cylinder about the mean normal
-/// of the child's triangles, turned to one side. On a smooth surface the disk is much thinner than the box, the more so
-/// the finer the triangles. Unused slots hold an empty box at infinity.
+/// Node of the tree: bounds of its eight children, as one array per coordinate. Each child has a box and a disk, which
+/// is a flat cylinder about the mean normal of the child's triangles, turned to one side. On a smooth surface the disk
+/// is much thinner than the box, the more so the finer the triangles. Unused slots hold an empty box at infinity.
 struct alignas(64) TriangleBvhNode {
   std::array<std::array<float, children_per_node>, 3> low;
   std::array<std::array<float, children_per_node>, 3> high;
-  std::array<std::array<float, children_per_node>, 3> centre;  ///< of the disk
-  std::array<std::array<float, children_per_node>, 3> normal;  ///< zero if undefined; the disk is then a ball
-  std::array<float, children_per_node> half_height;
-  std::array<float, children_per_node> radius;
-  /// Maximum length of the difference between a triangle's unit normal, turned to the same side, and that of the disk.
+  std::array<std::array<float, children_per_node>, 3> centre;  ///< centre of each disk
+  std::array<std::array<float, children_per_node>, 3> normal;  ///< unit axis of each disk; if zero, it is a ball
+  std::array<float, children_per_node> half_height;            ///< half of the height of each disk
+  std::array<float, children_per_node> radius;                 ///< radius of each disk
+  /// Maximum length of the difference between the disk's normal and the unit normal of a triangle in the child, turned
+  /// to the same side.
   std::array<float, children_per_node> normal_deviation;
-  std::array<std::int32_t, children_per_node> child;  ///< index of a node, or ~index of a leaf
+  std::array<std::int32_t, children_per_node> child;  ///< index of the child node, or ~index of the child leaf
 };
 
-/// Scalar for each triangle of a leaf.
+/// One float per triangle of a leaf.
 using LeafLane = std::array<float, triangles_per_leaf>;
-/// Vector for each triangle of a leaf.
+/// One three-dimensional vector per triangle of a leaf, as an array per coordinate.
 using LeafVector = std::array<LeafLane, 3>;
 
-/// Sixteen triangles relative to a nearby origin, which makes single precision relative to their size and not to the
-/// whole shape. Unused slots repeat the last used one.
+/// Leaf of the tree: sixteen triangles relative to a nearby origin, which makes single precision relative to their size
+/// and not to the whole shape. Unused slots repeat the last used one.
 struct alignas(64) TriangleBvhLeaf {
-  LeafVector a;   ///< first corner
-  LeafVector ab;  ///< edges from the first corner
-  LeafVector ac;
-  LeafVector normal;  ///< unit normal
-  LeafVector dual_b;  ///< dot(x - a, dual_b) is the barycentric coordinate of b; NaN for a degenerate triangle, so that
-  LeafVector dual_c;  ///< no point projects into it
-  LeafLane inverse_ab;  ///< 1 / squared length of the edge; 0 for a degenerate edge
-  LeafLane inverse_ac;
-  LeafLane inverse_bc;
-  std::array<std::int32_t, triangles_per_leaf> triangle;
-  Eigen::Vector3d origin;
-  std::int32_t used_slots;
+  LeafVector a;         ///< first corner of each triangle, relative to `origin`
+  LeafVector ab;        ///< edge from the first to the second corner
+  LeafVector ac;        ///< edge from the first to the third corner
+  LeafVector normal;    ///< unit normal; zero for a degenerate triangle
+  LeafVector dual_b;    ///< dot(x - a, dual_b) is the barycentric coordinate of x for b; NaN for a degenerate triangle
+  LeafVector dual_c;    ///< dot(x - a, dual_c) is the barycentric coordinate of x for c; NaN for a degenerate triangle
+  LeafLane inverse_ab;  ///< 1 / |ab|^2; 0 if the edge ab is degenerate
+  LeafLane inverse_ac;  ///< 1 / |ac|^2; 0 if the edge ac is degenerate
+  LeafLane inverse_bc;  ///< 1 / |bc|^2; 0 if the edge bc is degenerate
+  std::array<std::int32_t, triangles_per_leaf> triangle;  ///< index of each triangle in the shape
+  Eigen::Vector3d origin;                                 ///< centre of the triangles' bounding box
+  std::int32_t used_slots;                                ///< number of triangles in the leaf
 };
 
-/// Data of the tree. The root is node 0.
+/// Arrays of a TriangleBVH. The root is node 0; without triangles there is none.
 struct TriangleBVH::Layout {
   std::vector<Triangle> triangles;
   std::vector<TriangleBvhNode> nodes;
   std::vector<TriangleBvhLeaf> leaves;
 };
 
-/// Ball and cone of a search, in single precision.
+/// Ball and cone of TriangleBVH::search(), in single precision.
 struct BallAndCone {
   Eigen::Vector3f centre;
   float radius;
@@ -68,20 +69,21 @@ struct BallAndCone {
   float min_normal_cosine;
 };
 
-/// Computes the squared distances from the apex to the boxes of the children that may intersect ball and cone and face
-/// the axis; infinity for others. Rounds in the same way on every processor.
+/// Computes, for each child of a node, the squared distance from the cone's apex to the child's box. It is infinite if
+/// the child cannot intersect ball and cone, or if its normals deviate too much from the axis. Rounds in the same way
+/// on every processor.
 void distances_in_reach(const TriangleBvhNode& node, const BallAndCone& query,
                         std::array<float, children_per_node>& squared_distances);
 
-/// Builds nodes and leaves top down by the binned surface area heuristic.
+/// Builds the nodes and leaves of a tree over at least one triangle, top down by the binned surface area heuristic.
 void build_triangle_bvh(std::vector<TriangleBvhNode>& nodes, std::vector<TriangleBvhLeaf>& leaves,
                         const std::vector<Triangle>& triangles);
 
-/// Returns the triangle with the smallest squared distance to x below the limit, or `otherwise`.
+/// Returns the index of the triangle closest to x if its squared distance is below the limit; if none is, `otherwise`.
 std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise);
 
-/// Returns a bit mask of the leaf's triangles whose normals are within the cone's limit.
+/// Returns a bit mask of the leaf's triangles whose normals satisfy min_normal_cosine and faces_away of the cone.
 std::uint32_t triangles_facing(const TriangleBvhLeaf& leaf, const Cone& cone);
 
 /// Computes the squared distances from x to the leaf's triangles.

@@ -11,18 +11,18 @@
 
 namespace shapegauge {
 
-/// Class of models. Classes form a forest; a class that only groups others has no models of its own.
+/// Class of models in a hierarchy. Classes form a forest; a class that only groups other classes has no models.
 struct ModelClass {
   std::string name;
-  std::optional<std::size_t> parent;  ///< index of the parent, smaller than the class's own; none for a root
-  std::vector<std::string> models;    ///< ids as in the file
+  std::optional<std::size_t> parent;  ///< index of the parent class, which precedes this class; absent for a root
+  std::vector<std::string> models;    ///< ids of the class's models, spelled as in the file
 
   bool operator==(const ModelClass&) const = default;
 };
 
 /// Assignment of models to classes. Class names and models are unique.
 struct Classification {
-  std::vector<ModelClass> classes;  ///< parents before children
+  std::vector<ModelClass> classes;  ///< all classes, parents before children
 
   bool operator==(const Classification&) const = default;
 };

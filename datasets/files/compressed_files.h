@@ -15,7 +15,7 @@ std::string format_extension(const std::filesystem::path& path);
 /// larger, but at most 16 GiB. Tables of numbers typically shrink to between a half and a tenth of their size.
 std::size_t max_unpacked_bytes(std::size_t packed);
 
-/// Throws the InputError for a file that unpacks to more than max_unpacked_bytes().
+/// Throws InputError for the file `source` of `packed` bytes, which unpacks to more than max_unpacked_bytes().
 [[noreturn]] void fail_unpacking(const std::string& source, std::size_t packed);
 
 /// Reads a file, decompressed if its name ends in `.gz`. Throws InputError as read_file_bytes() does, for an invalid or

@@ -11,13 +11,13 @@
 
 namespace shapegauge {
 
-/// Row of a table.
+/// Row of a table of separated values, with its line number for error messages.
 struct CsvRow {
   std::vector<std::string> cells;
   std::size_t line = 0;  ///< line of the file on which the row begins, counted from 1
 };
 
-/// Maximum number of cells of a row.
+/// Maximum number of cells in one row of a CSV file.
 inline constexpr std::size_t max_csv_cells = 1'000'000;
 
 /// Reader of separated values (RFC 4180) row by row. Lines end with LF or CR LF, or with CR in a text without LF. A
@@ -26,12 +26,12 @@ inline constexpr std::size_t max_csv_cells = 1'000'000;
 /// first_separator() and number_separator() return what it declares.
 class CsvReader {
  public:
-  /// The text must outlive the reader.
+  /// Prepares to read `text`, which must outlive the reader. `source` prefixes error messages.
   CsvReader(std::string_view text, std::string source, char separator);
 
-  /// Returns the next row that is not blank: empty cells only, none of them quoted. Nothing at the end. Throws
-  /// InputError "<source>:<line>: ..." for an unclosed quotation mark, for text after a closing one, and for a row of
-  /// more than max_csv_cells.
+  /// Returns the next row that is not blank, or nothing at the end of the text. A blank row has only empty cells, none
+  /// of them quoted. Throws InputError "<source>:<line>: ..." for an unclosed quotation mark, for text after a closing
+  /// quotation mark, and for a row of more than max_csv_cells cells.
   std::optional<CsvRow> next();
 
  private:
@@ -48,10 +48,10 @@ class CsvReader {
   char line_end_;
   std::string cell_ends_;
   std::size_t line_ = 1;
-  bool quoted_ = false;  ///< the current row has a quoted cell
+  bool quoted_ = false;  ///< true if the current row has a quoted cell
 };
 
-/// Reads all rows. Throws InputError as CsvReader does.
+/// Parses all rows of a comma-separated text, except blank rows. Throws InputError as CsvReader does.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source);
 
 /// Returns the separator of a table: the first of tab, semicolon and comma that occurs in the first non-blank line;
@@ -62,17 +62,17 @@ std::optional<char> first_separator(std::string_view text);
 /// does, for rows of different lengths, and for more than 10 million rows.
 std::vector<CsvRow> parse_word_table(std::string_view text, const std::string& source);
 
-/// Names of the column with the class of each model, in lower case.
+/// Accepted names, in lower case, of the table column that contains the class of each model.
 inline constexpr std::array<std::string_view, 3> class_column_names{"class", "label", "category"};
 
-/// Names of the column with the subclass of a model, in lower case.
+/// Accepted names, in lower case, of the table column that contains the subclass of each model.
 inline constexpr std::array<std::string_view, 2> subclass_column_names{"subclass", "subcategory"};
 
-/// Returns the index of the first column with one of these lower-case names, ignoring case; nothing if there is none.
+/// Returns the index of the first column that has one of the lower-case `names`, ignoring case; nothing if none has.
 std::optional<std::size_t> find_column(const CsvRow& header, std::span<const std::string_view> names);
 
-/// Returns the index of the column named in class_column_names; nothing if there is none. Throws InputError for
-/// several.
+/// Returns the index of the column named in class_column_names; nothing if there is none. Throws InputError for several
+/// such columns.
 std::optional<std::size_t> find_class_column(const CsvRow& header, const std::string& source);
 
 /// Returns the separator of a table of numbers, with or without quoted names: a comma, unless the first line has tabs
@@ -83,7 +83,7 @@ char number_separator(std::string_view text);
 /// ("=1+1") gets an apostrophe in front, which a spreadsheet does not show.
 std::string csv_cell(std::string_view text);
 
-/// Formats the cells as one line with its LF.
+/// Formats the cells as one line of CSV, ended by LF.
 std::string csv_line(const std::vector<std::string>& cells);
 
 }  // namespace shapegauge

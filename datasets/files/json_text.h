@@ -6,13 +6,13 @@
 
 namespace shapegauge {
 
-/// Returns the value with all names and strings as with_escaped_bytes(): names of files need not be UTF-8, as JSON is.
+/// Returns the value with invalid UTF-8 in all names and strings escaped by with_escaped_bytes(), since JSON is UTF-8.
 /// @{
 nlohmann::json escaped_json(const nlohmann::json& value);
 nlohmann::ordered_json escaped_json(const nlohmann::ordered_json& value);
 /// @}
 
-/// Formats a JSON value as escaped_json(): on one line, or indented by a number of blanks.
+/// Formats a JSON value after escaped_json(): on one line if `indent` is negative, else indented by `indent` blanks.
 /// @{
 std::string json_text(const nlohmann::json& value, int indent = -1);
 std::string json_text(const nlohmann::ordered_json& value, int indent = -1);

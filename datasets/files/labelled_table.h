@@ -8,15 +8,15 @@
 
 namespace shapegauge {
 
-/// Table of numbers: distances from the rows' models to the columns', or one row of features per model.
+/// Table of numbers with ids: distances from the row's model to the column's model, or one row of features per model.
 struct LabelledTable {
   DistanceMatrix numbers;
-  std::vector<std::string> row_ids;     ///< empty if unknown
-  std::vector<std::string> column_ids;  ///< empty if unknown
+  std::vector<std::string> row_ids;     ///< ids of the models of the rows; empty if unknown
+  std::vector<std::string> column_ids;  ///< ids of the models or features of the columns; empty if unknown
 };
 
-/// Shape that a reader accepts: a square distance matrix, whose rows and columns have the same ids, or any table of
-/// numbers.
+/// Matrix shape that a reader accepts: a square distance matrix, whose rows and columns have the same ids, or any table
+/// of numbers.
 enum class TableShape { square, any };
 
 }  // namespace shapegauge

@@ -14,11 +14,12 @@
 namespace shapegauge {
 
 /// Parses the Princeton Shape Benchmark's `.matrix` from the bytes of a file: N x N float32, little-endian, row by row,
-/// no header. N follows from the number of bytes. `source` prefixes error messages. Throws InputError for a number that
-/// is not 4 N^2 (with a hint if it is that of float64).
+/// no header. N follows from the number of bytes. `source` prefixes error messages. Throws InputError if the number of
+/// bytes is not 4 N^2 (with a hint if it fits float64).
 DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source);
 
-/// Returns N of a `.matrix` file of that many bytes. Throws InputError as parse_psb_matrix() does.
+/// Returns the number of rows of a square `.matrix` file of `bytes` bytes. Throws InputError as parse_psb_matrix()
+/// does.
 Eigen::Index psb_matrix_size(std::size_t bytes, const std::string& source);
 
 /// Returns the extensions of the formats that read_matrix() reads, with their dots.
@@ -38,18 +39,18 @@ LabelledTable read_matrix(const std::filesystem::path& path, TableShape shape, c
 void write_distance_matrix(const std::filesystem::path& path, const DistanceMatrix& distances,
                            const std::vector<std::string>& ids);
 
-/// Row and column of a matrix entry.
+/// Row and column indices of a matrix entry.
 struct MatrixPlace {
   Eigen::Index row = 0;
   Eigen::Index column = 0;
 };
 
-/// Sets NaN on the diagonal of a square matrix to 0. Throws InputError for any other NaN. `first` is the position of
-/// the first number in the whole matrix.
+/// Sets NaN on the diagonal of a square matrix to 0. Throws InputError for any other NaN. `numbers` is a block of the
+/// matrix; `first` is the row and column of its first number in the whole matrix.
 void replace_or_refuse_nan(DistanceMatrix& numbers, const MatrixPlace& first, TableShape shape,
                            const std::filesystem::path& path);
 
-/// Returns true if an array of that shape is a vector that may be condensed distances, see read_matrix().
+/// Returns true for the shape of a vector of n (n - 1) / 2 numbers, which may be condensed distances (read_matrix()).
 bool is_condensed_shape(std::span<const std::uint64_t> shape);
 
 }  // namespace shapegauge

@@ -19,14 +19,14 @@ bool natural_less(std::string_view a, std::string_view b);
 /// unchanged.
 std::string canonical_model_id(std::string_view id);
 
-/// Keys of models, equal for ids of the same model: canonical_model_id(), but the whole id where several of the known
-/// ids differ in the extension of the shape file only, such as m0.off and m0.obj.
+/// Keys for comparing model ids: ids of the same model have equal keys. The key is canonical_model_id(), but the whole
+/// id if several known ids differ only in the extension of the shape file, such as m0.off and m0.obj.
 class ModelKeys {
  public:
   ModelKeys() = default;
   explicit ModelKeys(const std::vector<std::string>& known_ids);
 
-  /// Adds the ambiguous ids of other keys, so that both treat ids alike.
+  /// Adds the ambiguous ids of other keys: such ids then keep their extensions in the key.
   void add(const ModelKeys& other) { ambiguous_.insert(other.ambiguous_.begin(), other.ambiguous_.end()); }
 
   [[nodiscard]] std::string of(std::string_view id) const;
@@ -34,7 +34,7 @@ class ModelKeys {
   bool operator==(const ModelKeys&) const = default;
 
  private:
-  std::set<std::string, std::less<>> ambiguous_;  ///< canonical ids of several models
+  std::set<std::string, std::less<>> ambiguous_;  ///< canonical ids that several known models share
 };
 
 /// Returns the shortest distinguishing suffixes of paths, without extensions if possible: "x" and "y" for a/x.off and

@@ -17,10 +17,10 @@ namespace shapegauge {
 
 /// Header of a NumPy `.npy` file (numpy.lib.format, versions 1.0 to 3.0).
 struct NpyHeader {
-  std::string type;  ///< in NumPy's notation: "<f8"
-  bool column_by_column = false;
-  std::vector<std::uint64_t> shape;
-  std::size_t data_begin = 0;  ///< offset of the data from the beginning of the file, in bytes
+  std::string type;                  ///< type of the numbers in NumPy's notation, such as "<f8"
+  bool column_by_column = false;     ///< true for Fortran order
+  std::vector<std::uint64_t> shape;  ///< number of entries along each dimension
+  std::size_t data_begin = 0;        ///< offset of the data from the beginning of the file, in bytes
 };
 
 /// Binary number format: size in bytes, and a function that decodes `count` numbers. It throws InputError as
@@ -33,31 +33,31 @@ struct NumberFormat {
 /// Returns the format of little-endian float32.
 NumberFormat float32_format();
 
-/// Layout of a matrix in a file.
+/// Layout of a matrix in a `.npy` file: its size, number format and order, and where the data begin.
 struct NpyTable {
   Eigen::Index rows = 0;
   Eigen::Index columns = 0;
   NumberFormat numbers;
-  bool column_by_column = false;
-  std::size_t data_begin = 0;
+  bool column_by_column = false;  ///< true for Fortran order
+  std::size_t data_begin = 0;     ///< offset of the data from the beginning of the file, in bytes
 };
 
 /// Parses the header of a `.npy` file. Throws InputError, with `source` and the byte, for another format or version, a
 /// truncated header, and an invalid dictionary.
 NpyHeader parse_npy_header(std::string_view bytes, const std::string& source);
 
-/// Formats the header (version 1.0) of a row-major matrix of little-endian float64.
+/// Formats the `.npy` header (version 1.0) of a row-major matrix of little-endian float64.
 std::string npy_header_of_matrix(std::size_t rows, std::size_t columns);
 
-/// Formats the header (version 1.0) of a one-dimensional array of little-endian float64.
+/// Formats the `.npy` header (version 1.0) of a one-dimensional array of little-endian float64.
 std::string npy_header_of_vector(std::size_t size);
 
-/// Encodes numbers as little-endian float64, as they follow the header.
+/// Encodes numbers as little-endian float64, the data that follow the header of a `.npy` file.
 std::string npy_numbers(std::span<const double> numbers);
 
 /// Validates the header of a numeric array against the size of its file. `beginning` must contain the header. A
-/// one-dimensional array is one column. Throws InputError for another type or shape, an invalid header, data of the
-/// wrong length, and another shape.
+/// one-dimensional array is one column. Throws InputError for an invalid header, an unsupported type, a shape that
+/// `shape` does not accept, and data of the wrong length.
 NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, TableShape shape,
                                 const std::string& source);
 

@@ -10,7 +10,7 @@
 
 namespace shapegauge {
 
-/// Rectangular block of a matrix.
+/// Rectangular block of a matrix: its first row and column, and its numbers of rows and columns.
 struct MatrixBlock {
   Eigen::Index first_row = 0;
   Eigen::Index rows = 0;
@@ -24,8 +24,8 @@ struct OpenMatrix {
   Eigen::Index rows = 0;
   Eigen::Index columns = 0;
   std::function<DistanceMatrix(const MatrixBlock&)> read;
-  std::vector<std::string> row_ids{};     ///< empty if unknown
-  std::vector<std::string> column_ids{};  ///< empty if unknown
+  std::vector<std::string> row_ids{};     ///< ids of the models of the rows; empty if unknown
+  std::vector<std::string> column_ids{};  ///< ids of the models or features of the columns; empty if unknown
 };
 
 /// Opens a matrix with the formats of read_matrix(). For `.matrix` files and `.npy`
@@ -36,7 +36,7 @@ OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape, cons
 /// Makes an OpenMatrix of a table in memory.
 OpenMatrix open_matrix(LabelledTable table);
 
-/// Reads the whole matrix.
+/// Reads the whole matrix into memory.
 DistanceMatrix whole_matrix(const OpenMatrix& matrix);
 
 }  // namespace shapegauge

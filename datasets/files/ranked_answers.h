@@ -11,27 +11,27 @@
 
 namespace shapegauge {
 
-/// Ranked answers to queries; a list need not contain all models.
+/// Ranked lists of models, one per query; a list need not contain all models.
 struct RankedAnswers {
   struct Answer {
-    std::string query;
-    std::vector<std::pair<std::string, double>> models;  ///< id and distance
+    std::string query;                                   ///< id of the query
+    std::vector<std::pair<std::string, double>> models;  ///< id of each model, and its negative score or its rank
   };
-  std::vector<Answer> answers;  ///< in order of first appearance of the queries
-  std::string name;             ///< tag of a TREC run, if all lines have the same
-  std::size_t reversed = 0;     ///< answers of a TREC run whose scores rise with the rank
+  std::vector<Answer> answers;  ///< one per query, in order of first appearance
+  std::string name;             ///< tag of a TREC run; empty unless all lines have the same tag
+  std::size_t reversed = 0;     ///< number of queries of a TREC run whose scores rise with the rank
 };
 
-/// Relevance judgements.
+/// Relevance judgements of models for queries (qrels).
 struct Judgements {
   struct Judged {
-    std::string query;
-    std::vector<std::string> relevant;
-    std::vector<int> grades;              ///< of the relevant models, positive
-    std::vector<std::string> irrelevant;  ///< judged as not relevant
+    std::string query;                    ///< id of the query
+    std::vector<std::string> relevant;    ///< ids of the relevant models
+    std::vector<int> grades;              ///< positive grades, one per relevant model
+    std::vector<std::string> irrelevant;  ///< ids of the models judged as not relevant
   };
   std::vector<Judged> queries;
-  bool graded = false;  ///< some grades are above 1
+  bool graded = false;  ///< true if any grade is above 1
 };
 
 /// Parses a TREC run: lines `query Q0 model rank score tag`. As in trec_eval, the order is by descending score and the
@@ -53,7 +53,7 @@ RankedAnswers::Answer parse_ranked_list(std::string_view text, const std::string
 /// words, a grade that is not an integer, a model judged twice for a query, and no lines.
 Judgements parse_qrels(std::string_view text, const std::string& source);
 
-/// Extensions of TREC runs and ranked lists.
+/// File extensions of TREC runs (.run, .trec) and ranked lists (.lists).
 inline constexpr std::array<std::string_view, 3> ranked_answers_extensions{".run", ".trec", ".lists"};
 
 /// Returns true for a TREC run (.run, .trec, or .txt with a matching first line) or ranked lists (.lists), also
@@ -61,14 +61,14 @@ inline constexpr std::array<std::string_view, 3> ranked_answers_extensions{".run
 bool is_ranked_answers_file(const std::filesystem::path& path);
 
 /// Returns the files of a folder with a ranked list for each query, in natural order of names, without hidden ones.
-/// Throws InputError for a folder without files, or with folders.
+/// Throws InputError for a folder without files, or with subfolders.
 std::vector<std::filesystem::path> ranked_list_files(const std::filesystem::path& folder);
 
-/// Reads a TREC run or ranked lists, by the name's extension, or a folder with a file for each query, named by its id,
-/// as parse_ranked_list() parses. Throws InputError also as ranked_list_files() does.
+/// Reads a TREC run or ranked lists, selected by the file's extension, or a folder with one file per query. Such a file
+/// is named by the query's id and has the format of parse_ranked_list(). Throws InputError also as ranked_list_files().
 RankedAnswers read_ranked_answers(const std::filesystem::path& path);
 
-/// Reads TREC judgements, compressed or not.
+/// Reads TREC judgements (qrels); the file may be compressed with `.gz`.
 Judgements read_qrels(const std::filesystem::path& path);
 
 }  // namespace shapegauge

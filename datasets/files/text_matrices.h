@@ -13,14 +13,16 @@ namespace shapegauge {
 /// error messages. With ids, the text has a header row (a first cell that is not a number, then the ids of columns) and
 /// an id at the beginning of each row, in the same order. If the very first cell is a number, there are no ids. Cells
 /// may be quoted. Entries on the diagonal may be missing (empty, NA, nan, null, -) and are then 0; all rows may end
-/// with a separator. Throws InputError for an invalid number, an integer that double rounds, a row of another length,
-/// different numbers of rows and columns, an id that is empty or repeated, and different ids of rows and columns.
+/// with a separator. Throws InputError for an invalid number, an integer that double would round, a row of another
+/// length, different numbers of rows and columns, an id that is empty or repeated, and different ids of rows and
+/// columns.
 LabelledTable parse_csv_matrix(std::string_view text, const std::string& source);
 
-/// Parses a table of numbers of any shape with the same separators, with or without ids. The first row is a header if
-/// its first cell is not a number, unless there are other cells, all of them numbers, and the first is neither empty
-/// nor "id". The first column has the ids of rows if the header begins with an empty cell or "id", or if the first cell
-/// of the first row of numbers is not a number. Throws InputError as parse_csv_matrix() does.
+/// Parses a table of numbers of any shape, separated by commas, semicolons or tabs, with or without ids. The first row
+/// is a header if its first cell is not a number. Exception: if further cells exist and all are numbers, the first cell
+/// is an id unless it is empty or "id". The first column has the ids of rows if the header begins with an empty cell or
+/// "id", or if the first cell of the first row of numbers is not a number. Throws InputError as parse_csv_matrix()
+/// does.
 LabelledTable parse_csv_table(std::string_view text, const std::string& source);
 
 /// Returns true if the text is one line of numbers, or has one number in each of its first two lines.

@@ -10,13 +10,13 @@
 
 namespace shapegauge {
 
-/// Meshed body of a class in the rest pose, ready to be posed.
+/// Skinned mesh of a class of articulated bodies in the rest pose: skeleton, surface and skinning weights.
 struct ArticulatedBody {
   Skeleton skeleton;
   RestPose rest;
   Triangles triangles;
-  Eigen::VectorXi labels;   ///< limb of each triangle
-  Eigen::MatrixXd weights;  ///< see bone_weights()
+  Eigen::VectorXi labels;   ///< index of the limb of each triangle
+  Eigen::MatrixXd weights;  ///< skinning weights of bone_weights(): one row per vertex, one column per bone
 };
 
 /// Meshes the skin of a skeleton with about `faces` triangles (within a fifth) and binds it to the bones.

@@ -7,13 +7,13 @@
 
 namespace shapegauge {
 
-/// Returns the number of classes.
+/// Returns the number of classes of articulated bodies.
 std::size_t class_count();
 
 /// Returns the skeleton of a class, from 0 to class_count() - 1. The most distinct classes come first.
 Skeleton class_skeleton(std::size_t index);
 
-/// Skeletons of the classes in the rest pose, 2 to 4 units in size.
+/// Return the skeletons of the articulated classes in the rest pose, 2 to 4 units in size.
 /// @{
 Skeleton ant_skeleton();
 Skeleton bird_skeleton();

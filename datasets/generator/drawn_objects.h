@@ -7,7 +7,7 @@
 /// Random rigid objects of each class, about 2 units in size, with z up; not part of the public interface.
 namespace shapegauge {
 
-/// Draws the random properties of an object.
+/// Draws random numbers for the properties of an object.
 class Draw {
  public:
   explicit Draw(RandomNumbers& random) : random_(random) {}
@@ -22,7 +22,7 @@ class Draw {
   RandomNumbers& random_;
 };
 
-/// Makes a straight leg or post, square or round.
+/// Makes a straight leg or post of square or round cross-section; `radius` is half its thickness.
 Solid post(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, bool square);
 
 SolidObject draw_aeroplane(RandomNumbers& random);

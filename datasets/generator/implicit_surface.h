@@ -12,16 +12,16 @@ namespace shapegauge {
 /// blends surfaces.
 double smooth_minimum(double a, double b, double width);
 
-/// Round cone: the union of balls along a segment whose radius changes linearly. In the limb's coordinates, in which
-/// its cross-section is a circle.
+/// Round cone: the union of balls along a segment whose radius changes linearly. Coordinates are those of the limb,
+/// scaled such that its cross-section is a circle.
 struct RoundCone {
-  Eigen::Vector3d start;       ///< one end of the segment
-  Eigen::Vector3d direction;   ///< unit vector to the other end
-  double radius = 0;           ///< at the start
-  double taper = 0;            ///< decrease of the radius per unit of length
-  double slide = 0;            ///< tangent of the cone's half angle
-  double first = 0, last = 0;  ///< range of lengths along the direction that contains the balls
-  int segment = 0;             ///< segment of the limb, from node `segment` to the next
+  Eigen::Vector3d start;       ///< start point of the segment
+  Eigen::Vector3d direction;   ///< unit vector from the start to the end of the segment
+  double radius = 0;           ///< radius of the ball at the start
+  double taper = 0;            ///< decrease of the ball's radius per unit of length from the start
+  double slide = 0;            ///< tangent of the half angle of the cone
+  double first = 0, last = 0;  ///< range of the balls' centres: distances from the start
+  int segment = 0;             ///< index of the limb's segment, which begins at node `segment`
 };
 
 /// Skin of a skeleton in the rest pose: the zero set of a function, negative inside, made of round cones along the
@@ -29,43 +29,43 @@ struct RoundCone {
 /// (Quilez, "Smooth minimum"), which rounds creases. Near the surface the function approximates the distance.
 class ImplicitSurface {
  public:
-  /// Result of a closest-point query.
+  /// Result of a closest-point query: the limb, its segment, and distances from the query point.
   struct Nearest {
-    int limb = 0;
-    int segment = 0;
-    double distance = 0;     ///< signed distance to the limb, to first order if the limb is flattened
-    double depth = 0;        ///< distance to the centre line, in local radii of the limb
-    double radius = 0;       ///< local radius of the limb
-    double thin_radius = 0;  ///< local radius across the flat side
+    int limb = 0;            ///< index of the limb
+    int segment = 0;         ///< index of the segment of the limb
+    double distance = 0;     ///< signed distance to the limb's surface; to first order if flattened
+    double depth = 0;        ///< distance to the limb's centre line, in local radii of the limb
+    double radius = 0;       ///< radius of the limb at the closest point
+    double thin_radius = 0;  ///< local half thickness of the limb along its flat axis
   };
 
   explicit ImplicitSurface(const Skeleton& skeleton);
 
-  /// Evaluates the function: negative inside.
+  /// Evaluates the implicit function at a point: approximately the signed distance, negative inside.
   double operator()(const Eigen::Vector3d& point) const;
 
-  /// Finds the closest point of one limb.
+  /// Finds the point of one limb that is closest to a point in space.
   [[nodiscard]] Nearest nearest_on_limb(int limb, const Eigen::Vector3d& point) const;
 
-  /// Finds the limb with the minimum distance.
+  /// Finds the limb with the minimum signed distance from a point.
   [[nodiscard]] Nearest nearest_limb(const Eigen::Vector3d& point) const;
 
   [[nodiscard]] int limb_count() const { return static_cast<int>(limbs_.size()); }
 
-  /// Centre and radius of a ball that contains the surface with a margin; the centre lies inside the surface.
+  /// Returns the centre of a ball of radius() that contains the surface with a margin; it lies inside the surface.
   [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }
   [[nodiscard]] double radius() const { return radius_; }
 
-  /// Returns the nodes of all limbs: points throughout the inside.
+  /// Returns the positions of the nodes of all limbs, which lie inside the surface.
   [[nodiscard]] const std::vector<Eigen::Vector3d>& inner_points() const { return inner_points_; }
 
  private:
   struct LimbField {
-    Eigen::Matrix3d to_round;  // stretches space along the flat axis; the limb's cross-section becomes a circle
+    Eigen::Matrix3d to_round;  // scales along the flat axis, which makes the cross-section of the limb a circle
     double flatness = 1;
     double blend = 0;
     std::vector<RoundCone> cones;
-    Eigen::Vector3d ball_centre;  // bounding ball in the limb's own coordinates
+    Eigen::Vector3d ball_centre;  // centre of the limb's bounding ball, in scaled coordinates
     double ball_radius = 0;
   };
 

@@ -9,7 +9,7 @@
 
 namespace shapegauge {
 
-/// Mesh of an object with labelled parts.
+/// Mesh of a rigid object with a part label per triangle.
 struct SolidMesh {
   Shape mesh;
   Eigen::VectorXi labels;  ///< part label of each triangle
@@ -18,7 +18,7 @@ struct SolidMesh {
 /// Meshes an object with about `faces` triangles (within a fifth): marching tetrahedra (Doi and Koide 1991) on a grid
 /// fine enough for the thinnest wall, followed by isotropic remeshing (CGAL; Botsch and Kobbelt 2004). The mesh is
 /// closed, manifold, connected, oriented outwards and free of self-intersections; thin walls increase the number of
-/// triangles. Returns nothing if the object is in pieces or its walls are too thin.
+/// triangles. Returns nothing if the object is not connected or its walls are too thin.
 std::optional<SolidMesh> mesh_solid(const SolidObject& object, int faces);
 
 }  // namespace shapegauge

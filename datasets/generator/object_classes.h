@@ -13,11 +13,11 @@ namespace shapegauge {
 /// Class of rigid objects: hollow, flat, turned or composed of pieces, unlike articulated bodies.
 struct ObjectClass {
   std::string name;
-  std::vector<std::string> parts;  ///< per label; an object may lack some
+  std::vector<std::string> parts;  ///< name of the part of each label; an object may lack some parts
   SolidObject (*draw)(RandomNumbers& random);
 };
 
-/// Returns the classes of objects. The most distinct classes come first.
+/// Returns the classes of rigid objects. The most distinct classes come first.
 std::span<const ObjectClass> object_classes();
 
 }  // namespace shapegauge

@@ -17,7 +17,7 @@ namespace shapegauge {
 /// across joints by about the local radius of the limb. The mesh must be that of the surface in the rest pose.
 Eigen::MatrixXd bone_weights(const Shape& mesh, const ImplicitSurface& surface, const BoneTree& tree);
 
-/// Returns the limb of each triangle: the one whose bones have the largest weight at its corners.
+/// Returns the index of the limb of each triangle: the limb with the largest sum of bone weights at the corners.
 Eigen::VectorXi limb_labels(const Shape& mesh, const Eigen::MatrixXd& weights, const BoneTree& tree);
 
 /// Rigid motion x -> rotation x + translation.

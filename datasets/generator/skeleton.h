@@ -20,8 +20,8 @@ double distance_to_segment(const Point& point, const Point& start, const Point& 
 /// with the joint's parent.
 struct Hinge {
   Eigen::Vector3d axis;
-  double lower = 0;  ///< radians, at most 0
-  double upper = 0;  ///< radians, at least 0
+  double lower = 0;  ///< lower limit of the angle in radians, at most 0
+  double upper = 0;  ///< upper limit of the angle in radians, at least 0
 };
 
 /// Point of a limb's centre line with the limb's radius.
@@ -30,24 +30,24 @@ struct LimbNode {
   double radius = 0;
 };
 
-/// Joint at a node of a limb; it moves everything after that node.
+/// Joint at a node of a limb; it moves the rest of the limb beyond the node and all limbs attached to it.
 struct Joint {
-  int node = 0;
+  int node = 0;  ///< index of the node in the limb
   std::vector<Hinge> hinges;
 };
 
 /// Part of a body: a tube of varying radius about a smooth curve through its nodes, with joints. A limb without joints
 /// is rigid and moves with its parent.
 struct Limb {
-  std::string kind = {};  ///< what it is; limbs of one kind share their proportions
-  std::string side = {};  ///< side within its kind; empty if there is only one
-  int parent = -1;        ///< limb to which it is attached, at the point closest to its first node; -1 for the root
+  std::string kind = {};  ///< name of the kind, such as "leg"; limbs of one kind share their proportions
+  std::string side = {};  ///< distinguishes limbs of one kind, such as "left"; empty for a single limb
+  int parent = -1;        ///< index of the limb to which the first node is attached; -1 for the root
   std::vector<LimbNode> nodes;
   std::vector<Joint> joints = {};
-  bool curls = false;  ///< adjacent joints bend by similar angles, as in a tail
-  double blend = 0.5;  ///< width of the blend with the body, in radii of the first node
-  Eigen::Vector3d flat_axis = Eigen::Vector3d::UnitZ();  ///< direction of flattening
-  double flatness = 1;                                   ///< thickness along flat_axis, in radii; 1 for round
+  bool curls = false;  ///< true if adjacent joints bend by similar angles, as in a tail
+  double blend = 0.5;  ///< width of the smooth blend with the body, in radii of the first node
+  Eigen::Vector3d flat_axis = Eigen::Vector3d::UnitZ();  ///< direction along which the cross-section is flattened
+  double flatness = 1;  ///< thickness along flat_axis relative to the width; 1 for round
 };
 
 /// Articulated body in its rest pose: x forward, y to its left, z up; the limbs are its parts. A limb's parent precedes
@@ -57,7 +57,7 @@ struct Skeleton {
   std::vector<Limb> limbs;
 };
 
-/// Returns the name of the part: "kind" or "kind side".
+/// Returns the part name of a limb: "kind", or "kind side" if the limb has a side.
 std::string part_name(const Limb& limb);
 
 /// Makes a hinge about an axis of any length, from lower <= 0 to upper >= 0 degrees.
@@ -84,23 +84,23 @@ int add_limb(Skeleton& skeleton, Limb limb);
 /// the left one.
 int add_limb_pair(Skeleton& skeleton, const Limb& limb, bool parent_pair = false);
 
-/// Returns the limb rotated about the vertical axis through the origin, with another side's name.
+/// Returns a copy of the limb, rotated about the vertical axis through the origin, with another name of the side.
 Limb turned(const Limb& limb, double degrees, const std::string& side);
 
 /// Rigid segment of a limb, from one joint to the next.
 struct Bone {
   int parent = -1;  ///< index of the parent bone, which precedes this one; -1 for the root
-  int limb = 0;     ///< limb of the bone
-  int place = 0;    ///< number of preceding bones of its limb
-  Eigen::Vector3d joint = Eigen::Vector3d::Zero();       ///< position of its joint
+  int limb = 0;     ///< index of the limb that contains the bone
+  int place = 0;    ///< index of the bone among the bones of its limb
+  Eigen::Vector3d joint = Eigen::Vector3d::Zero();       ///< position of the joint at the beginning of the bone
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector from the joint to the bone's end
-  std::vector<Hinge> hinges;                             ///< empty if the joint does not bend
+  std::vector<Hinge> hinges;                             ///< rotation axes of the joint; empty if it does not bend
 };
 
 /// Bones of a skeleton. The first bone of every limb starts at the limb's first node.
 struct BoneTree {
   std::vector<Bone> bones;
-  std::vector<std::vector<int>> bone_of_segment;  ///< by limb, then by segment of the limb
+  std::vector<std::vector<int>> bone_of_segment;  ///< bone index of each segment of each limb: [limb][segment]
 };
 
 /// Splits the limbs at their joints and attaches every limb to the closest bone of its parent.

@@ -12,26 +12,27 @@ namespace shapegauge {
 
 /// Solid as the set where a function is negative. Near the surface the function approximates the distance.
 struct Solid {
-  std::function<double(const Eigen::Vector3d&)> distance;
-  Eigen::AlignedBox3d box;  ///< contains the solid
+  std::function<double(const Eigen::Vector3d&)> distance;  ///< implicit function of a point, negative inside
+  Eigen::AlignedBox3d box;                                 ///< bounding box of the solid; empty if unbounded
 };
 
 /// Outline of a solid of revolution: points (distance from the axis, height).
 using Outline = std::vector<Eigen::Vector2d>;
 
-/// Makes a box with rounded edges. The rounding is part of the half sizes.
+/// Makes a box with rounded edges. `half_sizes` include the radius `rounding`.
 Solid rounded_box(const Eigen::Vector3d& centre, const Eigen::Vector3d& half_sizes, double rounding);
 
-/// Makes the solid of revolution between an outline and the z axis, with its ends joined to the axis, rounded outwards.
+/// Makes the solid of revolution between an outline and the z axis, with its ends joined to the axis. The solid grows
+/// by the radius `rounding`, which rounds its edges.
 Solid revolved(const Outline& outline, double rounding);
 
-/// Makes a vessel: the wall around an outline, rotated about the z axis.
+/// Makes a vessel: a wall of constant thickness around an outline, rotated about the z axis.
 Solid revolved_wall(const Outline& outline, double thickness);
 
-/// Makes a cylinder with rounded edges about a segment. The rounding is part of its size.
+/// Makes a cylinder with rounded edges about a segment. `radius` and the length include the rounding.
 Solid rounded_cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, double rounding);
 
-/// Makes a tube of varying radius along a smooth curve, flattened like a limb.
+/// Makes a tube of varying radius along a smooth curve, flattened along `flat_axis` (see Limb).
 Solid tube(const std::vector<LimbNode>& nodes, const Eigen::Vector3d& flat_axis = Eigen::Vector3d::UnitZ(),
            double flatness = 1);
 
@@ -41,7 +42,7 @@ Solid intersection(const Solid& solid, const Solid& within);
 /// Subtracts the second solid from the first.
 Solid difference(const Solid& solid, const Solid& removed);
 
-/// Makes the set of all points between two heights.
+/// Makes the set of all points with z between `low` and `high`; its bounding box is empty.
 Solid slab(double low, double high);
 
 /// Applies a rigid motion to a solid.
@@ -50,19 +51,19 @@ Solid transformed_solid(const Solid& solid, const Eigen::Isometry3d& motion);
 /// Rotates a solid about the z axis.
 Solid turned_about_z(const Solid& solid, double degrees);
 
-/// Part of an object.
+/// Labelled part of a rigid object.
 struct SolidPart {
-  int label = 0;  ///< index among the parts of its class
+  int label = 0;  ///< index of the part in ObjectClass::parts
   Solid solid;
 };
 
 /// Rigid object: the union of its parts, with rounded creases between them.
 struct SolidObject {
   std::vector<SolidPart> parts;
-  double blend = 0.02;     ///< width of the rounding
-  double thinnest = 0.05;  ///< thickness of the thinnest wall
+  double blend = 0.02;     ///< width of the smooth blend between parts, in coordinate units
+  double thinnest = 0.05;  ///< thickness of the thinnest wall, in coordinate units
 
-  /// Evaluates the function of the whole object: negative inside.
+  /// Evaluates the implicit function of the whole object: approximately the signed distance, negative inside.
   [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
 
   /// Returns the label of the part with the minimum distance (ties: the first).

@@ -17,23 +17,23 @@ namespace shapegauge {
 
 /// Classes of models, and the roles of models as queries and targets.
 struct ModelLabels {
-  Classification classification;                              ///< of all models
-  std::vector<std::string> queries;                           ///< ids as in the classification
-  std::vector<std::string> targets;                           ///< ids as in the classification
-  std::vector<std::string> models;                            ///< all models, in the order of the file
-  std::unordered_map<std::string, std::string> subclasses{};  ///< by key; models without one are absent
-  bool separate_sets = false;                                 ///< some models are only queries or only targets
-  bool split = false;                                         ///< because a column `split` of the file says so
-  bool listed = false;       ///< the file is a list of models, one per line, without groups
-  bool without_ids = false;  ///< the file has no ids: models are 0, 1, ... in its order
-  std::string source;        ///< prefixes error messages
-  ModelKeys keys{};          ///< for comparing ids with those of the models
+  Classification classification;                              ///< classes of all models
+  std::vector<std::string> queries;                           ///< ids of the queries, as in the classification
+  std::vector<std::string> targets;                           ///< ids of the targets, as in the classification
+  std::vector<std::string> models;                            ///< ids of all models, in the order of the file
+  std::unordered_map<std::string, std::string> subclasses{};  ///< subclass by model key (ModelKeys); may lack models
+  bool separate_sets = false;                                 ///< true if some models are only queries or only targets
+  bool split = false;        ///< true if a column `split` of the file defines the roles
+  bool listed = false;       ///< true if the file lists models one by one, not grouped by class
+  bool without_ids = false;  ///< true if the file has no ids: models are named 0, 1, ... in order
+  std::string source;        ///< name of the file, which prefixes error messages
+  ModelKeys keys{};          ///< keys for comparing other ids with the ids of the models
 };
 
 /// Words that programs write for missing values. A class of such a name usually consists of models without a class.
 inline constexpr std::array<std::string_view, 6> missing_value_words{"nan", "NaN", "None", "<NA>", "NaT", "NULL"};
 
-/// Returns a warning for each class named in missing_value_words, or as R and spreadsheets name missing values.
+/// Returns a warning for each class whose name is in missing_value_words or is a missing value of R or spreadsheets.
 std::vector<std::string> missing_class_warnings(const ModelLabels& labels);
 
 /// Reads labels from one of these:
@@ -53,11 +53,11 @@ std::vector<std::string> missing_class_warnings(const ModelLabels& labels);
 /// hierarchy.
 ModelLabels read_labels(const std::filesystem::path& path, std::size_t level = 0);
 
-/// Labels of the queries and targets of an evaluation: of one set of models, or of two with ids of their own, which
+/// Labels of the queries and targets of an evaluation: of one set of models, or of two sets with separate ids. Two sets
 /// have the same classes in the same order.
 struct TaskLabels {
-  ModelLabels queries;                   ///< labels of the queries; of all models if they are one set
-  std::optional<ModelLabels> targets{};  ///< labels of the targets, if these are another set
+  ModelLabels queries;                   ///< labels of the queries; labels of all models if there is one set
+  std::optional<ModelLabels> targets{};  ///< labels of the targets; absent if there is one set
 
   [[nodiscard]] const ModelLabels& of_targets() const { return targets ? *targets : queries; }
 };
@@ -67,8 +67,8 @@ struct TaskLabels {
 TaskLabels read_query_and_target_labels(const std::filesystem::path& queries, const std::filesystem::path& targets,
                                         std::size_t level = 0);
 
-/// Reads the labels of queries and of targets in which an id of both files is one model. Throws InputError as
-/// read_labels() does, for a file without ids, and for a model with different classes in the two.
+/// Reads the labels of queries and of targets; equal ids in both files are the same model. Throws InputError as
+/// read_labels() does, for a file without ids, and for a model with different classes in the two files.
 ModelLabels read_shared_labels(const std::filesystem::path& queries, const std::filesystem::path& targets,
                                std::size_t level = 0);
 

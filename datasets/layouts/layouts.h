@@ -12,43 +12,43 @@
 
 namespace shapegauge {
 
-/// Values of DatasetLocation::split.
+/// Names of the splits of a data set: valid values of DatasetLocation::split.
 inline constexpr std::array<std::string_view, 4> dataset_splits{"all", "train", "val", "test"};
 
-/// Layout of a data set in a folder.
+/// Registry entry of a layout, which defines where a data set's folder has its models and their classes.
 struct DatasetLayout {
   std::string_view name;
-  std::string_view description{};  ///< phrase: the files and where the classes are
-  Dataset (*find)(const DatasetLocation&) = nullptr;
-  std::string_view usual_classification{};  ///< default file next to the models with their classes; empty for none
-  bool has_splits = false;                  ///< DatasetLocation::split selects models
-  bool has_classification = true;           ///< a file may define the classes; otherwise names of files and folders do
-  /// Returns true if a folder looks like this layout. Null: if the default classification is present.
+  std::string_view description{};  ///< short phrase that names the files and what defines the classes
+  Dataset (*find)(const DatasetLocation&) = nullptr;  ///< finds the data set at a location; required
+  std::string_view usual_classification{};            ///< name of the default classification file; empty for none
+  bool has_splits = false;                            ///< true if DatasetLocation::split selects models
+  bool has_classification = true;  ///< true if a file may define the classes; else file and folder names do
+  /// Returns true if a folder has this layout. If null, a folder with the default classification file has it.
   bool (*recognises)(const std::filesystem::path& root) = nullptr;
 };
 
-/// Returns the registry of layouts: those of layouts.cpp, followed by those added. An entry must have `find`.
+/// Returns the registry of layouts: the built-in layouts, followed by added ones. An entry must have `find`.
 Registry<DatasetLayout>& dataset_layouts();
 
-/// Finds the data set at a location. Throws InputError for an absent or invalid folder or classification, and without
-/// models.
+/// Finds the data set at a location. Throws InputError for an absent or invalid folder or classification, and for a
+/// data set without models.
 Dataset find_dataset(const DatasetLocation& location);
 
-/// Returns true for the name of a table of the layout "csv": .csv or .tsv, ignoring case.
+/// Returns true if a file name is that of a table of models (layout "csv"): .csv or .tsv, ignoring case.
 bool is_model_table(const std::filesystem::path& path);
 
-/// Detects the layout of a data set from its folder: the first layout that recognises it, otherwise folders. A given
-/// classification is a table (csv) or, unless the folder has the layout psb, that of shrec11. Throws InputError if the
-/// folder is absent.
+/// Detects the layout of a data set from its folder: the first layout that recognises it, otherwise "folders". With a
+/// classification, the layout is "csv" for a table, else "psb" if the folder has that layout, else "shrec11". Throws
+/// InputError if the folder is absent.
 DatasetLocation recognise_dataset(const std::filesystem::path& root, const std::filesystem::path& classification = {});
 
-/// Fault of one model.
+/// Error message about a model without a usable shape file.
 struct ModelFailure {
-  std::size_t model = 0;  ///< index into Dataset::models
+  std::size_t model = 0;  ///< index of the model in Dataset::models
   std::string message;
 };
 
-/// Checks that the file of every model exists and begins like a shape. Returns the failures in order.
+/// Checks that the file of every model exists and begins like a shape. Returns the failures in the order of the models.
 std::vector<ModelFailure> check_models(const Dataset& dataset);
 
 }  // namespace shapegauge

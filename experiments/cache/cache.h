@@ -22,45 +22,46 @@ namespace shapegauge {
 
 /// Kind of cache entry.
 enum class EntryKind {
-  shape,         ///< findings of the preparation of a shape: diagnostics, scale, noise
-  samples,       ///< weights of a shape's samples
+  shape,         ///< diagnostics, scale and noise of a shape (ShapeFacts)
+  samples,       ///< area weights of the samples of a shape
   field,         ///< values of a field on a shape
-  distances,     ///< distance matrix
+  distances,     ///< matrix of distances between signatures
   picture,       ///< picture of a shape, for the report
   view,          ///< interactive view of a shape, for the report
   features,      ///< features of a descriptor of one shape
   learnt,        ///< features that a descriptor has learnt from a data set
-  segmentation,  ///< parts of a shape
-  comparison,    ///< measurements on a shape of a comparison
+  segmentation,  ///< segmentation of a shape into parts
+  comparison,    ///< measurements of one shape in a shape comparison
   evaluation,    ///< scores of a submission to a leaderboard, or of rows of a distance matrix
 };
 
 inline constexpr std::size_t number_of_entry_kinds = 11;
 
-/// Names of the kinds, which are also the extensions of the entries' files.
+/// Names of the kinds of cache entries, in the order of EntryKind; also the extensions of the entries' files.
 inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{
     "shape",    "samples", "field",        "distances",  "picture",   "view",
     "features", "learnt",  "segmentation", "comparison", "evaluation"};
 
 constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
 
-/// Encodes the file of an entry: a line with the format, a line `<kind> <key>`, a line `<bytes> <SHA-256>` of the
-/// content, and the content.
+/// Returns the bytes of the file of a cache entry: a line with the format, a line `<kind> <key>`, a line `<bytes>
+/// <SHA-256>` of the content, and the content.
 std::string encode_entry(EntryKind kind, std::string_view key, std::string_view content);
 
-/// Decodes the file of an entry. Nothing if it is corrupt: another length, checksum or key.
+/// Returns the content of a cache entry from the bytes of its file. Nothing if the file is corrupt: its kind, key,
+/// length or checksum differs.
 std::optional<std::string> decode_entry(EntryKind kind, std::string_view key, std::string_view bytes);
 
 /// Numbers of results of one kind found in the cache and computed.
 struct CacheUse {
-  std::size_t hits = 0;
-  std::size_t computed = 0;
+  std::size_t hits = 0;      ///< number of results found in the cache
+  std::size_t computed = 0;  ///< number of results computed
 };
 
-/// Use of the cache by a run.
+/// Numbers of results that a run found in the cache and computed, by kind of entry.
 struct CacheReport {
-  std::filesystem::path folder;  ///< empty if there was no cache
-  std::array<CacheUse, number_of_entry_kinds> uses;
+  std::filesystem::path folder;                      ///< folder of the cache; empty if the run had no cache
+  std::array<CacheUse, number_of_entry_kinds> uses;  ///< numbers for each EntryKind, in its order
 };
 
 /// Store of results on disk. The key of a result covers everything that the result depends on
@@ -118,7 +119,7 @@ class Cache {
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
-  /// Lock on a key: while it lives, no other thread computes the result.
+  /// Lock on a key for the lifetime of the object: no other thread computes the result with this key.
   class Turn {
    public:
     Turn(Cache& cache, std::string key);
@@ -142,7 +143,7 @@ class Cache {
   std::filesystem::path folder_;
   bool recompute_ = false;
   std::atomic<bool> writable_ = true;
-  mutable std::mutex mutex_;  ///< guards what follows
+  mutable std::mutex mutex_;  ///< guards the members declared below it
   std::condition_variable turn_ended_;
   std::set<std::string> keys_in_work_;
   std::array<CacheUse, number_of_entry_kinds> uses_{};

@@ -17,7 +17,7 @@ namespace shapegauge {
 /// Name of the file that marks a folder as a cache for backup programs (https://bford.info/cachedir/).
 inline constexpr std::string_view cache_tag_name = "CACHEDIR.TAG";
 
-/// Writes the tag file if it is absent. Throws InputError if it cannot be written.
+/// Writes the file cache_tag_name to a cache folder if it is absent. Throws InputError if it cannot be written.
 void write_cache_tag(const std::filesystem::path& cache);
 
 /// Returns true if the folder has the tag file of write_cache_tag().
@@ -33,16 +33,16 @@ std::filesystem::path default_cache_folder();
 std::uintmax_t cache_limit();
 
 /// Parses a size in bytes: an integer, optionally followed by K, M, G or T (powers of 1000). Throws InputError for
-/// anything else; `name` is its name in the message.
+/// anything else; `name` is the name of the setting in the message.
 std::uintmax_t parse_size(std::string_view text, std::string_view name);
 
 /// Returns the file of an entry in a cache folder: `AB/CDEF.kind` for the key ABCDEF.
 std::filesystem::path entry_path(const std::filesystem::path& cache, EntryKind kind, const std::string& key);
 
-/// File written by a cache.
+/// File written by a cache: an entry, or an unfinished one.
 struct CacheFile {
   std::filesystem::path path;
-  std::optional<EntryKind> kind;  ///< absent for an entry that is unfinished or being written
+  std::optional<EntryKind> kind;  ///< kind of the entry; none while it is being written or if that was interrupted
   std::uintmax_t bytes = 0;
   std::filesystem::file_time_type last_used;
 };
@@ -51,27 +51,27 @@ struct CacheFile {
 /// cannot be read.
 std::vector<CacheFile> cache_files(const std::filesystem::path& cache);
 
-/// Contents of a cache by kind of entry.
+/// Numbers of entries of a cache and their sizes in bytes, by kind of entry.
 struct CacheContents {
   struct Amount {
     std::size_t entries = 0;
     std::uintmax_t bytes = 0;
   };
   std::array<Amount, number_of_entry_kinds> by_kind;
-  Amount unfinished;
+  Amount unfinished;  ///< files being written, or left by killed runs
 
   [[nodiscard]] Amount total() const;
 };
 
-/// Counts the files of cache_files().
+/// Returns the numbers and sizes of the entries in a cache folder, by kind. Throws InputError as cache_files() does.
 CacheContents cache_contents(const std::filesystem::path& cache);
 
 /// Removes all files that caches have written, except those that a run may be writing, and the folder if it is then
 /// empty. Returns what was removed. Throws InputError if a file cannot be removed.
 CacheContents clear_cache(const std::filesystem::path& cache);
 
-/// Removes unfinished files of killed runs, then the least recently used entries until the rest is within the limit.
-/// Skips files that cannot be read or removed.
+/// Removes unfinished files of killed runs, then the least recently used entries until the cache has at most `limit`
+/// bytes. Skips files that cannot be read or removed.
 void trim_cache(const std::filesystem::path& cache, std::uintmax_t limit);
 
 }  // namespace shapegauge

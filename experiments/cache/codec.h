@@ -15,8 +15,8 @@
 
 #include "shapegauge/core/base/error.h"
 
-/// Values as bytes, restored bit by bit by the same program on the same kind of machine: numbers, texts, containers,
-/// Eigen's matrices, and structures with members() (core/base/members.h).
+/// Binary encoding of values: numbers, texts, containers, Eigen's matrices, and structures with members()
+/// (core/base/members.h). The same program restores them bit by bit on the same kind of machine.
 
 namespace shapegauge {
 
@@ -45,7 +45,7 @@ concept Structure = requires(Value& value) {
   members(value);
 };
 
-/// Appends values to bytes.
+/// Serialises values to a string of bytes.
 class Encoder {
  public:
   void add_bytes(const void* begin, std::size_t count) {
@@ -98,7 +98,8 @@ class Encoder {
   std::string bytes_;
 };
 
-/// Takes values from bytes in the same order. Throws DamagedBytes.
+/// Reads values from bytes in the order in which an Encoder added them. Throws DamagedBytes if the bytes do not
+/// suffice.
 class Decoder {
  public:
   explicit Decoder(std::string_view bytes) : rest_(bytes) {}
@@ -162,7 +163,8 @@ class Decoder {
     take(number);
     return number;
   }
-  /// Takes the number of items that follow, of at least that many bytes each.
+  /// Reads the number of items that follow. Throws DamagedBytes if the rest is too short for them, at `bytes` or more
+  /// per item.
   std::size_t take_count(std::size_t bytes) {
     const auto count = take_number<std::size_t>();
     if (count > rest_.size() / bytes) throw DamagedBytes();
@@ -174,7 +176,7 @@ class Decoder {
 
 }  // namespace codec
 
-/// Encodes a value.
+/// Encodes a value as bytes, which decode() restores.
 template <typename Value>
 std::string encode(const Value& value) {
   codec::Encoder encoder;
@@ -182,7 +184,7 @@ std::string encode(const Value& value) {
   return std::move(encoder).bytes();
 }
 
-/// Decodes a value. Throws DamagedBytes.
+/// Decodes a value from the bytes of encode(). Throws DamagedBytes if they do not encode a value of that type.
 template <typename Value>
 Value decode(std::string_view bytes) {
   Value value{};

@@ -10,33 +10,37 @@
 
 namespace shapegauge {
 
-/// Offset for measuring a shape. Lengths are fractions of the bounding-box diagonal.
+/// Offset distance r of the offset surface of a shape, fixed or chosen for the shape. Lengths are fractions of the
+/// bounding-box diagonal.
 struct ChosenOffset {
-  double offset = 0;
-  double gap = 0;                            ///< radius of the widest gap of the shape (gap_sizes())
-  std::optional<AutomaticOffset> automatic;  ///< the choice made for "auto"
+  double offset = 0;                         ///< offset distance r, a fraction of the bounding-box diagonal
+  double gap = 0;                            ///< radius of the widest gap (gap_sizes()), a fraction of the diagonal
+  std::optional<AutomaticOffset> automatic;  ///< result of automatic_offset(); none for a fixed offset
 };
 
-/// Converts the result of automatic_offset().
+/// Makes a ChosenOffset from the result of automatic_offset().
 ChosenOffset chosen_automatically(const AutomaticOffset& automatic);
 
-/// Returns the given offset or, without one, automatic_offset(). Throws InputError for a shape without extent.
+/// Returns the offset `given`, or automatic_offset() if it is absent, with the widest gap of the shape. Throws
+/// InputError for a shape without extent.
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 
-/// Returns the offset of a field's settings; nothing for a field without one, or that chooses it for each shape.
+/// Returns the offset in the settings of a field, a fraction of the diagonal; nothing for a field without offset, or
+/// one that chooses it for each shape ("auto").
 std::optional<double> fixed_offset(const FieldSettings& field);
 
-/// Returns the offset of a field on the shape; nothing for a field without one.
+/// Returns the offset that a field uses on the shape of `source`; nothing for a field without offset.
 std::optional<ChosenOffset> offset_of(const FieldSettings& field, FieldSource& source);
 
-/// Returns the reasons for an automatically chosen offset; empty for a given one.
+/// Describes the gaps and noise that determined an automatic offset; returns an empty string for a fixed offset.
 std::string reasons_for_offset(const ChosenOffset& chosen);
 
-/// Returns the warning about an offset smaller than the gaps of the shape, if it is.
+/// Returns a warning if the offset is smaller than the radius of the widest gap, through which the offset surface leaks
+/// into the shape; otherwise nothing.
 std::optional<std::string> leak_warning(const ChosenOffset& chosen);
 
-/// Says of a hollow body (closed_components()) whether values are those of its hull, as the offset SDF computes them,
-/// or of its wall. Nothing for other shapes.
+/// Returns a remark on a hollow shape (closed_components()): values measure its outer hull, as those of the offset SDF
+/// do (`measures_hull`), or the thickness of its wall. Returns nothing for other shapes.
 std::optional<std::string> hollow_remark(const Shape& shape, bool measures_hull);
 
 }  // namespace shapegauge

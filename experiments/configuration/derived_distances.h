@@ -15,49 +15,51 @@
 
 namespace shapegauge {
 
-/// Settings of a sum of distances.
+/// Settings of a signature "sum": the weighted sum of the distance matrices of other signatures.
 struct SumSettings {
-  std::vector<double> weights;  ///< per term
-  SumOptions options = {};
+  std::vector<double> weights;  ///< weight of each term, at least 0
+  SumOptions options = {};      ///< normalisation and unsupervised weighting of the terms
 };
 
-/// Settings of a re-ranking.
+/// Settings of a signature "rerank": the re-ranked distance matrix of another signature.
 struct RerankSettings {
-  const RerankMethod* method;
-  ParameterValues values;  ///< of its parameters
+  const RerankMethod* method;  ///< entry of rerank_methods(), not null
+  ParameterValues values;      ///< values of RerankMethod::parameters
 };
 
-/// Distances derived from those of other signatures: their sum, the fusion of their ranks, or a re-ranking of one of
-/// them.
+/// Distance matrix derived from those of other signatures: their weighted sum, the fusion of their ranks, or the
+/// re-ranking of one of them.
 struct DerivedDistances {
-  std::vector<std::string> names;  ///< names of the signatures that they derive from
+  std::vector<std::string> names;  ///< names of the signatures whose distances are summed, fused or re-ranked
   std::variant<SumSettings, RankFusionOptions, RerankSettings> settings;
 };
 
-/// Returns the keys of derived distances. A signature with one of them is derived.
+/// Returns the keys that mark a signature of a configuration as derived from others: "sum", "fuse_ranks", "rerank".
 std::span<const std::string_view> derived_keys();
 
-/// Returns the settings that accompany the keys: "scale" and "weights" with "sum", "score" with "fuse_ranks".
+/// Returns the parameters of a derived signature next to its key: "scale" and "weights" with "sum", "score" with
+/// "fuse_ranks".
 std::span<const Parameter> derived_parameters();
 
-/// Returns the settings of a term of "sum" besides "of".
+/// Returns the parameters of a term of "sum", apart from the name of its signature ("of").
 std::span<const Parameter> sum_term_parameters();
 
-/// Reads the derived distances of a signature's settings with that key, one of derived_keys(). Throws
-/// ConfigurationError if settings contradict each other.
+/// Reads the derived distances of a signature from its settings. `key` is the one of derived_keys() that they have.
+/// Throws ConfigurationError if settings contradict each other.
 DerivedDistances make_derived(const std::string& key, const nlohmann::json& signature);
 
-/// Returns the key of their settings: "sum", "fuse_ranks" or "rerank".
+/// Returns the key that marks derived distances in a configuration: "sum", "fuse_ranks" or "rerank".
 std::string_view key_of(const DerivedDistances& derived);
 
-/// Formats the settings as make_derived() takes them, with all defaults.
+/// Formats derived distances as the settings that make_derived() reads, with all defaults.
 nlohmann::json to_json(const DerivedDistances& derived);
 
-/// Computes the distances from those of the signatures that they derive from, in that order. Throws InputError for
-/// distances that cannot be combined.
+/// Computes the derived distance matrix from those of the signatures DerivedDistances::names, in the same order. Throws
+/// InputError for distances that cannot be combined.
 DistanceMatrix derive(const DerivedDistances& derived, std::span<const DistanceMatrix> matrices);
 
-/// Returns a remark on those distances for users, or an empty string.
+/// Returns a remark for users if two terms of a sum with SumWeights::agreement group the models differently
+/// (find_disagreement()); otherwise an empty string. `matrices` are as in derive().
 std::string remark_on(const DerivedDistances& derived, std::span<const DistanceMatrix> matrices);
 
 }  // namespace shapegauge

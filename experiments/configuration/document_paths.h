@@ -8,17 +8,17 @@
 
 namespace shapegauge {
 
-/// Relative paths in the documents of a kind of experiment, as patterns of JSON pointers. `*` matches every index of an
-/// array: "/shapes/*/file".
+/// Positions of relative paths in the documents of one kind of experiment, as patterns of JSON pointers. `*` matches
+/// every index of an array: "/shapes/*/file".
 struct DocumentPaths {
-  std::vector<std::string> files = {};     ///< paths of files and folders
-  std::vector<std::string> datasets = {};  ///< data sets: objects with a "root", or files of them
+  std::vector<std::string> files = {};     ///< positions of the paths of files and folders
+  std::vector<std::string> datasets = {};  ///< positions of data sets (objects or names of description files)
 };
 
-/// Returns the paths of a document, which depend on its kind.
+/// Function that returns the DocumentPaths of a document, which depend on its kind of experiment.
 using PathsOfDocument = std::function<DocumentPaths(const nlohmann::json& document)>;
 
-/// Returns the positions in the document that match one of the patterns.
+/// Returns the JSON pointers to all values of the document that match one of the patterns.
 std::vector<nlohmann::json_pointer<std::string>> matching_places(const nlohmann::json& document,
                                                                  const std::vector<std::string>& patterns);
 

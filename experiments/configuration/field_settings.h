@@ -7,17 +7,18 @@
 
 namespace shapegauge {
 
-/// Parses the setting "at" of fields: "faces" (default), "vertices" or {"surface": number of samples}.
+/// Reads the setting "at" of a field, the locations of its samples: "faces" (default), "vertices" or {"surface": number
+/// of samples}.
 SamplePlan sample_plan_of(const nlohmann::json& settings);
 
-/// Formats a sample plan as the setting "at".
+/// Formats a sample plan as the setting "at" of a field.
 nlohmann::json to_json(const SamplePlan& plan);
 
-/// Makes the field with the given settings: "type", the settings of that type, "at" and "bilateral". Throws InputError
-/// for a type that is not in field_types(), and for invalid settings.
+/// Makes a field from its settings: "type", the parameters of the type, "at" (sample locations) and "bilateral"
+/// (smoothing). Throws InputError for a type that is not in field_types(), and for invalid settings.
 Field read_field(const nlohmann::json& settings);
 
-/// Formats a field's settings in that form, with all defaults.
+/// Formats the settings of a field as read_field() reads them, with all defaults.
 nlohmann::json to_json(const FieldSettings& settings);
 
 }  // namespace shapegauge

@@ -16,22 +16,22 @@ namespace shapegauge {
 /// Throws InputError for an invalid value and for a missing mandatory one.
 ParameterValues read_parameters(std::span<const Parameter> parameters, const nlohmann::json& settings);
 
-/// Reads the values of parameters from an object without other keys. Throws InputError as read_parameters() does, and
-/// for another key.
+/// Reads the values of parameters from an object that has no other keys. Throws InputError as read_parameters() does,
+/// and for an unknown key.
 ParameterValues read_only_parameters(std::span<const Parameter> parameters, const nlohmann::json& settings);
 
-/// Formats the values by name, as read_parameters() takes them.
+/// Formats parameter values as an object, by name, as read_parameters() reads it.
 nlohmann::json to_json(const ParameterValues& values);
 
-/// Reads options by the names of their table, with defaults for missing ones. Throws InputError as read_parameters()
-/// does.
+/// Reads a struct of options from an object whose keys are the names in `table`, with defaults for missing keys. Throws
+/// InputError as read_parameters() does.
 template <typename Options, std::size_t count>
 Options read_options(const std::array<OptionParameter<Options>, count>& table, const nlohmann::json& settings) {
   const std::array<Parameter, count> parameters = parameters_of(table);
   return options_from(table, read_parameters(parameters, settings));
 }
 
-/// Formats options by the names of their table, as read_options() takes them.
+/// Formats a struct of options as an object whose keys are the names in `table`, as read_options() reads it.
 template <typename Options, std::size_t count>
 nlohmann::json options_json(const std::array<OptionParameter<Options>, count>& table, const Options& options) {
   const std::array<Parameter, count> parameters = parameters_of(table);

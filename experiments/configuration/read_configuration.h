@@ -20,49 +20,53 @@ namespace shapegauge {
 /// the file, the path to the value, the fault and the nearest valid word.
 Configuration read_configuration(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
-/// Reads the file and applies the overrides: the document that read_configuration() validates.
+/// Reads the configuration file of a retrieval experiment and applies the overrides (apply_overrides()). Returns the
+/// document, which is not validated.
 nlohmann::json read_retrieval_document(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
-/// Relative paths in the documents of retrieval experiments.
+/// Returns the positions of relative paths in the configurations of retrieval experiments.
 const DocumentPaths& retrieval_paths();
 
-/// Applies overrides of `--set` (apply_override()) to a document. First replaces data sets given by a file by its
-/// contents, which overrides can then change. `paths_of` returns the relative paths of the document. They are relative
-/// to `folder`, in an override to the working directory, and a "classification" to the root of its data set. Returns
-/// the files of data sets.
+/// Applies overrides of the option `--set` (apply_override()) to a document, whose name in messages is `source`. First
+/// replaces names of description files of data sets by the files' contents (read_dataset_files()), which overrides can
+/// then change. `paths_of` returns the positions of paths in the document. Paths in the document are relative to
+/// `folder`; those in an override are relative to the working directory and become absolute. Returns the paths of the
+/// description files.
 std::vector<std::filesystem::path> apply_overrides(nlohmann::json& document, const std::string& source,
                                                    const std::filesystem::path& folder,
                                                    std::span<const std::string> overrides,
                                                    const PathsOfDocument& paths_of);
 
-/// Reads a retrieval experiment from a document. `source` is its name in messages; relative paths are relative to
-/// `folder`.
+/// Reads and validates a retrieval experiment from a document. `source` is its name in messages; relative paths are
+/// relative to `folder`. Throws InputError as read_configuration() does.
 Configuration configuration_from_json(const nlohmann::json& document, const std::string& source,
                                       const std::filesystem::path& folder);
 
-/// Sections that several kinds of experiments share, after validation by the schema.
+/// Read sections of a configuration that several kinds of experiments share. The schema must have accepted them.
 /// @{
 
-/// Returns the names of the entries of a list with that key. Throws ConfigurationError for a repeated one.
+/// Returns the "name" of each entry of a list. Throws ConfigurationError for a repeated name. `list` is the key of the
+/// list in messages.
 std::vector<std::string> unique_names(const nlohmann::json& entries, std::string_view list);
 
-/// Returns the index of a name. If there is none, throws ConfigurationError at the path, with the nearest name.
+/// Returns the index of `name` in `names`. If it is absent, throws ConfigurationError at `path`, with the most similar
+/// name; `noun` says what the names stand for, such as "signature".
 std::size_t index_of_name(const std::string& name, const std::vector<std::string>& names, std::string_view noun,
                           const std::string& path);
 
-/// Reads a configuration's "signatures". Throws ConfigurationError for a repeated name, unknown or cyclic parts of
-/// `concatenate`, and settings that contradict each other.
+/// Reads the list "signatures" of a configuration. Throws ConfigurationError for a repeated name, unknown or cyclic
+/// parts of `concatenate`, and settings that contradict each other.
 std::vector<SignatureConfiguration> read_signatures(const nlohmann::json& settings);
 
-/// Reads the settings that experiments on shapes share.
+/// Reads the settings that experiments on shapes share from the root of a document.
 void read_shared_settings(const nlohmann::json& document, ExperimentSettings& settings);
 
-/// Reads the generator's options from a configuration's "dataset". Throws ConfigurationError for other settings next to
-/// them.
+/// Reads the options of the data-set generator from a configuration's "dataset". Throws ConfigurationError for settings
+/// other than "generate".
 GeneratorOptions read_generator(const nlohmann::json& dataset);
 
-/// Reads the location of a data set on disk from a configuration's "dataset". Relative paths are relative to the
-/// folder. Throws ConfigurationError for settings that the layout does not have.
+/// Reads the location of a data set on disk from a configuration's "dataset". Relative paths are relative to `folder`.
+/// Throws ConfigurationError for settings that the layout does not have.
 DatasetLocation read_location(const nlohmann::json& dataset, const std::filesystem::path& folder);
 
 /// @}

@@ -14,10 +14,10 @@ namespace shapegauge {
 /// Part of a configuration with parameters: a type of field, perturbation or descriptor, a re-ranking method, or a
 /// section of the document.
 struct ParameterGroup {
-  std::string_view name;         ///< "offset_sdf", "histogram"
-  std::string_view description;  ///< empty for a section
+  std::string_view name;         ///< name of the type, method or section: "offset_sdf", "histogram"
+  std::string_view description;  ///< one sentence; empty for a section
   std::span<const Parameter> parameters;
-  std::span<const Parameter> axis_parameters = {};  ///< of each field of a descriptor
+  std::span<const Parameter> axis_parameters = {};  ///< parameters of a descriptor for each of its fields
 };
 
 /// Return the groups of parameters: types of fields, perturbations and descriptors, re-ranking methods, and sections.
@@ -44,7 +44,8 @@ std::string with_reference_tables(std::string_view page);
 /// document. The message has the source, the path in the notation of `--set`, the fault and the valid values.
 void check_by_schema(const nlohmann::json& document, const nlohmann::ordered_json& schema, const std::string& source);
 
-/// Validates a configuration, or a part of one, against a definition of the schema, such as "descriptor".
+/// Validates a configuration, or a part of one, against the definition of that name in schema_definitions(), such as
+/// "descriptor". Throws InputError as check_by_schema() does; `source` prefixes the message.
 void check_against_schema(const nlohmann::json& part, const std::string& definition, const std::string& source);
 
 }  // namespace shapegauge

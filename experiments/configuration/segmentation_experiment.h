@@ -19,44 +19,45 @@
 
 namespace shapegauge {
 
-/// Layout of data sets with human segmentations (find_segmentation_benchmark()).
+/// Name of the layout of data sets with human segmentations (find_segmentation_benchmark()).
 inline constexpr std::string_view segmentation_layout = "psb_segmentation";
 
-/// Segmentation method with its settings.
+/// Segmentation method of an experiment: its name and options, and perturbations of the shapes that it gets.
 struct SegmentationMethod {
   std::string name;
   SegmentationOptions options;
-  std::vector<Perturbation> perturbations;  ///< of a shape before it is segmented
+  std::vector<Perturbation> perturbations;  ///< steps applied to a shape before it is segmented
 };
 
 /// Complete, validated segmentation experiment with all defaults: segments the shapes of a benchmark and compares the
 /// parts with human segmentations.
 struct SegmentationExperiment : ExperimentSettings {
-  DatasetLocation location;                   ///< on disk: segmentation_layout or a layout of retrieval data sets, or
-  std::optional<GeneratorOptions> generator;  ///< generated shapes, whose parts are the ground truth
-  std::vector<SegmentationMethod> methods;    ///< at least one
-  TriangleWeights by = TriangleWeights::faces;
-  bool cuts = false;              ///< also compute the cut discrepancy
-  bool pictures = true;           ///< in the report
-  UpAxis up = UpAxis::automatic;  ///< in pictures and views
+  DatasetLocation location;                   ///< data set on disk, for segmentation or retrieval; unused if generated
+  std::optional<GeneratorOptions> generator;  ///< options of generated shapes, whose parts are the ground truth
+  std::vector<SegmentationMethod> methods;    ///< methods to compare, at least one
+  TriangleWeights by = TriangleWeights::faces;  ///< weight of each triangle in the measures
+  bool cuts = false;                            ///< also compute the cut discrepancy
+  bool pictures = true;                         ///< show pictures of the parts in the report
+  UpAxis up = UpAxis::automatic;                ///< vertical axis in pictures and views
 };
 
-/// Return the parameters of a method except its name, and those of the experiment.
+/// Return the parameters of a segmentation method, without its name and perturbations, and of a segmentation
+/// experiment.
 /// @{
 std::span<const Parameter> segmentation_method_parameters();
 std::span<const Parameter> segmentation_experiment_parameters();
 /// @}
 
-/// Reads the method of an entry of "segmentation" after validation by the schema. Throws ConfigurationError for
-/// inconsistent settings.
+/// Reads a segmentation method from an entry of the list "segmentation", which the schema has accepted. Throws
+/// ConfigurationError for inconsistent settings.
 SegmentationMethod segmentation_method(const nlohmann::json& settings);
 
-/// Formats the experiment as a configuration with all defaults.
+/// Formats a segmentation experiment as a configuration, or a method as an entry of "segmentation", with all defaults.
 nlohmann::json to_json(const SegmentationExperiment& experiment);
 nlohmann::json to_json(const SegmentationMethod& method);
 
-/// Reads a segmentation experiment from a document, with the checks of configuration_from_json(). Throws InputError as
-/// comparison_from_json() does.
+/// Reads and validates a segmentation experiment from a document. `source` is its name in messages; relative paths are
+/// relative to `folder`. Throws InputError as comparison_from_json() does.
 SegmentationExperiment segmentation_from_json(const nlohmann::json& document, const std::string& source,
                                               const std::filesystem::path& folder);
 

@@ -14,32 +14,32 @@
 
 namespace shapegauge {
 
-/// Shape of a comparison.
+/// One of the shapes of a shape comparison: a file or a generated shape.
 struct ComparedShape {
   std::string name;
-  std::filesystem::path file;               ///< file of the shape, or
-  std::optional<GeneratedModel> generated;  ///< generated shape
-  std::vector<Perturbation> perturbations;  ///< applied after reading
+  std::filesystem::path file;               ///< shape file; empty for a generated shape
+  std::optional<GeneratedModel> generated;  ///< settings of a generated shape; none for a file
+  std::vector<Perturbation> perturbations;  ///< steps applied to the shape after reading
 };
 
 /// Complete, validated shape comparison with all defaults: compares shapes with a reference.
 struct ShapeComparison : ExperimentSettings {
   std::vector<ComparedShape> shapes;
   std::optional<std::size_t> reference;  ///< index of the reference shape, if any
-  bool registered = true;  ///< shapes are aligned with the reference; required for comparing values and normals
-  std::vector<SignatureConfiguration> signatures;  ///< histograms of a field only
-  std::string distance = "l1";
+  bool registered = true;  ///< shapes are aligned with the reference, so that values and normals are compared
+  std::vector<SignatureConfiguration> signatures;  ///< signatures to compare, only histograms of fields
+  std::string distance = "l1";                     ///< name of the distance between histograms
 };
 
-/// Formats the settings of a generated shape.
+/// Formats the settings of a generated shape, as "generate" of a compared shape.
 nlohmann::json to_json(const GeneratedModel& generated);
 
-/// Formats the comparison as a configuration with all defaults.
+/// Formats a shape comparison as a configuration with all defaults.
 nlohmann::json to_json(const ShapeComparison& comparison);
 
-/// Reads a comparison from a document, with the checks of configuration_from_json(). `source` is its name in messages;
-/// relative paths are relative to `folder`. Throws InputError with the source, the path to the value, the fault and the
-/// nearest valid word.
+/// Reads and validates a shape comparison from a document. `source` is its name in messages; relative paths are
+/// relative to `folder`. Throws InputError with the source, the path to the value, the fault and the most similar valid
+/// word.
 ShapeComparison comparison_from_json(const nlohmann::json& document, const std::string& source,
                                      const std::filesystem::path& folder);
 

@@ -5,8 +5,8 @@
 
 namespace shapegauge {
 
-/// Replaces the short forms in a document, which may be invalid: names in place of objects (`"field": "cone_sdf"`,
-/// `"descriptor": "d2"`, `"sum": ["a", "b"]`), and `defaults`, by settings of each field that lacks them.
+/// Expands the short forms in a document, which may be invalid. A name becomes an object (`"field": "cone_sdf"`,
+/// `"descriptor": "d2"`, `"sum": ["a", "b"]`). The settings in "defaults" are copied to each field that lacks them.
 void expand_short_forms(nlohmann::json& document);
 
 }  // namespace shapegauge

@@ -5,7 +5,7 @@
 
 namespace shapegauge {
 
-/// Returns name and version of the compiler that built this library.
+/// Returns the name and version of the compiler that built this library.
 std::string_view compiler();
 
 /// Returns the CMake build type, such as "Release".

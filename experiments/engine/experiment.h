@@ -16,40 +16,40 @@
 
 namespace shapegauge {
 
-/// Environment of a run.
+/// Execution environment of a run: threads and cancellation, cache, and folder for generated data.
 struct RunContext {
   const RunControl& control;
   Cache& cache;
   std::filesystem::path generated = {};  ///< folder for a generated data set; it outlives the run
 };
 
-/// Where a run writes its results.
+/// Destinations of the results of a run: the folder of result files and entries of the manifest.
 struct RunResults {
-  std::filesystem::path folder;       ///< for result files
+  std::filesystem::path folder;       ///< folder that receives the result files
   nlohmann::ordered_json& manifest;   ///< receives entries for the manifest: seed, inputs, counts, failures, fields
   nlohmann::ordered_json& execution;  ///< receives entries that vary between runs: threads, seconds, use of the cache
 };
 
-/// Outcome of a run.
+/// Outcome of a run: names of its files, messages for users, and omitted shapes.
 struct RunOutcome {
   std::vector<std::string> files = {};  ///< names of files written to RunResults::folder, without the manifest
-  std::string summary = {};             ///< for a terminal
-  std::vector<std::string> notes = {};  ///< remarks on the files for users
+  std::string summary = {};             ///< summary of the results, for a terminal
+  std::vector<std::string> notes = {};  ///< remarks on the result files for users
   std::vector<std::string> warnings = {};
-  std::vector<LeftOutShape> left_out = {};
-  std::vector<std::string> incomplete = {};  ///< parts of the results without some of the shapes, a sentence each
+  std::vector<LeftOutShape> left_out = {};   ///< shapes that the run omitted
+  std::vector<std::string> incomplete = {};  ///< results that lack some of the shapes, one sentence each
   std::size_t used = 0;                      ///< number of shapes that the results cover
-  std::string_view noun = "model";           ///< noun for a shape
+  std::string_view noun = "model";           ///< word for a shape in messages
   CacheReport cache = {};
 };
 
-/// Outcome of a part of a run, whose results are in the cache.
+/// Outcome of one part (Part) of a distributed run, whose results are in the cache.
 struct PartOutcome {
-  std::size_t shapes = 0;  ///< number of shapes of the part
-  std::size_t all = 0;     ///< number of shapes of the run
-  std::vector<LeftOutShape> left_out = {};
-  std::string_view noun = "model";
-  std::size_t rows = 0;  ///< rows of distance matrices that the part has evaluated
+  std::size_t shapes = 0;                   ///< number of shapes that the part has described
+  std::size_t all = 0;                      ///< number of shapes of the whole run
+  std::vector<LeftOutShape> left_out = {};  ///< shapes that the part omitted
+  std::string_view noun = "model";          ///< word for a shape in messages
+  std::size_t rows = 0;                     ///< number of rows of distance matrices that the part has evaluated
 };
 
 /// Validated configuration of an experiment with the function that runs it.
@@ -58,33 +58,34 @@ struct Experiment {
   std::function<nlohmann::json()> configuration;        ///< formats the configuration with all defaults
   std::vector<std::filesystem::path> input_paths = {};  ///< folders and files that results must not overwrite
   std::vector<std::string> result_folders = {};         ///< subfolders of the results that have a manifest of their own
-  /// Reads the inputs with that many threads (0: all) as the manifest would record them; null if they are known only
-  /// after the run.
+  /// Reads the inputs and returns the entry "inputs" of the manifest. `threads` is the number of threads; 0 for all.
+  /// Null if the inputs are known only after the run.
   std::function<nlohmann::json(int threads)> inputs = {};
   /// Runs the experiment. Throws InputError for unusable data, and Interrupted.
   std::function<RunOutcome(const RunContext&, const RunResults&)> run;
-  /// Computes a part of what the run needs and stores it in the cache. Throws as run() does. Null if the kind of
-  /// experiment has no parts.
+  /// Computes one part of the results that the run needs and stores it in the cache. Throws as `run` does. Null if the
+  /// experiment cannot be divided into parts.
   std::function<PartOutcome(const RunContext&, const Part&)> run_part = {};
 };
 
 /// Kind of experiment: how its documents are recognised, validated and run.
 struct ExperimentKind {
   std::string_view name;
-  std::string_view description;        ///< one sentence
+  std::string_view description;        ///< description in one sentence
   std::vector<std::string> keys = {};  ///< a document with all of these at its root is of this kind
-  DocumentPaths paths = {};            ///< relative paths in the document
+  DocumentPaths paths = {};            ///< positions of relative paths in the document
   /// Returns the JSON Schema of the document, which may refer to schema_definitions(). A schema cannot have definitions
   /// of its own.
   nlohmann::ordered_json (*schema)() = nullptr;
-  /// Reads a document. Those of read_experiment() have been validated by the schema; the library's kinds validate
-  /// others themselves. `source` is its name in messages; relative paths are relative to `folder`. Throws InputError
-  /// with the source, the path to the value, the fault and the nearest valid word.
+  /// Reads an experiment from a document. read_experiment() has validated its documents by the schema; the library's
+  /// kinds also accept other documents and validate them. `source` is the document's name in messages; relative paths
+  /// are relative to `folder`. Throws InputError with the source, the path to the value, the fault and the most similar
+  /// valid word.
   Experiment (*read)(const nlohmann::json& document, const std::string& source,
                      const std::filesystem::path& folder) = nullptr;
 };
 
-/// Makes the manifest of a run with these result files, which documents the run and suffices to repeat it:
+/// Makes the manifest of a run with these result files. It documents the run and suffices to repeat it:
 /// program (program_json()), configuration, entries of the kind of experiment, SHA-256 of the result files. Only
 /// "execution" depends on the number of threads and the cache.
 nlohmann::ordered_json manifest_of(const Experiment& experiment, const RunResults& results,
@@ -97,9 +98,10 @@ nlohmann::ordered_json manifest_of(const Experiment& experiment, const RunResult
 RunOutcome run_into_folder(const Experiment& experiment, const std::filesystem::path& destination, bool replace,
                            const RunControl& control, Cache& cache);
 
-/// Computes a part of an experiment with results in the folder, which only receives a generated data set. Any number of
-/// processes may do so at the same time, also with the same part. The cache is not trimmed. Throws InputError for an
-/// experiment without parts and for a disabled cache, and the errors of the experiment.
+/// Computes one part of a distributed run and stores its results in the cache. The folder of the run only receives a
+/// generated data set. Any number of processes may do so at the same time, also with the same part. The cache is not
+/// trimmed. Throws InputError for an experiment without parts and for a disabled cache, and the errors of the
+/// experiment.
 PartOutcome run_part(const Experiment& experiment, const Part& part, const std::filesystem::path& destination,
                      const RunControl& control, Cache& cache);
 

@@ -15,16 +15,19 @@ namespace shapegauge {
 /// avx2 fma avx512f". The last bits of values may depend on them.
 std::string processor();
 
-/// Returns the program and its platform: version, commit, compiler, build type, libraries, processor.
+/// Returns the description of the program and its platform in manifests: version, commit, compiler, build type,
+/// libraries, processor.
 nlohmann::ordered_json program_json();
 
-/// Returns the list "failed_models" of a manifest: what the run omitted, and why.
+/// Returns the list "failed_models" of a manifest: the id of each omitted shape and the reason.
 nlohmann::ordered_json failures_json(std::span<const LeftOutShape> failures);
 
-/// Returns the numbers of results from the cache and computed, by kind; null if there was no cache.
+/// Returns, per kind of cache entry, the numbers of results found in the cache and computed; null if there was no
+/// cache.
 nlohmann::ordered_json cache_json(const CacheReport& cache);
 
-/// Returns SHA-256 of the result files in the folder, by name, without tables of timings, which vary between runs.
+/// Returns the SHA-256 of each result file in the folder, by file name. Omits files with run times, which vary between
+/// runs.
 nlohmann::ordered_json outputs_json(const std::filesystem::path& folder, std::span<const std::string> files);
 
 }  // namespace shapegauge

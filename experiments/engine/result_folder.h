@@ -26,7 +26,8 @@ class FolderLock {
   /// Creates the folder if missing and locks it. Throws InputError if it cannot be created or written to, or if another
   /// run has locked it.
   explicit FolderLock(const std::filesystem::path& folder);
-  /// The same, but calls `while_locked` again and again while another run has locked it.
+  /// Creates the folder if missing and locks it. While another run has locked it, calls `while_locked` repeatedly.
+  /// Throws InputError if the folder cannot be created or written to.
   FolderLock(const std::filesystem::path& folder, const std::function<void()>& while_locked);
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -39,10 +40,10 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-/// Name of the file that is written last and lists the others.
+/// Name of the manifest of a run, the result file that is written last and lists the others.
 inline constexpr std::string_view manifest_name = "manifest.json";
 
-/// Name of the page that shows the results.
+/// Name of the HTML report among the result files.
 inline constexpr std::string_view report_name = "report.html";
 
 /// Returns true if a result file of that name has run times, which vary between runs.
@@ -51,11 +52,13 @@ bool holds_timings(std::string_view file);
 /// Creates a folder if missing. Throws InputError if that fails.
 void make_folder(const std::filesystem::path& folder);
 
-/// Creates a folder if missing and writes to it, before hours of work. Throws InputError if that fails.
+/// Creates a folder if missing and checks that files can be written to it, for use before a long run. Throws InputError
+/// if that fails.
 void require_writable(const std::filesystem::path& folder);
 
-/// Throws InputError if the folder, one of the files (by name in the folder), one that an earlier run has listed there
-/// and that will be replaced or removed, or a folder of one of these is among the inputs.
+/// Throws InputError if the results of a run would overwrite an input. The inputs must contain neither the folder, nor
+/// one of the files (by name in the folder), nor a file that an earlier run has listed there, nor a folder of one of
+/// these.
 void check_results_are_no_inputs(const std::filesystem::path& folder, std::span<const std::string> files,
                                  std::span<const std::filesystem::path> inputs);
 
@@ -84,8 +87,9 @@ class StagedResults {
   /// Returns the staging folder.
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-  /// Moves the files, by name in folder(), to their places, and finally the manifest, which must also be there. Then
-  /// removes files of an earlier run that this one did not write. Throws InputError if a file cannot be moved.
+  /// Moves the files, by name in folder(), to the result folder, and finally the manifest, which must also be in
+  /// folder(). Then removes files of an earlier run that this run did not write. Throws InputError if a file cannot be
+  /// moved.
   void publish(const std::vector<std::string>& files);
 
  private:

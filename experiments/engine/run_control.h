@@ -18,30 +18,30 @@ namespace shapegauge {
 
 class Cancellation;
 
-/// Valid numbers of threads that users request.
+/// Bounds of the number of threads that users can request.
 inline constexpr Bounds threads_bounds{.low = 1, .high = 1024};
 
 /// Control of a run by its caller: threads, cancellation, progress.
 struct RunControl {
-  int threads = 0;  ///< 0 for all threads of the machine
+  int threads = 0;  ///< number of threads; 0 for all of the machine
   std::function<bool()> interrupted = [] {
     return false;
   };                                     ///< polled between shapes, from any thread; true stops the run soon
-  Cancellation* cancellation = nullptr;  ///< also stops shapes in progress
-  /// Receives the stage and its progress; calls are serialised.
+  Cancellation* cancellation = nullptr;  ///< if not null, also stops shapes in progress
+  /// Receives the name of the stage and its numbers of finished items and of all items; calls are serialised.
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress =
       [](std::string_view, std::size_t, std::size_t) {};
   bool bold = false;  ///< the printed summary has the best scores in bold, for a terminal
 };
 
-/// Shape that a run omitted.
+/// Shape that a run omitted, with the reason.
 struct LeftOutShape {
   std::string id;
-  std::string message;
-  std::filesystem::path file = {};  ///< of the shape, if it has one
+  std::string message;              ///< reason why the run omitted the shape
+  std::filesystem::path file = {};  ///< file of the shape; empty if it has none
 };
 
-/// Returns the number of hardware threads, used for 0.
+/// Returns the number of hardware threads of the machine, which is used if 0 threads are requested.
 int available_threads();
 
 /// Returns the number of threads of a run.
@@ -50,7 +50,7 @@ int thread_count(const RunControl& control);
 /// Runs the work on at most `threads` threads (0: available_threads()), including the calling one.
 void with_threads(int threads, const std::function<void()>& work);
 
-/// Runs the work with the threads of a run, within its cancellation. Throws Interrupted.
+/// Runs the work with the threads that the control requests; its cancellation stops the work. Throws Interrupted.
 void with_threads(const RunControl& control, const std::function<void()>& work);
 
 /// Runs a job for each model, in parallel in the calling TBB arena. A job that throws makes its model a failure. With
@@ -66,8 +66,8 @@ std::vector<ModelFailure> for_each_model_in_turn(std::span<const std::size_t> mo
                                                  bool stop_at_failure, const RunControl& control,
                                                  const std::function<void(std::size_t model)>& job);
 
-/// Reads these models in parallel as a run would, in the calling TBB arena, and returns the unusable ones in order.
-/// Throws Interrupted.
+/// Reads the models with these indices in parallel, as a run does, and returns the unusable ones in order. Runs in the
+/// calling TBB arena. Throws Interrupted.
 std::vector<ModelFailure> validate_models(const Dataset& dataset, std::span<const std::size_t> models,
                                           const RunControl& control);
 

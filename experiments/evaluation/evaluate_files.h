@@ -15,69 +15,70 @@
 
 namespace shapegauge {
 
-/// Files of an evaluation and their interpretation.
+/// Input files of a retrieval evaluation, and settings for reading them.
 struct EvaluationFiles {
-  std::filesystem::path matrix;     ///< distances, similarities, features, a TREC run or ranked lists
-  std::string variable{};           ///< of an .npz or .mat file with several arrays; may be empty
-  std::filesystem::path labels{};   ///< see read_labels(); empty with judgements
-  std::filesystem::path targets{};  ///< labels of the targets if `labels` are those of the queries; may be empty
-  std::filesystem::path qrels{};    ///< TREC judgements instead of labels; may be empty
+  std::filesystem::path matrix;     ///< file of distances, similarities, features, a TREC run or ranked lists
+  std::string variable{};           ///< name of the array in an .npz or .mat file with several arrays; may be empty
+  std::filesystem::path labels{};   ///< file of class labels (read_labels()); empty if `qrels` is set
+  std::filesystem::path targets{};  ///< file of target labels, if `labels` has only the queries; may be empty
+  std::filesystem::path qrels{};    ///< file of TREC relevance judgements, instead of labels; may be empty
   std::filesystem::path
-      ids{};  ///< ids of the rows, one per line, equal to those of the matrix if it has any; may be empty
-  RowOrder order = RowOrder::usual;              ///< of rows without ids
+      ids{};  ///< file with the ids of the rows, one per line, equal to the ids in the matrix, if any; may be empty
+  RowOrder order = RowOrder::usual;              ///< order of the rows of a matrix without ids
   Unanswered unanswered = Unanswered::left_out;  ///< handling of queries without a ranked list
-  std::size_t level = 0;                         ///< level of the class hierarchy, see read_labels()
-  bool shared_ids = false;                       ///< an id in `labels` and `targets` is one model, not two
-  bool similarity = false;                       ///< larger values are nearer
-  std::string distance{};  ///< distance between features, if the matrix has features, one row per model; may be empty
+  std::size_t level = 0;                         ///< level of the class hierarchy to evaluate (read_labels())
+  bool shared_ids = false;                       ///< equal ids in `labels` and `targets` mean the same model
+  bool similarity = false;                       ///< the matrix has similarities: a larger value means nearer
+  std::string distance{};  ///< name of the distance between features, if `matrix` has features; otherwise empty
 };
 
-/// File of a run with the ids of the models, one per line, next to its matrices (.npy) of distances and of features.
-/// Evaluations use it unless `ids` or `order` is given.
+/// Name of the file in which a run stores the ids of the models, one per line, next to its matrices (.npy) of distances
+/// and of features. Evaluations use it unless `ids` or `order` is given.
 inline constexpr std::string_view stored_ids_name = "ids.txt";
 
-/// Reads the labels that the files name: of one set of models, or of queries and targets.
+/// Reads the class labels of an evaluation: of one set of models, or of separate queries and targets. Throws InputError
+/// as read_labels() does, and for `shared_ids` without `targets`.
 TaskLabels read_task_labels(const EvaluationFiles& files);
 
-/// Distances or ranked answers with their interpretation.
+/// Opened input of an evaluation: distances or ranked answers, with the retrieval task that they belong to.
 struct EvaluationData {
-  OpenMatrix distances;
-  RankedAnswerLists answers{};  ///< instead of distances if the task has a coverage
-  bool symmetric = false;       ///< by construction
-  std::string name{};           ///< tag of a TREC run; may be empty
+  OpenMatrix distances;         ///< distance matrix, read in blocks; empty for ranked answers
+  RankedAnswerLists answers{};  ///< ranked answers, if task.coverage is set; otherwise empty
+  bool symmetric = false;       ///< distances are symmetric by construction, as between features
+  std::string name{};           ///< tag of a TREC run, which names the method; otherwise empty
   EvaluationTask task;
 };
 
-/// Reads and matches the files. Distances between features, and those of large binary files, are neither computed nor
-/// read yet. Throws InputError if a file cannot be read or files do not match: a matrix of another size than the
-/// labels, a model without a class, a classified model that is not in the matrix, a repeated id, other ids than the
-/// matrix has, features outside the distance's domain.
+/// Opens the files and matches the models of the matrix with the labels or judgements. Distances between features, and
+/// those of large binary files, are neither computed nor read yet. Throws InputError if a file cannot be read or files
+/// do not match: a matrix of another size than the labels, a model without a class, a classified model that is not in
+/// the matrix, a repeated id, ids that differ from those in the matrix, features outside the domain of the distance.
 EvaluationData open_evaluation_files(const EvaluationFiles& files);
 
-/// Evaluated files with their results.
+/// Result of evaluate_files(): the input with its scores and warnings.
 struct EvaluatedFiles {
   EvaluationData data;
   Evaluation evaluation;
-  MatrixFindings findings;            ///< of the matrix; empty for ranked lists
-  std::vector<std::string> warnings;  ///< one sentence each
+  MatrixFindings findings;            ///< anomalies found in the matrix; empty for ranked lists
+  std::vector<std::string> warnings;  ///< warnings about the files and scores, one sentence each
 };
 
-/// Warning about a file.
+/// Warning with the name of the file that it is about.
 struct FileWarning {
   std::string file;
   std::string text;
 };
 
-/// Returns each text once, with the name of its file or, for several, with their number and the first of them. `noun`
-/// stands for files: "submissions".
+/// Merges equal warnings: returns each distinct text once, after the name of its file or, for several files, after
+/// their number and the name of the first one. `noun` is the plural noun for the files, such as "submissions".
 std::vector<std::string> merged_warnings(std::span<const FileWarning> warnings, std::string_view noun);
 
-/// Receives the number of evaluated rows of a matrix.
+/// Progress callback: receives the numbers of evaluated rows and of all rows of a matrix.
 using RowProgress = std::function<void(Eigen::Index done, Eigen::Index rows)>;
 
-/// Opens the files, evaluates their distances in blocks of rows and checks them for anomalies. Memory grows linearly
-/// with the number of models, unless the file can only be read as a whole. Throws InputError as open_evaluation_files()
-/// does, and if nothing can be evaluated.
+/// Opens the files, evaluates the distances in blocks of rows (or the ranked lists) and checks a matrix for anomalies.
+/// Memory grows linearly with the number of models, unless the format of the matrix requires reading it as a whole.
+/// Throws InputError as open_evaluation_files() does, and if nothing can be evaluated.
 EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOptions& options,
                               const RowProgress& progress = {});
 

@@ -12,23 +12,25 @@
 
 namespace shapegauge {
 
-/// Returns warnings about a matrix, one sentence each. `ids` name its rows; `negated` means that it contained
-/// similarities.
+/// Returns warnings about anomalies found in a distance matrix, one sentence each. `ids` has one id per row. `negated`
+/// means that the file had similarities, whose signs were changed.
 std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated);
 
-/// Returns warnings about a matrix to be re-ranked, one sentence each. Reads it once more.
+/// Returns warnings about a distance matrix that is to be re-ranked, one sentence each: similarities instead of
+/// distances, asymmetry. Reads the whole matrix.
 std::vector<std::string> rerank_warnings(const OpenMatrix& matrix);
 
-/// Returns the warning about queries with relevant and other models at equal distance, with the effect of their order
-/// on FT. Nothing if all these queries are rows of equal distances, which matrix_warnings() reports.
+/// Returns a warning about queries with relevant and other models at equal distance, with the effect of the order of
+/// ties on the first tier (FT). Returns nothing if all such queries have constant rows, which matrix_warnings()
+/// reports.
 std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found);
 
-/// Returns the warning about fewer relevant nearest neighbours than a random order has, which rows in the wrong order
-/// or similarities read as distances may cause. For matrices only: lists may lack models.
+/// Returns a warning if far fewer nearest neighbours are relevant than in a random order, as with rows in the wrong
+/// order or similarities read as distances; otherwise nothing. For matrices only: ranked lists may lack models.
 std::optional<std::string> chance_warning(const Evaluation& evaluation, const MatrixFindings& found,
                                           const RetrievalTask& task);
 
-/// Returns the warning about models that are never queries because their classes are small, if there are any.
+/// Returns a warning about models that are never queries because their classes are small; nothing if there are none.
 std::optional<std::string> left_out_warning(const Evaluation& evaluation, const RetrievalTask& task,
                                             const EvaluationOptions& options);
 

@@ -13,48 +13,51 @@
 
 namespace shapegauge {
 
-/// Scores of one method for every query.
+/// Scores of one method under one protocol, for every query.
 struct MethodScores {
   std::string method;
-  std::string source;  ///< file of the scores
+  std::string source;  ///< path of the file that the scores are from
   std::string protocol;
   std::vector<std::string> measures;
-  std::vector<std::string> queries{};  ///< ids
-  std::vector<std::string> classes{};  ///< classes of the queries
-  Eigen::MatrixXd values{};            ///< queries x measures, fractions
+  std::vector<std::string> queries{};  ///< ids of the queries
+  std::vector<std::string> classes{};  ///< class name of each query
+  Eigen::MatrixXd values{};            ///< scores as fractions (queries x measures)
 };
 
-/// File of a run's results that has the scores of all methods for every query.
+/// Name of the file in the results of a run that has the scores of all methods for every query.
 inline constexpr std::string_view per_query_name = "per_query.csv";
 
-/// Reads the scores of all methods in a table of `run` or `evaluate --per-query`: method,protocol,id,class and then
-/// measures in percent. Throws InputError for another header, a row of another length, a cell that is not a number from
-/// 0 to 100, and a repeated query of a method and protocol.
+/// Reads the scores of all methods from a table that `run` or `evaluate --per-query` has written: columns method,
+/// protocol, id, class and then the measures in percent. Throws InputError for another header, a row of another length,
+/// a score that is not a number or out of range, and a repeated query of a method and protocol.
 std::vector<MethodScores> read_method_scores(const std::filesystem::path& path);
 
-/// Returns the name of a method: the tag of a TREC run, otherwise the file's name without its extension.
+/// Returns the name of the method whose results a file has: the tag of a TREC run, otherwise the file's name without
+/// its extension.
 std::string method_name(const std::filesystem::path& path, const EvaluationData& data);
 
-/// Returns the scores of an evaluation.
+/// Converts an evaluation to the scores of its method, with ids and class names from the task. `source` is the path of
+/// the evaluated file.
 MethodScores method_scores(const std::string& method, const std::string& source, const EvaluationTask& task,
                            const Evaluation& evaluation);
 
-/// Numbers the classes of queries in the order of their first appearance.
+/// Returns the class index of each query. Classes have the indices 0, 1, ... in the order of their first appearance.
 std::vector<int> class_numbers(const std::vector<std::string>& classes);
 
-/// Methods aligned to the same queries.
+/// Scores of several methods for the same queries, in the same order.
 struct AlignedMethods {
   std::vector<std::string> methods;
   std::string protocol;
   std::vector<std::string> measures;
-  std::vector<int> classes;               ///< class of each query
-  std::vector<Eigen::MatrixXd> values{};  ///< per measure: queries x methods
+  std::vector<int> classes;               ///< class index of each query
+  std::vector<Eigen::MatrixXd> values{};  ///< per measure: scores as fractions (queries x methods)
 };
 
-/// Aligns methods to the same queries and measures: the requested measures, or all common ones. `names` are the
-/// methods' names, if given. Otherwise methods of equal names get the shortest distinguishing suffix of their file's
-/// path. There must be at least one method. Throws InputError for different protocols, queries that differ between
-/// methods or have different classes, a missing measure, a wrong number of names, and equal names.
+/// Aligns the scores of methods by query, for the requested measures, or for all common measures if `wanted_measures`
+/// is empty. `names` are the methods' names, if not empty. Otherwise methods of equal names get the shortest
+/// distinguishing suffix of their file's path. There must be at least one method. Throws InputError for different
+/// protocols, queries that differ between methods or have different classes, a missing measure, a wrong number of
+/// names, and equal names.
 AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
                              std::span<const std::string> names = {});
 

@@ -11,41 +11,41 @@
 
 namespace shapegauge {
 
-/// Mesh with its human segmentations.
+/// Mesh of a segmentation benchmark with the files of its reference segmentations.
 struct SegmentedModel {
   std::string id;
   std::filesystem::path mesh;
-  std::vector<std::filesystem::path> people;  ///< .seg files
-  int label = 0;                              ///< index into SegmentationBenchmark::classes
+  std::vector<std::filesystem::path> people;  ///< .seg files of the reference segmentations, one per person
+  int label = 0;                              ///< class: index into SegmentationBenchmark::classes
 };
 
-/// Meshes with human segmentations.
+/// Meshes with reference segmentations, such as human ones, and their classes.
 struct SegmentationBenchmark {
-  std::vector<SegmentedModel> models;  ///< in natural order of their ids
+  std::vector<SegmentedModel> models;  ///< meshes with their segmentations, in natural order of ids
   std::vector<std::string> classes;
-  std::vector<std::string> without_people;  ///< ids of meshes without segmentations, which are not among the models
+  std::vector<std::string> without_people;  ///< ids of meshes that are left out because they have no human segmentation
   SkippedEntries skipped = {};
 };
 
-/// Finds the Princeton Segmentation Benchmark as distributed: meshes `off/N.off` and human segmentations `seg/N/*.seg`.
-/// Classes follow from the number, 20 consecutive ones from 1 on (Chen et al. 2009); other names have the class
-/// "other". Throws InputError if a folder is absent or there are no segmentations.
+/// Finds the files of the Princeton Segmentation Benchmark as distributed: meshes `off/N.off` and human segmentations
+/// `seg/N/*.seg`. Classes follow from the number N: 20 consecutive meshes per class, from 1 on (Chen et al. 2009).
+/// Meshes with other names are of class "other". Throws InputError if a folder is absent or there are no segmentations.
 SegmentationBenchmark find_segmentation_benchmark(const std::filesystem::path& root);
 
-/// Finds shapes of generate_dataset(), each with one ground-truth segmentation: its parts. Throws InputError as
-/// find_dataset() does.
+/// Finds the shapes that generate_dataset() has written, each with its parts as the only reference segmentation. Throws
+/// InputError as find_dataset() does.
 SegmentationBenchmark find_generated_parts(const std::filesystem::path& root);
 
-/// Options of scoring segmentations.
+/// Options of the errors of segmentations.
 struct SegmentationScoring {
-  TriangleWeights by = TriangleWeights::faces;
-  bool cuts = true;  ///< also compute the cut discrepancy, which takes the longest
+  TriangleWeights by = TriangleWeights::faces;  ///< weight of a triangle in the errors
+  bool cuts = true;                             ///< also compute the cut discrepancy, the slowest error
 };
 
-/// Scores segmentations of one mesh.
+/// Computes errors of segmentations of one mesh. A segmentation is given as one label per triangle.
 class SegmentationScorer {
  public:
-  /// Throws InputError for an unusable mesh or a cloud.
+  /// Computes the weights and edges of the mesh. Throws InputError for an unusable mesh or a point cloud.
   SegmentationScorer(const Shape& mesh, const SegmentationScoring& scoring);
 
   /// Computes the errors of a segmentation relative to a ground truth.
@@ -57,8 +57,8 @@ class SegmentationScorer {
   [[nodiscard]] SegmentationErrors errors_against(const std::vector<std::int32_t>& labels,
                                                   const std::vector<std::vector<std::int32_t>>& people) const;
 
-  /// Computes the mean errors between all pairs of human segmentations, as a bound of what can be reached. All NaN for
-  /// fewer than two.
+  /// Computes the mean errors over all pairs of human segmentations, as a bound of what methods can reach. Returns NaN
+  /// for fewer than two segmentations.
   [[nodiscard]] SegmentationErrors errors_among(const std::vector<std::vector<std::int32_t>>& people) const;
 
  private:

@@ -14,50 +14,54 @@
 
 namespace shapegauge {
 
-/// Name in tables of the comparison between people.
+/// Name of the row in tables that compares human segmentations with each other.
 inline constexpr const char* people_name = "people";
 
-/// Errors of methods and, last, between people, on the meshes of a benchmark.
+/// Segmentation errors of methods on the meshes of a benchmark. The last method may be people_name: errors between
+/// human segmentations.
 struct SegmentationScores {
-  std::vector<std::string> ids;      ///< of the meshes
-  std::vector<int> labels;           ///< per mesh: index of its class
-  std::vector<std::string> classes;  ///< names
+  std::vector<std::string> ids;      ///< ids of the meshes
+  std::vector<int> labels;           ///< class of each mesh, as an index into `classes`
+  std::vector<std::string> classes;  ///< names of the classes
   std::vector<std::string> methods;
-  std::vector<std::vector<SegmentationErrors>> errors;  ///< per method, then by mesh; NaN if undefined
+  std::vector<std::vector<SegmentationErrors>> errors;  ///< errors[m][i] of method m on mesh i; NaN if undefined
 
-  /// Returns the mean of the defined values over the meshes of a class or (-1) all; NaN if there are none.
+  /// Returns the mean of an error over the meshes of the class with index `label`, or over all meshes for -1. Ignores
+  /// NaN; returns NaN if no error is defined.
   [[nodiscard]] double mean(std::size_t method, double SegmentationErrors::*value, int label = -1) const;
 };
 
-/// Makes scores without errors.
+/// Makes scores for these methods on the meshes of a benchmark, with all errors still to be set.
 SegmentationScores empty_scores(const SegmentationBenchmark& benchmark, std::vector<std::string> methods);
 
-/// Scores the segmentations in folders, one per method, named after the folder, with a file `ID.seg` for each mesh of
-/// the benchmark; last those between people. The same for any number of threads. Throws InputError for the first
-/// unusable mesh or segmentation.
+/// Computes the errors of segmentations in folders. Each folder is a method of the same name, with a file `ID.seg` for
+/// each mesh of the benchmark; the last method is people_name. The same for any number of threads. Throws InputError
+/// for the first unusable mesh or segmentation.
 SegmentationScores score_segmentations(const SegmentationBenchmark& benchmark,
                                        const std::vector<std::filesystem::path>& folders,
                                        const SegmentationScoring& scoring);
 
-/// Makes a table with a row for each method: its mean errors.
+/// Makes a table with a row for each method: its mean errors over all meshes.
 TextTable mean_table(const SegmentationScores& scores);
 
-/// Makes a table with a row for each class and a column for each method: mean Rand errors.
+/// Makes a table with a row for each class and a column for each method: the mean Rand error.
 TextTable class_table(const SegmentationScores& scores);
 
-/// Makes a table with a row for each method and class: mean errors in full precision.
+/// Makes a table with a row for each method and class: mean errors over the meshes of the class, in full precision.
 TextTable class_error_table(const SegmentationScores& scores);
 
-/// Makes a table with a row for each method and mesh: its errors in full precision.
+/// Makes a table with a row for each method and mesh: all errors, in full precision.
 TextTable mesh_table(const SegmentationScores& scores);
 
-/// Compares Rand errors by class; nothing for fewer than two classes or methods, or if an error is undefined.
+/// Tests the differences between methods in mean Rand error, with classes as the units. Returns nothing for fewer than
+/// two classes or methods, or if an error is undefined.
 std::optional<MethodComparison> rand_comparison(const SegmentationScores& scores);
 
-/// Makes a table with a row for each method: its mean Rand error over classes, with its confidence interval.
+/// Makes a table with a row for each method: its mean Rand error over classes, with the confidence interval.
 TextTable interval_table(const SegmentationScores& scores, const MethodComparison& comparison);
 
-/// Makes a table with a row for each pair of methods: difference, interval, p-values, classes won.
+/// Makes a table with a row for each pair of methods: difference of their mean Rand errors, its confidence interval,
+/// p-values, and the number of classes in which the first method is better.
 TextTable pair_table(const SegmentationScores& scores, const MethodComparison& comparison);
 
 }  // namespace shapegauge

@@ -11,18 +11,19 @@
 
 namespace shapegauge {
 
-/// Returns the registry of kinds of experiments: those of the library, followed by those added. An entry must have keys
-/// and both functions; its patterns of paths begin with a slash, and its schema has no definitions.
+/// Returns the registry of kinds of experiments: those of the library, followed by those added. An entry must have
+/// keys, `schema` and `read`. Its patterns of paths begin with a slash, and its schema has no definitions.
 Registry<ExperimentKind>& experiment_kinds();
 
-/// Reads the experiment of a configuration's document: replaces files of data sets by their contents
-/// (read_dataset_files()), validates the schema of the document's kind, and reads it. If no kind recognises the
+/// Reads an experiment from a document: replaces names of description files of data sets by their contents
+/// (read_dataset_files()), validates the document by the schema of its kind, and reads it. If no kind recognises the
 /// document, the first kind reports what is missing. Throws InputError for a document of several kinds, and the errors
 /// of these steps.
 Experiment read_experiment(const nlohmann::json& document, const std::string& source,
                            const std::filesystem::path& folder);
 
-/// Returns the relative paths of the document's kind. Of several kinds the first counts; without any, the first of all.
+/// Returns the positions of relative paths in a document, by its kind of experiment (ExperimentKind::paths). If several
+/// kinds recognise the document, the first one counts; if none does, the first kind of the registry.
 DocumentPaths experiment_paths(const nlohmann::json& document);
 
 /// Returns the JSON Schema (draft 7) of configurations of all kinds. configs/experiment.schema.json is this text, for

@@ -14,33 +14,35 @@ namespace shapegauge {
 
 /// Data set of a leaderboard: a folder with its submissions and its labels.
 struct SubmittedDataset {
-  std::string name;  ///< of the folder
+  std::string name;  ///< name of the data set, equal to the folder's name
   std::filesystem::path folder;
-  EvaluationFiles files;  ///< with the files of the folder
+  EvaluationFiles files;  ///< labels or judgements of the data set, and settings
 };
 
-/// Finds data sets. Each folder has a file `labels.*` and optionally `targets.*` and `ids.*`, or `qrels.*`. `common`
-/// are other settings. Throws InputError for a path that is not a folder, a folder without labels or with several files
-/// of labels, two folders of one name, and for labels and judgements in different folders.
+/// Finds the data sets of a leaderboard, one per folder. Each folder has a file `labels.*` and optionally `targets.*`
+/// and `ids.*`, or `qrels.*`. `common` has the settings and files that all data sets share. Throws InputError for a
+/// path that is not a folder, a folder without labels or with several files of labels, two folders of one name, and for
+/// labels and judgements in different folders.
 std::vector<SubmittedDataset> find_submitted_datasets(std::span<const std::filesystem::path> folders,
                                                       const EvaluationFiles& common);
 
-/// Leaderboards of several data sets.
+/// Leaderboards of several data sets, and the comparison of methods over all of them.
 struct DatasetLeaderboards {
   std::vector<SubmittedDataset> datasets;
-  std::vector<Leaderboard> boards;             ///< by data set
-  MultiDatasetResults results;                 ///< of the methods that all data sets have
-  std::vector<RefusedSubmission> refused;      ///< with one of each method that a data set lacks
-  std::vector<std::filesystem::path> skipped;  ///< see FoundSubmissions
+  std::vector<Leaderboard> boards;             ///< one leaderboard per data set
+  MultiDatasetResults results;                 ///< comparison of the methods with submissions for all data sets
+  std::vector<RefusedSubmission> refused;      ///< refused submissions, also of methods that a data set lacks
+  std::vector<std::filesystem::path> skipped;  ///< files that are no submissions (FoundSubmissions)
 };
 
 /// Evaluates the submissions for each data set, see judge_submissions(), and compares the methods over all data sets by
-/// ranks. Methods are matched by their names; one that a data set lacks is refused. The labels in `options` are
-/// ignored. Throws InputError as judge_submissions() does, and if no method has submissions for all data sets.
+/// ranks. Methods are matched by their names; a method without a valid submission for every data set is refused. The
+/// labels in `options` are ignored. Throws InputError as judge_submissions() does, and if no method has submissions for
+/// all data sets.
 DatasetLeaderboards judge_datasets(const std::vector<SubmittedDataset>& datasets, const JudgingOptions& options,
                                    Cache& cache, const JudgingProgress& progress = {});
 
-/// Formats the comparison, the refused submissions and the settings as JSON, in fractions.
+/// Formats the comparison over data sets, the refused submissions and the settings as JSON, with scores as fractions.
 nlohmann::ordered_json dataset_leaderboards_json(const DatasetLeaderboards& all, const JudgingOptions& options);
 
 }  // namespace shapegauge

@@ -15,64 +15,65 @@
 
 namespace shapegauge {
 
-/// Options of judging submissions, common to all of them.
+/// Options for evaluating and ranking the submissions of a leaderboard.
 struct JudgingOptions {
   EvaluationFiles files;  ///< labels or judgements; `matrix` is unused, and the other settings are defaults for
                           ///< submissions that do not set them
   EvaluationOptions evaluation;
-  StandingOptions standings;  ///< of averages over queries; those over classes are tested over classes
-  std::string rank_by{};      ///< measure; if empty, mAP or, without it, the first one
+  StandingOptions standings;  ///< options of ranks and tests; averages over classes are always tested over classes
+  std::string rank_by{};      ///< measure to rank by; if empty, mAP or, if not computed, the first measure
   bool hide_classes = false;  ///< omit classes of models from pages
 };
 
-/// File of one of several repetitions of a method.
+/// File of one of several repetitions of a method (random seeds or folds).
 struct RepetitionFile {
   std::filesystem::path file;
   std::string sha256;
 };
 
-/// Evaluated submission. Repetitions of a method are one: the first, with the mean evaluation of all.
+/// Evaluated submission. Repetitions of a method are combined into one: the first, with the mean evaluation of all.
 struct JudgedSubmission {
-  Submission submission;  ///< with a unique name
-  EvaluationFiles files;  ///< as evaluated
-  std::string sha256;     ///< of the file
-  std::string key;        ///< of everything that the evaluation depends on
+  Submission submission;  ///< submission, with a name that is unique on the leaderboard
+  EvaluationFiles files;  ///< files and settings of the evaluation
+  std::string sha256;     ///< SHA-256 of the submission's file
+  std::string key;        ///< cache key of the evaluation: hash of all its inputs
   Evaluation evaluation;
-  std::vector<std::string> query_ids;         ///< per row
-  bool fit_for_report = false;                ///< see is_fit_for_report()
-  std::vector<std::string> warnings;          ///< for readers, one sentence each
-  std::vector<RepetitionFile> repetitions{};  ///< empty for a single file
-  /// Standard deviation of the averages over the repetitions, by measure; empty for a single file.
+  std::vector<std::string> query_ids;         ///< ids of the models in the rows of the task
+  bool fit_for_report = false;                ///< a report can show the evaluation (is_fit_for_report())
+  std::vector<std::string> warnings;          ///< warnings for readers of the leaderboard, one sentence each
+  std::vector<RepetitionFile> repetitions{};  ///< files of all repetitions; empty for a single file
+  /// Standard deviation over repetitions of the micro (macro) average, one value per measure; empty for a single file.
   /// @{
   Eigen::VectorXd micro_deviation{};
   Eigen::VectorXd macro_deviation{};
   /// @}
 };
 
-/// Returns the scores of an evaluated submission.
+/// Returns the scores of an evaluated submission for every query. `class_names` has the names by class index.
 MethodScores scores_of(const JudgedSubmission& judged, const std::vector<std::string>& class_names);
 
-/// Submissions with their evaluations and standings.
+/// Leaderboard: ranked submissions with their evaluations and standings (letters over classes are capitals), and
+/// refused submissions.
 struct Leaderboard {
-  std::vector<JudgedSubmission> submissions;  ///< best first, by `rank_by` averaged over queries
+  std::vector<JudgedSubmission> submissions;  ///< submissions, best first by the ranking measure (over queries)
   std::vector<RefusedSubmission> refused;
   std::vector<std::string> measures;
-  std::size_t rank_by = 0;                         ///< index of a measure
-  std::vector<std::string> class_names;            ///< per class
-  std::vector<int> labels;                         ///< class of each target
-  std::vector<std::vector<MethodStanding>> micro;  ///< per measure, by submission: averages over queries
-  std::vector<std::vector<MethodStanding>> macro;  ///< averages over classes, with capital letters
+  std::size_t rank_by = 0;                         ///< index of the ranking measure in `measures`
+  std::vector<std::string> class_names;            ///< names of the classes, by class index
+  std::vector<int> labels;                         ///< class index of each target
+  std::vector<std::vector<MethodStanding>> micro;  ///< per measure and submission: standing by averages over queries
+  std::vector<std::vector<MethodStanding>> macro;  ///< per measure and submission: standing by averages over classes
 };
 
-/// Receives the current submission and the progress.
+/// Progress callback: receives the name of the current submission and the numbers of completed and of all submissions.
 using JudgingProgress = std::function<void(const std::string& name, std::size_t done, std::size_t all)>;
 
-/// Evaluates every submission on its own, using the cache if it, the labels and the options are unchanged, and ranks
-/// the valid ones. A submission is refused if it cannot be read, does not match the labels, has a NaN distance, or has
-/// other queries than the first valid one. It is also refused if it appears to mix up similarities and distances and
-/// neither its JSON file nor the options specify which. Repetitions of a method are combined to one submission. Queries
-/// without a ranked list count with scores of 0. Appends to the refused ones of `found`. Throws InputError if the
-/// measure to rank by is not computed, and if no submission is valid.
+/// Evaluates every submission separately, using the cache if the file, the labels and the options are unchanged, and
+/// ranks the valid ones. A submission is refused if it cannot be read, does not match the labels, has a NaN distance,
+/// or has other queries than the first valid one. It is also refused if it appears to mix up similarities and distances
+/// and neither its JSON file nor the options specify which. Repetitions of a method are combined into one submission.
+/// Queries without a ranked list count with scores of 0. The result also has the refused submissions of `found`. Throws
+/// InputError if the measure to rank by is not computed, and if no submission is valid.
 Leaderboard judge_submissions(const FoundSubmissions& found, const JudgingOptions& options, Cache& cache,
                               const JudgingProgress& progress = {});
 

@@ -11,8 +11,8 @@
 namespace shapegauge {
 
 /// Makes a table with a row for each submission, best first: rank, method, measures averaged over queries. The best of
-/// each measure is bold, and scores are followed by their letters over queries, and in capitals over classes
-/// (MethodStanding), or by " ± " and their standard deviation over repetitions.
+/// each measure is bold. Scores are followed by the letters of groups that do not differ significantly
+/// (MethodStanding), in capitals for averages over classes, or by " ± " and their standard deviation over repetitions.
 TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style);
 
 /// Makes a table for files with a row for each submission and average (micro, macro): rank, method, authors, paper,
@@ -20,19 +20,20 @@ TextTable leaderboard_table(const Leaderboard& board, const ScoreStyle& style);
 /// NN_group, ...); percent. If a method has repetitions, also their standard deviations (NN_deviation, ...).
 TextTable leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style = csv_style);
 
-/// Explains the letters in a sentence.
+/// Returns a sentence that explains the letters of significance in a leaderboard.
 std::string letter_words(const StandingOptions& options);
 
-/// Explains intervals, letters and the test in sentences.
+/// Returns sentences that explain the confidence intervals, letters and test of a leaderboard.
 std::string significance_words(const Leaderboard& board, const StandingOptions& options);
 
-/// Returns the warning that no two methods can have different capitals, since there are too few classes.
+/// Returns a warning if there are too few classes for significant differences between averages over classes (capital
+/// letters); otherwise nothing.
 std::optional<std::string> few_classes_warning(const Leaderboard& board, const StandingOptions& options);
 
-/// Returns a text for readers: without the folders of the submission and of the files of labels.
+/// Removes the paths of the folders of a submission and of the files of labels from a text for readers.
 std::string without_folders(std::string text, const std::filesystem::path& submission, const EvaluationFiles& files);
 
-/// Formats the leaderboard, the refused submissions and the settings as JSON, in fractions.
+/// Formats the leaderboard, the refused submissions and the settings as JSON, with scores as fractions.
 nlohmann::ordered_json leaderboard_json(const Leaderboard& board, const JudgingOptions& options);
 
 }  // namespace shapegauge

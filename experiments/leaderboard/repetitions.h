@@ -7,8 +7,8 @@
 
 namespace shapegauge {
 
-/// Replaces the repetitions of a method (Submission::repetition_of) by one submission with their mean evaluation and
-/// the standard deviations of their averages. `scores` are by submission.
+/// Combines the repetitions of each method (Submission::repetition_of) into one submission with the mean evaluation and
+/// the standard deviations of the averages. `scores` has one entry per submission and is combined in the same way.
 void combine_repetitions(std::vector<JudgedSubmission>& submissions, std::vector<MethodScores>& scores);
 
 }  // namespace shapegauge

@@ -5,10 +5,11 @@
 
 namespace shapegauge {
 
-/// The kind "multi_dataset": one retrieval experiment on several data sets ("datasets" instead of "dataset"). Each
-/// data set has the results of an experiment of its own in a folder of its name; those of the whole are tables of
-/// methods by data sets, ranks and tests (compare_by_ranks()), and a page that leads to the reports. A data set that
-/// cannot be used is left out, with the reason; the run fails where none can.
+/// Returns the entry of experiment_kinds() for "multi_dataset": one retrieval experiment on several data sets
+/// ("datasets" instead of "dataset"). Each data set has the results of a separate experiment, in a folder of its name.
+/// The results over all data sets are tables of methods by data sets, ranks and tests (compare_by_ranks()), and a page
+/// with links to the reports. A data set that cannot be used is left out, with the reason; the run fails if no data set
+/// can be used.
 ExperimentKind multi_dataset_kind();
 
 }  // namespace shapegauge

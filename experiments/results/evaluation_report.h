@@ -10,17 +10,17 @@
 
 namespace shapegauge {
 
-/// Evaluation of a report with its matrix.
+/// Evaluation of one method for a report, with the evaluated matrix.
 struct ReportedEvaluation {
   NamedEvaluation named;
-  const EvaluationData* data = nullptr;
+  const EvaluationData* data = nullptr;  ///< evaluated matrix with its task; not null
 };
 
-/// Renders the report of several methods with their comparison in pairs. Throws InputError unless their matrices have
-/// the same models in the same order.
+/// Renders the report (pages/report.h) of several methods, with tests of their differences. Throws InputError unless
+/// their matrices have the same models in the same order.
 std::string evaluation_report_page(const std::vector<ReportedEvaluation>& methods, ReportTests tests = {});
 
-/// Renders the report (pages/report.h) of an evaluated matrix; its task must be is_fit_for_report().
+/// Renders the report (pages/report.h) of one evaluated matrix, whose task must be is_fit_for_report().
 std::string evaluation_report_page(const NamedEvaluation& named, const EvaluationData& data);
 
 }  // namespace shapegauge

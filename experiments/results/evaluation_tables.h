@@ -12,21 +12,22 @@
 
 namespace shapegauge {
 
-/// Formatting of scores.
+/// Number format of scores in tables.
 struct ScoreStyle {
-  bool percent = true;  ///< fractions otherwise
-  int decimals = 2;     ///< all_decimals: as many as restore the score to the bit
+  bool percent = true;  ///< scores in percent; false: as fractions
+  int decimals = 2;     ///< number of decimals, or all_decimals
 };
 
+/// Value of ScoreStyle::decimals: as many decimals as restore a score to the bit.
 inline constexpr int all_decimals = -1;
 
-/// Formats a score.
+/// Formats a score, which is a fraction, in the given style.
 std::string score_text(double fraction, const ScoreStyle& style);
 
-/// Style of tables in files: percent, with a hundredth of the resolution of 10,000 queries.
+/// Style of tables in CSV files: percent with four decimals.
 inline constexpr ScoreStyle csv_style{.percent = true, .decimals = 4};
 
-/// Style of tables that are read again.
+/// Style of tables from which scores are read again: percent with all decimals.
 inline constexpr ScoreStyle exact_style{.percent = true, .decimals = all_decimals};
 
 /// Options of confidence intervals (bootstrap_intervals()).
@@ -36,7 +37,8 @@ struct IntervalOptions {
   ResamplingOptions resampling{};
 };
 
-/// Computes the confidence intervals; empty for fewer than two classes, or queries, to resample.
+/// Computes the bootstrap confidence intervals of the averages of an evaluation; empty for fewer than two classes, or
+/// queries, to resample.
 EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOptions& options = {});
 
 /// Evaluation with the name of its method.
@@ -47,17 +49,18 @@ struct NamedEvaluation {
   std::size_t failed = 0;  ///< number of models that the method cannot process, which count as not found
 };
 
-/// Placement of confidence intervals in a table: none, in the cell of each score, or as additional columns NN_low,
-/// NN_high, ... after all scores. Only if every evaluation has intervals.
+/// Placement of confidence intervals in a table. `none`: no intervals; `beside`: in the cell of each score; `columns`:
+/// in additional columns NN_low, NN_high, ... after all scores, if every evaluation has intervals.
 enum class IntervalCells { none, beside, columns };
 
 /// Makes a table with a row for each evaluation and average (micro, macro): method, protocol, average, and the measures
-/// of the first evaluation. If a method failed on some models, their number (failed) follows the name. The
-/// best of each protocol and average is bold.
+/// of the first evaluation. If a method failed on some models, a column with their number (failed) follows the name.
+/// The best score of each protocol and average is bold.
 TextTable summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style = {},
                         IntervalCells intervals = IntervalCells::none);
 
-/// Replaces the rows of both averages of a method by one with the average "both" if their scores read the same.
+/// Merges the micro and macro rows of a method into one row with the average "both" if their formatted scores are
+/// equal.
 TextTable merge_equal_averages(TextTable table);
 
 /// Makes a table with a row for each evaluation, average and measure: method, protocol, average, measure, value, low,
@@ -69,7 +72,7 @@ TextTable intervals_table(std::span<const NamedEvaluation> evaluations);
 TextTable per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
 /// Makes a table with a row for each evaluation and query: method, protocol, id of the query, its class, measures.
-/// `ids` are by row of the matrix. read_method_scores() restores the scores to the bit.
+/// `ids` has one id per row of the matrix. read_method_scores() restores the scores to the bit.
 TextTable per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
                           std::span<const std::string> class_names, const ScoreStyle& style = exact_style);
 
@@ -81,10 +84,11 @@ TextTable precision_recall_table(std::span<const NamedEvaluation> evaluations);
 /// fractions.
 TextTable class_curves_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
-/// Formats a curve like psbPlot, for gnuplot: recall and precision, one level per line.
+/// Formats a precision-recall curve like psbPlot, for gnuplot: one line per level, with recall and precision.
 std::string psb_plot(const PrecisionRecallCurve& curve);
 
-/// Returns the measures of each query by its id, as fractions.
+/// Returns an object of the measures of each query, as fractions, by the id of the query. `ids` has one id per row of
+/// the matrix.
 nlohmann::ordered_json per_query_json(const Evaluation& evaluation, std::span<const std::string> ids);
 
 /// Formats an evaluation as JSON (docs/reference/file_formats.md#results-of-a-run): protocol, ties, and the numbers of

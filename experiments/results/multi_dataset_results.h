@@ -15,60 +15,63 @@
 
 namespace shapegauge {
 
-/// A data set that was used.
+/// Data set of a multi-dataset experiment with the scores of all methods.
 struct EvaluatedDataset {
   std::string name;
-  std::string folder;  ///< of its results, below those of the experiment
-  std::string page;    ///< address of its page, below the results; empty for none
+  std::string folder;  ///< folder of the data set's results, relative to that of all results
+  std::string page;    ///< address of the data set's page, relative to the folder of all results; may be empty
   std::size_t models = 0;
-  std::vector<MethodScores> scores;  ///< per method and protocol
-  /// Standard deviations of the averages over repetitions, by score and measure; empty without repetitions.
+  std::vector<MethodScores> scores;  ///< scores, one entry per method and protocol
+  /// Per entry of `scores`: standard deviation over repetitions of the micro (macro) average of each measure; may be
+  /// empty.
   /// @{
   std::vector<Eigen::VectorXd> micro_deviations{};
   std::vector<Eigen::VectorXd> macro_deviations{};
   /// @}
 };
 
-/// Results of methods on several data sets.
+/// Results of methods on several data sets: scores per data set, tables with ranks and tests, failures.
 struct MultiDatasetResults {
   std::string name;
   std::string description;
   std::vector<std::string> methods;
   std::vector<EvaluatedDataset> datasets;
-  std::vector<MultiDatasetTable> tables;  ///< by protocol, average, measure
-  std::string main_measure;               ///< mAP, or the first measure where that is not among them
-  double alpha = 0.05;
-  std::vector<std::pair<std::string, std::string>> failures;  ///< data sets left out, and why
+  std::vector<MultiDatasetTable> tables;  ///< one table per protocol, average and measure
+  std::string main_measure;               ///< measure in summaries: mAP if it is computed, else the first
+  double alpha = 0.05;                    ///< level of significance
+  std::vector<std::pair<std::string, std::string>> failures;  ///< names of data sets left out, and the reasons
 };
 
-/// Compares the methods on all data sets, which all have the same methods, protocols and measures. Ranks have intervals
-/// at 1 - alpha if there are options for these, and several data sets.
+/// Makes a table of methods by data sets for each protocol, average and measure, with ranks and tests at level alpha.
+/// All data sets must have the same methods, protocols and measures. With `intervals` and at least two data sets, ranks
+/// have confidence intervals at 1 - alpha.
 std::vector<MultiDatasetTable> multi_dataset_tables(std::span<const EvaluatedDataset> datasets, double alpha,
                                                     const std::optional<ResamplingOptions>& intervals = std::nullopt);
 
-/// The table of the first protocol, average and main measure: that which summaries show.
+/// Returns the table that summaries show: first protocol, average over queries, main measure.
 const MultiDatasetTable& main_table(const MultiDatasetResults& results);
 
-/// A row for each method, the best mean rank first: its value on each data set, with the standard deviation
-/// over repetitions, their mean, the mean rank, the interval of the rank, and the letters of the groups that do not
-/// differ significantly. The best of each data set is bold.
+/// Makes a table with a row for each method, the best mean rank first: its average on each data set, with the standard
+/// deviation over repetitions, the mean over data sets, the mean rank, the confidence interval of the rank, and the
+/// letters of the groups that do not differ significantly. The best of each data set is bold.
 TextTable multi_dataset_summary(const MultiDatasetResults& results, const MultiDatasetTable& table,
                                 const ScoreStyle& style = {});
 
-/// For files: the rows of all tables, with protocol, average and measure in front.
+/// Makes a table for files: the rows of multi_dataset_summary() for all tables, preceded by protocol, average and
+/// measure.
 TextTable multi_dataset_csv_table(const MultiDatasetResults& results, const ScoreStyle& style = csv_style);
 
-/// For files: a row for each table and pair of methods: difference of the mean ranks, p of Nemenyi's test, data sets
-/// won, tied and lost.
+/// Makes a table for files with a row for each table and pair of methods: difference of the mean ranks, p of Nemenyi's
+/// test, numbers of data sets that the first method wins, ties, loses.
 TextTable multi_dataset_pairs_table(const MultiDatasetResults& results);
 
-/// All of it as JSON, in fractions.
+/// Formats all results as JSON, with scores as fractions.
 nlohmann::ordered_json multi_dataset_json(const MultiDatasetResults& results);
 
-/// Friedman's test and the critical difference in a sentence or two.
+/// Explains Friedman's test and the critical difference of a table in a sentence or two.
 std::string test_words(const MultiDatasetResults& results, const MultiDatasetTable& table);
 
-/// The page of the results as one HTML file.
+/// Renders the results as one HTML file.
 std::string multi_dataset_html(const MultiDatasetResults& results);
 
 }  // namespace shapegauge

@@ -16,48 +16,48 @@
 
 namespace shapegauge {
 
-/// A score of one evaluator (metrics/evaluators.h) for all methods.
+/// Score as one evaluator (an evaluation program, metrics/evaluators.h) computes it, for all methods.
 struct AuditedScore {
-  std::string evaluator;   ///< "shapegauge" for the library's own definitions with the mean over all orders of ties
-  std::string quantity;    ///< equal for scores that are compared: "FT"
-  std::string measure;     ///< its definition: "shrec21.FT"
-  Eigen::VectorXd values;  ///< per method: means over queries, fractions
+  std::string evaluator;             ///< name; "shapegauge": definitions of this library, mean over all orders of ties
+  std::string quantity;              ///< measured quantity, such as "FT"; scores of equal quantity are compared
+  std::string measure;               ///< definition of the quantity by the evaluator, such as "shrec21.FT"
+  Eigen::VectorXd values;            ///< per method: mean over queries, as a fraction
   std::vector<std::size_t> ranks{};  ///< per method: 1 + the number of methods with a larger value
 };
 
-/// Scores of the same methods under all evaluators.
+/// Scores of the same methods by all evaluators, to compare evaluation programs.
 struct ProtocolAudit {
   std::vector<std::string> methods;
-  std::vector<AuditedScore> scores;  ///< those of shapegauge first
+  std::vector<AuditedScore> scores;  ///< scores of all evaluators, those of shapegauge first
   /// For each score of shapegauge, one entry per method: averages over queries with intervals of scores and ranks.
   std::vector<std::vector<MethodStanding>> standings;
-  std::vector<Eigen::Index> queries_with_ties;  ///< by method: of relevant and other models
-  std::vector<std::string> warnings;            ///< one sentence each, with the file
+  std::vector<Eigen::Index> queries_with_ties;  ///< per method: number of queries with relevant and other models tied
+  std::vector<std::string> warnings;            ///< warnings about files and omitted evaluators, one sentence each
 };
 
-/// Receives the name of the file that is evaluated next.
+/// Progress callback: receives the name of the next evaluator and the numbers of completed and of all evaluators.
 using AuditProgress = std::function<void(const std::string& file, std::size_t done, std::size_t all)>;
 
-/// Evaluates each file under all evaluators. `files` are the labels and their interpretation, without the matrix. An
-/// evaluator without queries, such as one that leaves out small classes, is omitted with a warning. Throws InputError
-/// as evaluate_files() does.
+/// Evaluates each matrix (one per method) by all evaluators. `files` are the labels and their interpretation, without
+/// the matrix. An evaluator for which no model is a query, such as one that leaves out small classes, is omitted with a
+/// warning. Throws InputError as evaluate_files() does.
 ProtocolAudit audit_protocols(std::span<const std::filesystem::path> matrices, const EvaluationFiles& files,
                               const StandingOptions& standings, const AuditProgress& progress = {});
 
-/// Returns the quantities that several scores of the audit measure, in their order.
+/// Returns the quantities, such as "FT", of which the audit has at least two scores, in the order of the audit.
 std::vector<std::string> audited_quantities(const ProtocolAudit& audit);
 
 /// Makes a table of one quantity: a row for each method, best first by shapegauge, with the number of queries whose
-/// order depends on ties, and the scores and ranks of the evaluators that differ. Those with equal scores share a
-/// column. Intervals and possible ranks are those of shapegauge.
+/// order depends on ties, and the scores and ranks by evaluators that differ from shapegauge. Evaluators with equal
+/// scores share a column. Intervals and possible ranks are those of shapegauge.
 TextTable audit_table(const ProtocolAudit& audit, const std::string& quantity, const ScoreStyle& style = {});
 
 /// Makes a table with a row for each score that is compared: quantity, evaluator, definition, minimum and maximum
 /// of the differences to shapegauge, number of methods with another rank, and Kendall's tau-b of the two rankings.
 TextTable audit_summary(const ProtocolAudit& audit, const ScoreStyle& style = {});
 
-/// Makes a table for files: quantity, evaluator, definition, method, score, rank, and for shapegauge the interval and
-/// the possible ranks; percent.
+/// Makes a table for files with a row for each score and method: quantity, evaluator, definition, method, score, rank,
+/// and for shapegauge the interval and the possible ranks; percent.
 TextTable audit_csv_table(const ProtocolAudit& audit);
 
 /// Formats the audit as JSON, in fractions.

@@ -13,42 +13,44 @@
 
 namespace shapegauge {
 
-/// Percentiles of a summary.
+/// Percentiles of the thickness in a summary, in percent of the area.
 inline constexpr std::array<int, 7> summary_percentiles{1, 5, 25, 50, 75, 95, 99};
 
 /// Area-weighted statistics of the thickness of a shape.
 struct ThicknessSummary {
   std::size_t samples = 0;
-  std::size_t missing = 0;  ///< samples without a value, which are ignored below
-  double area = 0;          ///< of the samples with a value, in squared units of the shape
-  double least = 0;
-  double greatest = 0;
+  std::size_t missing = 0;  ///< number of samples without a value; the statistics ignore them
+  double area = 0;          ///< total area of the samples with a value, in squared units of the shape
+  double least = 0;         ///< smallest value
+  double greatest = 0;      ///< largest value
   double mean = 0;
-  /// Weighted percentiles: the smallest values whose cumulative area reaches that fraction.
+  /// Weighted percentiles (summary_percentiles): the smallest values whose cumulative area reaches the percentage.
   std::array<double, summary_percentiles.size()> percentiles{};
-  std::optional<double> area_below = {};  ///< area of samples below the threshold, if one is given
+  std::optional<double> area_below = {};  ///< area of samples with values below the threshold, if any
 };
 
-/// Computes the summary of a field; NaN values and zero areas if no sample has a value.
+/// Computes the summary of a thickness field. Values are NaN and areas 0 if no sample has a value. Without a threshold,
+/// `area_below` is absent.
 ThicknessSummary summarise(const ScalarField& field, std::optional<double> threshold = {});
 
-/// Summary with the name of its shape.
+/// Thickness summary with the name of its shape.
 struct NamedSummary {
   std::string name;
   ThicknessSummary summary;
 };
 
-/// Formatting of summaries.
+/// Unit and threshold for tables of thickness summaries.
 struct SummaryWords {
-  std::string unit = {};                 ///< of lengths; empty if unknown
-  std::optional<double> threshold = {};  ///< in that unit, as given to summarise()
+  std::string unit = {};                 ///< unit of lengths, such as "mm"; empty if unknown
+  std::optional<double> threshold = {};  ///< threshold of the thickness in `unit`, as passed to summarise()
 };
 
-/// Makes a table with a row for each shape. Areas below the threshold are in percent of the area.
+/// Makes a table of thickness summaries with a row for each shape. Areas below the threshold are in percent of the
+/// area.
 TextTable thickness_summary_table(std::span<const NamedSummary> summaries, const SummaryWords& words);
 
-/// Formats the summary with all digits: samples, missing, unit, area, min, percentiles, max, mean, below. Unknown
-/// values are null.
+/// Formats a thickness summary with all digits: samples, missing, unit, area, min, percentiles, max, mean, below.
+/// Unknown values are null.
 nlohmann::ordered_json summary_json(const NamedSummary& summary, const SummaryWords& words);
 
 }  // namespace shapegauge

@@ -9,8 +9,8 @@
 
 namespace shapegauge {
 
-/// Makes the report of a run from its results and their evaluations, by method and then by protocol, with or without
-/// intervals. It refers to the results.
+/// Makes the report of a retrieval experiment. `evaluations` are those of the results, by method and then by protocol,
+/// with or without confidence intervals. The report refers to `results` and `evaluations`, which must outlive it.
 Report experiment_report(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations);
 
 }  // namespace shapegauge

@@ -12,48 +12,52 @@
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
-/// Streamed distances: blocks of rows are computed, evaluated, written and discarded.
+/// Streaming evaluation of distance matrices: blocks of rows are computed, evaluated, written and discarded.
 
 namespace shapegauge {
 
-/// Half-open range of rows of a distance matrix.
+/// Half-open range [first, last) of rows of a distance matrix.
 struct RowRange {
   Eigen::Index first = 0;
   Eigen::Index last = 0;
 };
 
-/// Receives rows of a distance matrix, from the row `first` on.
+/// Callback for a block of consecutive rows of a distance matrix; `first` is the index of the first row of the block.
 using RowVisitor = std::function<void(Eigen::Index first, const DistanceTable& rows)>;
 
-/// Calls visit() with these rows of the distance matrix of the signatures, in blocks of at most 128 MiB, in order.
-/// Equal to distance_matrix() to the bit. Parallel. Throws as check_signatures() does, and the errors of visit().
+/// Computes these rows of the distance matrix of the signatures and passes them to visit() in order, in blocks of at
+/// most 128 MiB. The distances equal those of distance_matrix() to the bit. Parallel. Throws as check_signatures()
+/// does, and the errors of visit().
 void visit_distances(const NamedDistance& distance, const Signatures& signatures, const RowRange& rows,
                      const RowVisitor& visit);
 
-/// Returns largest_finite() of the first row of the distance matrix.
+/// Returns the largest finite distance in the first row of the distance matrix of the signatures (largest_finite()).
 double largest_of_first(const NamedDistance& distance, const Signatures& signatures);
 
-/// Scores of the queries among some rows, by evaluation.
+/// Scores of the queries in a range of rows of a distance matrix: one QueryScores per evaluation (protocol).
 using RowScores = std::vector<QueryScores>;
 
 SHAPEGAUGE_MEMBERS(QueryScores, measures, precisions, relevant, tied, first_tiers)
 
-/// Evaluates rows of a distance matrix, which visit() passes to its visitor in order. Parallel. Adds the seconds of
-/// evaluation. Throws as RowEvaluator does.
+/// Evaluates a range of rows of a distance matrix with each of the evaluation options. visit() must pass these rows in
+/// order to the visitor that it receives. Adds the time of the evaluation to `seconds`. Parallel. Throws as
+/// RowEvaluator does.
 RowScores judge_rows(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations, const RowRange& rows,
                      const std::function<void(const RowVisitor&)>& visit, double& seconds);
 
-/// Combines the scores of all rows, which `parts` have in order.
+/// Combines scores of ranges of rows into one evaluation per entry of `evaluations`. `parts` has the scores of
+/// consecutive ranges, in order, which cover all rows of the matrix.
 std::vector<Evaluation> evaluations_of(const RetrievalTask& task, std::span<const EvaluationOptions> evaluations,
                                        std::span<const RowScores> parts);
 
-/// `.npy` file of a square matrix, written by rows.
+/// Writer of a `.npy` file with a square distance matrix, by rows.
 class MatrixFile {
  public:
-  /// Throws std::runtime_error "cannot write <path>: <reason>", as the other functions do.
+  /// Creates the file for a matrix of models by models. Throws std::runtime_error "cannot write <path>: <reason>", as
+  /// add() and close() do.
   MatrixFile(std::filesystem::path path, std::size_t models);
 
-  /// Appends rows.
+  /// Appends rows to the matrix.
   void add(const DistanceTable& rows);
   void close();
 

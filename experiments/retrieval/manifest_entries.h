@@ -8,12 +8,12 @@
 
 namespace shapegauge {
 
-/// Returns the manifest entries of a retrieval experiment besides the program, the configuration and the files: seed,
-/// SHA-256 of every input, models, failures, outcomes of samples.
+/// Returns the entries of a retrieval experiment in the manifest, besides the program, the configuration and the result
+/// files: seed, SHA-256 of every input file, models, failures, numbers of samples by outcome.
 nlohmann::ordered_json manifest_entries(const ExperimentResults& results);
 
-/// Returns the inputs of a run on a data set on disk as its manifest would record them, without models whose file
-/// cannot be read. Runs in the calling TBB arena.
+/// Returns the manifest entry of the input files of a run on a data set on disk, with their SHA-256, before the run.
+/// Omits models whose file cannot be read. Runs in the calling TBB arena.
 nlohmann::ordered_json dataset_inputs(const Configuration& configuration, const std::vector<Model>& models);
 
 }  // namespace shapegauge

@@ -10,23 +10,26 @@
 
 namespace shapegauge {
 
-/// Models of a run that have a signature, by position. A model that a method cannot process has none, and is infinitely
-/// far from all others.
+/// Subset of the models of a run that have the signature of a method. Models that the method cannot process have no
+/// signature and are infinitely far from all others.
 class ModelsWithSignature {
  public:
-  /// `without` are failures of models, by position among `all`.
+  /// Makes the subset of `all` models without the failed ones; `without` has their indices, from 0 to all - 1.
   ModelsWithSignature(const std::vector<ModelFailure>& without, std::size_t all);
 
   [[nodiscard]] bool are_all() const { return places_.size() == is_in_.size(); }
   [[nodiscard]] const std::vector<Eigen::Index>& places() const { return places_; }
 
-  /// Returns the distances between all models, given those between the ones with the signature.
+  /// Expands the distances between models with a signature (`between`) to all models: infinite for models without one,
+  /// and 0 on the diagonal.
   [[nodiscard]] DistanceMatrix spread(DistanceMatrix between) const;
 
-  /// Makes the distances to and from models without the signature infinite; the first row is that of model `first`.
+  /// Makes the distances from and to models without a signature infinite, and 0 on the diagonal, in a block of rows of
+  /// the distance matrix of all models. `first` is the index of the first row of the block.
   void set_infinite(DistanceMatrix& rows, Eigen::Index first) const;
 
-  /// Returns the signatures with the row of another model for models without one, so that all have distances.
+  /// Returns the signatures of all models (one per row) in which models without one have the row of the first model
+  /// that has one, so that all distances are defined.
   [[nodiscard]] Signatures with_stand_ins(const Signatures& rows) const;
 
  private:

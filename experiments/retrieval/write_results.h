@@ -8,19 +8,20 @@
 
 namespace shapegauge {
 
-/// Makes a retrieval experiment. Distances are written by rows; whole matrices are in memory only as run_experiment()
-/// documents.
+/// Makes the experiment that runs a retrieval configuration. Distances are written by rows; whole matrices are in
+/// memory only in the cases that run_methods() lists.
 Experiment retrieval_experiment(Configuration configuration);
 
-/// Returns the entry for experiment_kinds().
+/// Returns the entry of experiment_kinds() for retrieval experiments.
 ExperimentKind retrieval_kind();
 
-/// Writes all result files of a run (docs/reference/file_formats.md#results-of-a-run) but the manifest and the
-/// distances, which run_experiment() writes by rows, and sets the manifest's entries. The summary has the best scores
-/// in bold if `bold`. Throws InputError if a file cannot be written.
+/// Writes all result files of a run (docs/reference/file_formats.md#results-of-a-run) except the manifest and the
+/// distances, which run_experiment() writes by rows. Adds the entries of the experiment to the manifest. With `bold`,
+/// the summary for a terminal has the best scores in bold. Throws InputError if a file cannot be written.
 RunOutcome write_results(const RunResults& to, const ExperimentResults& results, bool bold = false);
 
-/// Returns the names of the files of distances, by signature; empty if the configuration does not keep them.
+/// Returns the names of the `.npy` files of distances, one per signature; empty if the configuration does not keep
+/// distances.
 std::vector<std::string> distance_files(const Configuration& configuration);
 
 }  // namespace shapegauge

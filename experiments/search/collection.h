@@ -11,15 +11,15 @@ namespace shapegauge {
 
 /// Shape file of a collection.
 struct CollectionFile {
-  std::string id;              ///< unique in the collection
+  std::string id;              ///< id of the shape, unique in the collection
   std::filesystem::path path;  ///< relative to Collection::base if below it
 };
 
-/// Searchable collection of shape files.
+/// Searchable collection of shape files, which queries are compared with.
 struct Collection {
-  std::filesystem::path base;
-  std::vector<CollectionFile> files;  ///< in natural order of ids
-  SkippedEntries skipped = {};        ///< of a folder: other entries in it and below
+  std::filesystem::path base;         ///< folder that relative paths of files start from
+  std::vector<CollectionFile> files;  ///< shape files, in natural order of ids
+  SkippedEntries skipped = {};        ///< entries of folders that are not shapes of the collection
 
   [[nodiscard]] std::filesystem::path file(const std::filesystem::path& path) const { return base / path; }
 };
@@ -33,14 +33,15 @@ struct Collection {
 /// Throws InputError for other files, for a collection without shapes, and if it cannot be read.
 Collection find_collection(const std::filesystem::path& path);
 
-/// Returns the absolute path of a collection, without links where it exists; "models" and "models/" have the same.
+/// Returns the absolute path of a collection, with symbolic links resolved where it exists. "models" and "models/" give
+/// the same path.
 std::string collection_location(const std::filesystem::path& path);
 
-/// Returns Collection::base of the collection at a path, which need not exist any more.
+/// Returns the base folder (Collection::base) of the collection at a path, which need not exist any more.
 std::filesystem::path collection_base(const std::filesystem::path& path);
 
-/// Returns the default file of a collection's index, next to the collection. `method` is the file of its method; empty
-/// for the recommended one.
+/// Returns the default file of a collection's index, next to the collection. `method` is the file of the search method;
+/// empty for the recommended method.
 std::filesystem::path usual_index_path(const std::filesystem::path& collection,
                                        const std::filesystem::path& method = {});
 

@@ -10,25 +10,26 @@
 #include "shapegauge/retrieval/distances.h"
 #include "shapegauge/retrieval/nearest_models.h"
 
-/// Distances within an index, by rows.
+/// Distances to the models of a search index, computed row by row.
 
 namespace shapegauge {
 
-/// Returns per term the distance by which the method compares signatures.
+/// Returns, for each term of a method, the distance that compares its signatures.
 std::vector<NamedDistance> distances_of(const SearchMethod& method);
 
-/// Computes the sum over the models in the index. Parallel.
+/// Computes the collection statistics of the method's sum of distances over the models of the index. Runs in parallel.
 CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control);
 
-/// Computes per term the distances from a signature to all models. `member` is its index if it is one of them,
-/// otherwise -1. Parallel. Throws ArgumentError for signatures outside the distance's domain.
+/// Computes, for each term of the method, the distances from a query to all models of the index. `signatures` has the
+/// query's signature for each term. `member` is the index of the query if it is one of the models, otherwise -1. Runs
+/// in parallel. Throws ArgumentError for signatures outside the distance's domain.
 std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& distances, const ShapeIndex& index,
                                             std::span<const Eigen::RowVectorXf> signatures, Eigen::Index member);
 
-/// Finds the `count` nearest models of each model by the sum. Parallel.
+/// Finds the `count` nearest models of each model by the method's sum of distances. Runs in parallel.
 NearestModels nearest_in(const SearchMethod& method, const ShapeIndex& index, int count, const RunControl& control);
 
-/// Writes the index to its file, or adds a note with the reason if that fails.
+/// Writes an index to its file. If that fails, adds the reason to `notes`.
 void write_index(const OpenIndex& index, std::vector<std::string>& notes);
 
 }  // namespace shapegauge

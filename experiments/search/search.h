@@ -22,18 +22,18 @@
 
 namespace shapegauge {
 
-/// Report on opening an index.
+/// Changes that opening an index made, and notes for users.
 struct IndexUpdate {
   bool rebuilt = false;                ///< the collection was described again and the index written
   std::vector<LeftOutShape> left_out;  ///< new or changed files that cannot be described
-  std::vector<std::string> notes;      ///< for users, one sentence each
+  std::vector<std::string> notes;      ///< notes for users, one sentence each
 };
 
-/// Collection with its index, ready for queries.
+/// Collection of shapes with its search index, ready for queries.
 struct OpenIndex {
   SearchMethod method;
   Collection collection;
-  std::filesystem::path file;  ///< of the index
+  std::filesystem::path file;  ///< path of the index file
   ShapeIndex contents;
 };
 
@@ -42,27 +42,27 @@ struct OpenIndex {
 /// modification time are, or else their contents. Shapes that cannot be described are omitted. Uses the cache, from
 /// which an interrupted description continues. The contents depend only on the files and the method. If the index
 /// cannot be written, adds a note. Throws InputError if `file` exists and is neither an index nor empty, or is the
-/// index of another collection: one from another place that has none of the files. Throws it if no shape can be
+/// index of another collection: of another location, with none of the files. Throws InputError if no shape can be
 /// described, and Interrupted.
 OpenIndex open_index(SearchMethod method, const std::filesystem::path& collection, const std::filesystem::path& file,
                      const RunControl& control, Cache& cache, IndexUpdate& update);
 
-/// Reads an index without reading the collection's files. Throws InputError for an unusable index, and for one of
-/// another collection: in another folder, with no file of the same name and size.
+/// Opens an index without reading the files of the collection. Throws InputError for an unusable index, and for the
+/// index of another collection: in another folder, with no file of the same name and size.
 OpenIndex open_index_as_it_is(SearchMethod method, const std::filesystem::path& collection,
                               const std::filesystem::path& file);
 
-/// Shape to search for.
+/// Query of a search: a shape file, or a shape in memory.
 struct SearchQuery {
   std::string name;
-  std::filesystem::path file;  ///< if empty, `shape` is given
+  std::filesystem::path file;  ///< shape file; if empty, the query is `shape`
   std::optional<Shape> shape = {};
 };
 
-/// Options of a search.
+/// Options of a search: number of results and re-ranking.
 struct SearchOptions {
-  std::size_t count = 10;
-  bool rerank = false;  ///< re-rank by diffusion over the collection and the query
+  std::size_t count = 10;  ///< number of results per query
+  bool rerank = false;     ///< re-rank by diffusion over the collection and the query
 };
 
 /// Parameters of SearchOptions.
@@ -71,20 +71,20 @@ inline constexpr std::array search_table = {
     option_of<&SearchOptions::rerank>("rerank", "Re-rank by diffusion over the collection."),
 };
 
-/// Answer to one query.
+/// Answer to one query: the nearest models of the collection with their distances, or the reason of a failure.
 struct SearchAnswer {
-  std::string query;
-  std::optional<std::size_t> member;  ///< the query's own model, which is excluded from the answer
+  std::string query;                  ///< name of the query (SearchQuery::name)
+  std::optional<std::size_t> member;  ///< index of the model that is the query itself and excluded from the answer
   std::vector<RankedModel> nearest;   ///< models of the index, nearest first (ties: smaller index first)
-  double median = 0;  ///< distance to the models of the collection; 0 after re-ranking, whose distances have no unit
-  std::string failure = {};  ///< reason for a missing answer; otherwise empty
+  double median = 0;                  ///< median distance to the models of the collection; 0 if re-ranked
+  std::string failure = {};           ///< reason for a missing answer; otherwise empty
 };
 
-/// Answers queries independently. Does not describe a query again if it is a file of the collection, or has the same
-/// contents as one; the answer then has the distances of a run. Scales of another shape follow from its nearest models
-/// (sum_row()); weights and scales of the collection stay unchanged. A query that cannot be described gets a failure.
-/// The first re-ranked search computes the neighbours of all models and stores them in the index; adds a note if that
-/// fails. Throws Interrupted.
+/// Answers queries independently. A query that is a file of the collection, or has the same contents as one, is not
+/// described again; its answer has the distances of a retrieval experiment. The local scales of any other query follow
+/// from its nearest models (sum_row()); weights and scales of the collection stay unchanged. A query that cannot be
+/// described gets a failure. The first re-ranked search computes the neighbours of all models and stores them in the
+/// index; if that fails, adds a note. Throws Interrupted.
 std::vector<SearchAnswer> search(OpenIndex& index, std::span<const SearchQuery> queries, const SearchOptions& options,
                                  const RunControl& control, Cache& cache, std::vector<std::string>& notes);
 

@@ -14,35 +14,37 @@
 
 namespace shapegauge {
 
-/// Method of a search: a signature of a configuration with everything that it depends on.
+/// Method that ranks shapes in a search: one signature of a configuration, with the settings of everything that it
+/// depends on.
 struct SearchMethod {
-  std::string name;                ///< of the signature
-  Configuration configuration;     ///< its preparation and the compared signatures; the rest is ignored
+  std::string name;                ///< name of the signature
+  Configuration configuration;     ///< preparation and compared signatures; other settings are ignored
   std::vector<std::size_t> terms;  ///< indices of the compared signatures: one, or the terms of a sum
-  SumSettings sum;                 ///< of the terms
-  DiffusionOptions diffusion;      ///< for re-ranked answers
+  SumSettings sum;                 ///< settings of the sum of the terms' distances
+  DiffusionOptions diffusion;      ///< options of the diffusion that re-ranks answers
 
   /// Returns a key of the method and the program; an index with another key cannot be used.
   [[nodiscard]] std::string key() const;
 };
 
-/// Makes the search method of a retrieval experiment's configuration. `signature` is its name; if empty, the last
-/// suitable one. Diffusion has the settings of the signature that re-ranks it, if any. Settings of the data set,
-/// perturbations, evaluation and report are ignored. Throws InputError for an unknown signature, and for one that is
-/// neither computed from each shape nor a sum of such.
+/// Makes the search method of a retrieval experiment's configuration. `signature` is the name of the signature to
+/// compare; if empty, the last suitable one is used. Diffusion has the settings of the signature that re-ranks it, if
+/// any. Settings of the data set, perturbations, evaluation and report are ignored. Throws InputError for an unknown
+/// signature, and for one that is neither computed from each shape nor a sum of signatures that are.
 SearchMethod search_method(nlohmann::json configuration, const std::string& source, const std::string& signature = {});
 
-/// Reads the method of a file with overrides of `--set` (apply_override()). Throws InputError as search_method() does.
+/// Reads a search method from a configuration file with overrides of the option `--set` (apply_override()). Throws
+/// InputError as search_method() does.
 SearchMethod read_search_method(const std::filesystem::path& file, std::span<const std::string> overrides = {},
                                 const std::string& signature = {});
 
-/// Recommended methods: for any collection, and for one where poses do not count.
+/// Recommended search methods: for any collection, and for articulated shapes, whose poses are ignored.
 enum class RecommendedMethod { any, articulated };
 
-/// Returns the file name of the method's configuration in configs/.
+/// Returns the name of the configuration file of a recommended search method in configs/.
 std::string recommended_file(RecommendedMethod method);
 
-/// Returns the text of that file.
+/// Returns the text of the configuration file of a recommended search method.
 std::string_view recommended_configuration(RecommendedMethod method);
 
 SearchMethod recommended_search_method(RecommendedMethod method = RecommendedMethod::any);

@@ -18,39 +18,39 @@
 
 namespace shapegauge {
 
-/// State of a collection's file when it was described.
+/// State of a shape file of a collection when its index was made.
 struct IndexedFile {
   std::string id;
-  std::string path;  ///< CollectionFile::path
-  std::uint64_t bytes = 0;
+  std::string path;         ///< path of the file, relative to Collection::base if below it
+  std::uint64_t bytes = 0;  ///< size of the file
   std::int64_t modified =
-      0;               ///< in ticks of the file clock; 0 for a file so new that its contents must be checked again
-  std::string sha256;  ///< empty if it could not be read
-  std::string failure = {};  ///< reason why it could not be described; otherwise empty
+      0;  ///< modification time in ticks of the file clock; 0 if too recent to show that the contents are unchanged
+  std::string sha256;        ///< SHA-256 of the file; empty if it could not be read
+  std::string failure = {};  ///< reason why the shape could not be described; otherwise empty
 };
 
-/// Signatures in memory of their own, or in that of an index file.
+/// Table of signatures, one row per model, in memory or in a memory-mapped index file.
 struct IndexTable {
   IndexTable() = default;
   explicit IndexTable(Signatures own);
 
   [[nodiscard]] Eigen::Map<const Signatures> signatures() const { return {entries.get(), rows, columns}; }
 
-  std::shared_ptr<const float> entries;  ///< row by row; keeps the memory that they are in
+  std::shared_ptr<const float> entries;  ///< features, row by row; keeps the memory or the mapped file alive
   Eigen::Index rows = 0;
   Eigen::Index columns = 0;
 };
 
-/// Index of a collection for answering queries.
+/// Index of a collection of shapes: all signatures and statistics needed to answer queries.
 struct ShapeIndex {
-  std::string collection;              ///< collection_location() when the index was written
+  std::string collection;              ///< absolute path of the collection when the index was written
   std::vector<IndexedFile> models;     ///< described files, in natural order of ids
-  std::vector<IndexedFile> failures;   ///< the other files
-  std::vector<IndexTable> tables;      ///< per term of the method: row i is of models[i]
-  std::vector<LearntFeatures> learnt;  ///< per signature of the method's configuration
-  std::vector<Interval> field_ranges;  ///< by planned field, over the collection
-  CollectionSum sum;
-  NearestModels nearest;  ///< of the models by the sum; empty before the first re-ranked search
+  std::vector<IndexedFile> failures;   ///< files that could not be described
+  std::vector<IndexTable> tables;      ///< per term of the method: table whose row i is the signature of models[i]
+  std::vector<LearntFeatures> learnt;  ///< per signature of the method: features learnt from the collection
+  std::vector<Interval> field_ranges;  ///< per field of distinct_fields(): interval of its values in the collection
+  CollectionSum sum;                   ///< statistics of the sum of the terms' distances
+  NearestModels nearest;               ///< nearest models of each model; empty before the first re-ranked search
 };
 
 /// Encodes an index as the bytes of a file: a line with the format, a line with the SHA-256 of the rest, and the data,
@@ -60,13 +60,14 @@ std::string encode_index(const ShapeIndex& index, const std::string& key);
 /// Returns true if a file with these leading bytes is an index, of this or another version of the format.
 bool begins_as_index(std::string_view bytes);
 
-/// Reason why an index file is unusable.
+/// Reason why an index file is unusable; `none` for a usable one.
 enum class IndexFault { none, damaged, other_method };
 
-/// Decodes an index, whose tables remain where the bytes are. Nothing if it is corrupt or of another method.
+/// Decodes an index from a memory-mapped file, to which its tables refer. Returns nothing, and the reason in `fault`,
+/// if the file is corrupt or of another method. `key` is SearchMethod::key().
 std::optional<ShapeIndex> decode_index(const MappedBytes& file, const std::string& key, IndexFault& fault);
 
-/// Copies the tables into memory, so that they do not depend on the index file.
+/// Copies the tables of an index into memory, so that they do not depend on the index file.
 void keep_in_memory(ShapeIndex& index);
 
 }  // namespace shapegauge

@@ -16,54 +16,56 @@
 
 namespace shapegauge {
 
-/// Results for one shape.
+/// Segmentations of one shape by all methods, with hashes of the input files, part sizes and pictures.
 struct SegmentedShape {
   std::string mesh_sha256;
   std::vector<std::string> people_sha256;
-  std::vector<std::vector<std::int32_t>> labels;  ///< per method: part number of each face of the file
-  bool has_polygons = false;                      ///< faces of the file are polygons
-  std::vector<std::string> remarks;               ///< how perturbations fell short of their settings, with the method
-  std::vector<std::string> warnings;              ///< samples without a reliable offset SDF, with the method
-  std::vector<std::vector<double>> part_sizes;    ///< per method: the parts' fractions of the area, largest first
-  /// Per method: Rand error of its parts relative to those of the same method without perturbations; NaN for methods
-  /// without perturbations.
+  std::vector<std::vector<std::int32_t>> labels;  ///< per method: index of the part of each face of the mesh file
+  bool has_polygons = false;                      ///< the mesh file has faces that are not triangles
+  std::vector<std::string> remarks;   ///< deviations of perturbations from their settings, each with its method
+  std::vector<std::string> warnings;  ///< samples without a reliable offset SDF, a sentence for each method
+  std::vector<std::vector<double>> part_sizes;  ///< per method: area fractions of the parts, in descending order
+  /// Per method: Rand error between the segmentations with and without its perturbations; NaN for a method without
+  /// perturbations.
   std::vector<double> moved;
-  std::vector<std::string> pictures;  ///< PNG files: first the parts of one human segmentation, if any, then by method
-  std::string view = {};              ///< interactive view with the same parts, as JSON; may be empty
+  std::vector<std::string> pictures;  ///< PNG images of segmentations: a human one, if any, then one per method
+  std::string view = {};              ///< interactive 3D view of the segmentations in `pictures`, as JSON; may be empty
 };
 
-/// Results of a segmentation experiment.
+/// Results of a segmentation experiment: segmentations of all usable shapes, errors and failures.
 struct SegmentationResults {
   SegmentationExperiment experiment;
-  SegmentationBenchmark benchmark;     ///< usable shapes
-  bool has_people = true;              ///< human segmentations exist
-  SegmentationScores scores;           ///< of the methods, and of people for shapes with at least two segmentations
-  std::vector<SegmentedShape> shapes;  ///< in the order of the benchmark
+  SegmentationBenchmark benchmark;  ///< shapes that were segmented, without the failed ones
+  bool has_people = true;           ///< some shapes have reference segmentations
+  SegmentationScores scores;  ///< errors per method; also between people if every shape has several human segmentations
+  std::vector<SegmentedShape> shapes;  ///< segmentations of the shapes, in the order of `benchmark`
   std::vector<LeftOutShape> failures;
-  std::vector<SegmentedModel> failed;  ///< shapes of the failures
-  std::string classification_sha256;   ///< hash of the file of classes when the run began; empty if there is none
+  std::vector<SegmentedModel> failed;  ///< failed shapes with their files, in the order of `failures`
+  std::string classification_sha256;   ///< SHA-256 of the classification file when the run began; may be empty
   CacheReport cache;
   int threads = 1;
-  std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage
+  std::vector<std::pair<std::string, double>> timings;  ///< name and run time in seconds of each stage
 };
 
-/// Returns the name of reference segmentations in reports: those of people, or of the generator.
+/// Returns the name of reference segmentations in reports: "a person" for human ones, "reference" for those of the
+/// generator.
 std::string reference_name(const SegmentationExperiment& experiment);
 
 /// Finds the shapes of a data set on disk, with their human segmentations if the layout has any. Throws InputError as
 /// find_segmentation_benchmark() and find_dataset() do.
 SegmentationBenchmark find_segmented_shapes(const DatasetLocation& location);
 
-/// Returns the versions, by name, of the algorithms that a method's parts depend on.
+/// Returns the cache versions, by name, of the algorithms that the segmentations of a method depend on.
 nlohmann::json versions_of(const SegmentationMethod& method);
 
-/// Runs a whole segmentation experiment: parts of each shape by each method, through the cache, and their errors.
-/// Generated shapes are in RunContext::generated and are reused (prepare_generated()). Everything but the timings is
-/// the same for any number of threads. Throws InputError for a shape that fails with OnError::stop and if no shape is
-/// left; throws Interrupted.
+/// Runs a whole segmentation experiment: segments each shape by each method, using the cache, and computes the errors.
+/// Generated shapes are in the folder RunContext::generated and are reused (prepare_generated()). Everything but the
+/// timings is the same for any number of threads. Throws InputError for a shape that fails with OnError::stop and if no
+/// shape is left; throws Interrupted.
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const RunContext& context);
 
-/// Finds the parts of a part of the shapes and stores them in the cache. Throws as run_segmentation() does.
+/// Segments one part (engine/part.h) of the shapes, for runs on several machines, and stores the segmentations in the
+/// cache. Throws as run_segmentation() does.
 PartOutcome run_part_of_segmentation(const SegmentationExperiment& experiment, const RunContext& context,
                                      const Part& part);
 

@@ -6,8 +6,8 @@
 
 namespace shapegauge {
 
-/// Makes the report of a segmentation experiment, with shapes in decreasing order of the first method's Rand error. Its
-/// pictures refer to the results.
+/// Makes the report of a segmentation experiment, with shapes in decreasing order of the first method's Rand error.
+/// Pictures and views in the report refer to `results`, which must outlive it.
 SegmentationPage segmentation_report(const SegmentationResults& results);
 
 }  // namespace shapegauge

@@ -6,11 +6,11 @@
 
 namespace shapegauge {
 
-/// Returns the entry for experiment_kinds().
+/// Returns the entry of experiment_kinds() for segmentation experiments.
 ExperimentKind segmentation_kind();
 
-/// Writes all result files of a segmentation experiment (docs/manual/segmentation.md#experiments) but the
-/// manifest, and sets its entries.
+/// Writes all result files of a segmentation experiment (docs/manual/segmentation.md#experiments) except the manifest,
+/// and adds the entries of the experiment to the manifest.
 RunOutcome write_segmentation(const RunResults& to, const SegmentationResults& results);
 
 }  // namespace shapegauge

@@ -17,47 +17,48 @@
 
 namespace shapegauge {
 
-/// Results of a comparison for one field on one shape.
+/// Measurements of one field on one shape of a comparison: numbers of samples, run times and errors.
 struct FieldMeasurement {
   std::size_t samples = 0;
-  std::size_t missing = 0;  ///< samples without a value
+  std::size_t missing = 0;  ///< number of samples without a value
   double build_seconds = 0;
   double query_seconds = 0;
-  std::optional<ValueErrors> errors;           ///< only with a reference to which the shapes are registered
-  std::optional<NormalErrors> offset_normals;  ///< likewise, if the field estimates normals and the reference is a mesh
-  std::optional<NormalErrors> own_normals;     ///< of the samples' own normals; together with offset_normals
+  std::optional<ValueErrors> errors;           ///< errors of the values; absent without a registered reference
+  std::optional<NormalErrors> offset_normals;  ///< errors of normals that the field estimates, if any
+  std::optional<NormalErrors> own_normals;     ///< errors of the samples' own normals; set together with offset_normals
 };
 
-/// Reference to which the other shapes are registered, as the cache has it.
+/// Reference of a comparison as stored in the cache: geometry and field values with which other shapes are compared.
 struct ReferenceShape {
-  std::string key;  ///< shape_key()
-  Points vertices;  ///< after the perturbations
+  std::string key;  ///< cache key of the shape (shape_key())
+  Points vertices;  ///< vertices after the perturbations
   Triangles triangles;
-  std::vector<PlacedValues> values;  ///< per field
+  std::vector<PlacedValues> values;  ///< per field: values at the samples
 };
 
-/// Ground truth of a reference, which it refers to.
+/// Ground truth of a comparison, computed from a reference shape, which must outlive it.
 struct GroundTruth {
   explicit GroundTruth(const ReferenceShape& of);
 
   const ReferenceShape* reference;
-  double diagonal = 0;                 ///< of the reference's bounding box
-  std::optional<TrueNormals> normals;  ///< if it is a mesh
+  double diagonal = 0;                 ///< diagonal of the reference's bounding box
+  std::optional<TrueNormals> normals;  ///< triangle normals; absent if the reference is a point cloud
 };
 
 /// Everything that a comparison measures on one shape.
 struct MeasuredShape {
-  std::string name = {};                 ///< in the comparison; not in the cache
-  double read_seconds = 0;               ///< reading or generating the shape
-  std::vector<FieldMeasurement> fields;  ///< per field
+  std::string name = {};                 ///< name of the shape in the comparison; not stored in the cache
+  double read_seconds = 0;               ///< time of reading or generating the shape
+  std::vector<FieldMeasurement> fields;  ///< one measurement per field of the comparison
   ModelDescription description;
-  std::optional<ReferenceShape> reference;  ///< if other shapes are compared with this one
+  std::optional<ReferenceShape> reference;  ///< set if other shapes are compared with this shape
 };
 
-/// Reads, perturbs and prepares the shape of that index, and computes the fields on it with all threads of the
-/// calling TBB arena, through the cache. Run times from the cache are those of the run that computed the shape.
-/// `truth` is that of the reference to compare with, if any; null for the reference itself. Throws InputError for an
-/// unusable shape, and for a field that it does not have, and Interrupted between fields.
+/// Measures the shape at `index` of the comparison, through the cache: reads, perturbs and prepares it, and computes
+/// the fields with all threads of the calling TBB arena. Run times from the cache are those of the run that computed
+/// the shape. `truth` is the ground truth of the reference; null for the reference itself and without a reference.
+/// Throws InputError for an unusable shape and for a field that cannot be computed on it, and Interrupted between
+/// fields.
 MeasuredShape measure_through_cache(const ShapeComparison& comparison, std::size_t index, std::span<const Field> fields,
                                     const GroundTruth* truth, const RunControl& control, Cache& cache);
 

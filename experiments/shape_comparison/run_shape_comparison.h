@@ -15,33 +15,35 @@
 
 namespace shapegauge {
 
-/// Results of a comparison for one signature.
+/// Results of a shape comparison for one signature: histograms of all shapes and distances from the reference.
 struct SignatureResults {
-  std::size_t field = 0;          ///< index of the signature's field
+  std::size_t field = 0;          ///< field of the signature: index into MeasuredShape::fields
   Signatures histograms;          ///< row i is the histogram of shape i
-  std::vector<Interval> ranges;   ///< ranges of the shapes' histograms
-  std::vector<double> distances;  ///< distances of the shapes from the reference; empty without one
+  std::vector<Interval> ranges;   ///< range of each shape's histogram
+  std::vector<double> distances;  ///< distance of each shape from the reference; empty without a reference
 };
 
-/// Results of a comparison.
+/// Results of a shape comparison: measurements of all shapes, histograms, distances and failures.
 struct ShapeComparisonResults {
   ShapeComparison comparison;
-  std::vector<MeasuredShape> shapes;  ///< usable shapes, without_values()
+  std::vector<MeasuredShape> shapes;  ///< usable shapes with their measurements, without_values()
   std::vector<LeftOutShape> failures;
   std::vector<FieldReport> fields;
-  std::vector<SignatureResults> signatures;  ///< per signature of the comparison
+  std::vector<SignatureResults> signatures;  ///< results per signature of the comparison
   CacheReport cache;
   int threads = 1;
-  std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
+  std::vector<std::pair<std::string, double>> timings;  ///< name and run time in seconds of each stage, in order
 };
 
-/// Runs a whole comparison: fields, histograms, distances from the reference, errors; shapes are measured through the
-/// cache. Shapes are measured one after the other with all threads, which makes their timings comparable; the reference
-/// comes first. Everything but the timings is the same for any number of threads. Writes nothing. Throws InputError for
-/// a shape that fails with OnError::stop, a reference that fails, and if no shape is left; throws Interrupted.
+/// Runs a whole shape comparison: computes fields, histograms, distances from the reference and errors; shapes are
+/// measured through the cache. Shapes are measured one after the other with all threads, which makes their timings
+/// comparable; the reference comes first. Everything but the timings is the same for any number of threads. Writes
+/// nothing. Throws InputError for a shape that fails with OnError::stop, a reference that fails, and if no shape is
+/// left; throws Interrupted.
 ShapeComparisonResults run_shape_comparison(const ShapeComparison& comparison, const RunContext& context);
 
-/// Measures a part of the shapes and stores the measurements in the cache. Throws as run_shape_comparison() does.
+/// Measures one part (engine/part.h) of the shapes, for runs on several machines, and stores the measurements in the
+/// cache. Throws as run_shape_comparison() does.
 PartOutcome run_part_of_comparison(const ShapeComparison& comparison, const RunContext& context, const Part& part);
 
 }  // namespace shapegauge

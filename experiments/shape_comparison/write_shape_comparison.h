@@ -6,10 +6,11 @@
 
 namespace shapegauge {
 
-/// Returns the entry for experiment_kinds().
+/// Returns the entry of experiment_kinds() for shape comparisons.
 ExperimentKind comparison_kind();
 
-/// Writes all result files of a comparison but the manifest, and sets its entries.
+/// Writes all result files of a shape comparison except the manifest, and adds the entries of the comparison to the
+/// manifest.
 RunOutcome write_shape_comparison(const RunResults& to, const ShapeComparisonResults& results);
 
 }  // namespace shapegauge

@@ -23,30 +23,30 @@
 
 namespace shapegauge {
 
-/// Findings of the perturbations and the preparation of a shape.
+/// Quantities of a shape that its perturbation and preparation determine: diagnostics, choices, scale, noise.
 struct ShapeFacts {
-  ShapeDiagnostics diagnostics;           ///< after the perturbations, in the file's units
-  std::vector<std::size_t> chosen;        ///< choices of perturbations that choose
-  std::vector<std::string> remarks = {};  ///< how perturbations fell short of their settings
-  double area = 0;                        ///< area that was scaled to 1, in the file's units squared
-  double noise = 0;                       ///< NoiseLevel::relative(), if the preparation estimates noise
-  double pass_band = 0;                   ///< of the preparation's smoothing; 0 if not smoothed
+  ShapeDiagnostics diagnostics;           ///< diagnostics of the perturbed shape, in the file's units
+  std::vector<std::size_t> chosen;        ///< choices of perturbation steps (PerturbedShape::chosen)
+  std::vector<std::string> remarks = {};  ///< remarks on the perturbations (PerturbedShape::remarks)
+  double area = 0;                        ///< area before the shape is scaled to area 1, in the file's units squared
+  double noise = 0;                       ///< noise divided by edge length (NoiseLevel::relative()); 0 if not estimated
+  double pass_band = 0;                   ///< pass band of the smoothing (taubin_smoothing()); 0 if not smoothed
 };
 
-/// Values of a field on one shape.
+/// Values of a field on one shape, as stored in the cache.
 struct StoredField {
-  Interval range;
-  FieldOutcomes outcomes;
-  std::optional<double> offset;  ///< if the field chose one
-  double seconds = 0;
-  Eigen::VectorXd values;  ///< in double precision, as histograms need them
+  Interval range;                ///< smallest and largest value
+  FieldOutcomes outcomes;        ///< number of samples by outcome
+  std::optional<double> offset;  ///< automatic offset, a fraction of the diagonal; none for other fields
+  double seconds = 0;            ///< run time of the field in seconds
+  Eigen::VectorXd values;        ///< value at each sample, NaN if missing; in double precision for histograms
 };
 
-/// Features of a descriptor of one shape.
+/// Feature vector of one shape: the output of a descriptor, or the histogram of a field.
 struct FeatureDescription {
   Eigen::VectorXf features;
-  double seconds = 0;      ///< without its fields
-  std::string error = {};  ///< why the shape has none, with OnError::skip; otherwise empty
+  double seconds = 0;      ///< run time of the descriptor in seconds, without that of its fields
+  std::string error = {};  ///< reason why the shape has no features, with OnError::skip; otherwise empty
 };
 
 SHAPEGAUGE_MEMBERS(ShapeDiagnostics, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v)
@@ -55,36 +55,41 @@ SHAPEGAUGE_MEMBERS(Interval, low, high)
 SHAPEGAUGE_MEMBERS(StoredField, range, outcomes, offset, seconds, values)
 SHAPEGAUGE_MEMBERS(FeatureDescription, features, seconds, error)
 
-/// Makes the cache entry of computed values. Throws InputError if all values are missing.
+/// Makes the cache entry of a field from its computed values at the samples. Throws InputError if all values are
+/// missing.
 StoredField stored_field(const Field& field, FieldValues computed, const Samples& samples);
 
-/// Computes the features of a descriptor.
+/// Computes the features of a shape by a descriptor and measures the run time. `learnt` are the features learnt from
+/// the data set; empty for a descriptor that does not learn.
 FeatureDescription describe_features(const DescriptorChoice& choice, const DescriptorInput& input,
                                      const LearntFeatures& learnt);
 
-/// A shape with its perturbations and preparation, and the results that are computed on it. Each result is found in the
-/// cache, or computed and stored. The shape is read and prepared when a result is missing. Not thread-safe.
+/// Computes the results of one perturbed and prepared shape through the cache: each is found there, or computed and
+/// stored. The shape is read and prepared only when a result is missing. Not thread-safe.
 class Bench {
  public:
-  /// `key` is the shape_key(); `read` returns the perturbed shape; `parallel` distributes samples over threads.
+  /// `key` is the shape_key(). `read` reads and perturbs the shape. With `parallel`, samples are distributed over
+  /// threads.
   Bench(std::string key, std::function<PerturbedShape()> read, const PreparationOptions& preparation, bool parallel,
         Cache& cache);
 
   [[nodiscard]] const std::string& key() const { return key_; }
 
-  /// Results. Throw InputError for an unusable shape, and for a field or descriptor that the shape does not have.
+  /// Return results of the shape through the cache. Throw InputError for an unusable shape, and for a field or
+  /// descriptor that the shape does not have.
   /// @{
   const ShapeFacts& facts();
   const StoredField& field(const Field& field);
-  const Eigen::VectorXd& weights(const SamplePlan& plan);  ///< of samples
+  const Eigen::VectorXd& weights(const SamplePlan& plan);  ///< area represented by each sample of the plan
   ScalarField values(const Field& field);
-  FeatureDescription features(const DescriptorChoice& choice);  ///< of a descriptor that does not learn
+  FeatureDescription features(const DescriptorChoice& choice);  ///< features by a descriptor that does not learn
   std::string picture(const Field& field, const PictureOptions& options, const Eigen::Vector3d& up);
-  /// Returns the view with these fields, of which those that the shape does not have are missing everywhere.
+  /// Returns the interactive view (model_view()) with these fields. Fields that the shape does not have (`has_field` is
+  /// false) have no values in the view.
   std::string view(std::span<const Field> fields, const std::vector<bool>& has_field, const ShapeDrawing& drawing);
   /// @}
 
-  /// The prepared shape and what is computed on it without the cache.
+  /// Return the prepared shape, its samples and the values of a field, computed without the cache.
   /// @{
   const PreparedShape& prepared();
   const Samples& samples(SamplePlan plan);
@@ -106,7 +111,7 @@ class Bench {
   bool parallel_;
   Cache* cache_;
   std::optional<ShapeFacts> facts_;
-  std::map<std::string, StoredField> fields_;  ///< by key
+  std::map<std::string, StoredField> fields_;  ///< results of field(), by field_key()
   std::map<SamplePlan, Eigen::VectorXd> weights_;
   std::unique_ptr<Opened> opened_;
 };

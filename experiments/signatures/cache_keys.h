@@ -26,15 +26,15 @@
 
 namespace shapegauge {
 
-/// Returns the key of a result of that kind.
+/// Returns the cache key of a result of that kind: SHA-256 of the kind, the program and `depends_on`.
 std::string result_key(EntryKind kind, const nlohmann::json& depends_on);
 
-/// Input of a model's prepared shape, apart from the configuration.
+/// Model that a shape is read from: the inputs of shape_key() other than settings.
 struct ModelSource {
-  std::string_view sha256;     ///< of the file's bytes
-  std::filesystem::path file;  ///< its extension selects the format
-  std::string_view id;         ///< only used by perturbations
-  std::size_t index = 0;       ///< in the data set; only used by perturbations
+  std::string_view sha256;     ///< SHA-256 of the model's file
+  std::filesystem::path file;  ///< path of the file; only its extension, which selects the format, is used
+  std::string_view id;         ///< id of the model; only used by perturbations
+  std::size_t index = 0;       ///< index in the data set; only used by perturbations
 };
 
 /// Returns the key of a model's shape, perturbed and prepared. It does not depend on the file's path nor, without
@@ -42,40 +42,41 @@ struct ModelSource {
 std::string shape_key(const ModelSource& source, const PreparationOptions& preparation,
                       const std::vector<Perturbation>& perturbations, std::uint64_t seed);
 
-/// Returns the key of samples of that shape.
+/// Returns the key of the samples of a shape. `shape` is its shape_key().
 std::string samples_key(const std::string& shape, const SamplePlan& plan);
 
-/// Returns the key of a field on that shape.
+/// Returns the key of the values of a field on a shape. `shape` is its shape_key().
 std::string field_key(const std::string& shape, const Field& field);
 
-/// Returns the key of a descriptor's features of that shape. `fields` are the keys of its fields; `learnt` is that of
-/// its learnt features, or empty.
+/// Returns the key of a descriptor's features of a shape. `shape` is its shape_key(). `fields` has the field_key() of
+/// each of the descriptor's fields. `learnt` is the learnt_key(), or empty if the descriptor does not learn.
 std::string features_key(const std::string& shape, const DescriptorChoice& choice,
                          const std::vector<std::string>& fields, const std::string& learnt);
 
-/// Returns the key of what a descriptor learns from a data set. `fields` are the keys of its fields on each shape.
+/// Returns the key of the features that a descriptor learns from a data set. `fields` has, for each shape, the
+/// field_key() of each of the descriptor's fields.
 std::string learnt_key(const DescriptorChoice& choice, const std::vector<std::vector<std::string>>& fields);
 
-/// Returns the key of a shape's picture coloured by that field.
+/// Returns the key of a picture of a shape, coloured by the field with the field_key() `field`.
 std::string picture_key(const std::string& field, const PictureOptions& options, const Eigen::Vector3d& up);
 
-/// Returns the key of a shape's view with those fields.
+/// Returns the key of an interactive view of a shape. `fields` has the field_key() of each field shown.
 std::string view_key(const std::vector<std::string>& fields, const ShapeDrawing& drawing);
 
-/// Returns the key of the distance matrix of signatures by the named distance.
+/// Returns the key of a distance matrix of signatures. `distance` is the name of the distance.
 std::string distances_key(const Signatures& signatures, const std::string& distance);
 
-/// Returns the name and version that identify a descriptor's own distance in distances_key().
+/// Returns a name for a descriptor's own distance, with the version of the descriptor, as distances_key() needs it.
 std::string distance_of(const Descriptor& descriptor);
 
-/// Returns the key of a shape's parts by a method of the experiment, which has the seed of the perturbations and the
-/// preparation. `versions` are those of the method's algorithms.
+/// Returns the key of the segmentation of a shape by a method. The experiment has the seed of the perturbations and the
+/// preparation options. `versions` are the cache versions of the method's algorithms.
 std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method,
                              const nlohmann::json& versions, const SegmentationExperiment& experiment);
 
-/// Returns the key of what a comparison measures on a shape. `fields` are the keys of the fields of its signatures, and
-/// `histograms` their histograms; `reference` identifies the shape that it is compared with; `version` is that of the
-/// errors. Run times depend on the number of threads.
+/// Returns the key of the measurements of one shape in a shape comparison. `fields` has the field_key() of each
+/// signature's field, and `histograms` the settings of its histogram; `reference` identifies the shape that it is
+/// compared with; `version` is the cache version of the error measures. Run times depend on the number of threads.
 std::string comparison_key(const std::vector<std::string>& fields,
                            const std::vector<HistogramConfiguration>& histograms, const std::string& reference,
                            int version, int threads);

@@ -15,43 +15,44 @@
 
 namespace shapegauge {
 
-/// Reports on the models with signatures, and their drawings.
+/// Descriptions, pictures and interactive views of the models that have signatures, for reports.
 struct DescribedShapes {
-  std::vector<ModelDescription> shapes;  ///< per model, without_values()
+  std::vector<ModelDescription> shapes;  ///< per model: its description without_values()
   std::vector<std::string> pictures;     ///< per model, as PNG files; empty if not configured
   std::vector<std::string> views;        ///< per model, interactive 3D views (model_view()); empty if not configured
-  std::vector<ViewedField> viewed;  ///< fields of the views, named after the first signature that is a histogram of it,
-                                    ///< or the one that has it pictured
-  std::vector<FieldReport> fields;
+  std::vector<ViewedField> viewed;       ///< fields in the views, each named after a signature that uses it
+  std::vector<FieldReport> fields;       ///< per field of distinct_fields(): totals over the models
 };
 
-/// Signatures of the models of a data set.
+/// Signatures of the models of a data set, with the failures and the statistics of the data set.
 struct ComputedSignatures : DescribedShapes {
-  std::vector<std::size_t> models;     ///< models with signatures, by index in the data set
-  std::vector<Signatures> signatures;  ///< of those models, as assemble_signatures() returns them
-  std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip: no signature can be computed
-  /// By signature: those of `models`, by position, that do not have it, although they have another.
+  std::vector<std::size_t> models;     ///< indices in the data set of the models with at least one signature
+  std::vector<Signatures> signatures;  ///< per signature: table with one row per entry of `models`
+  std::vector<ModelFailure> failures;  ///< models without any signature, with OnError::skip; indices in the data set
+  /// Per signature: the models that do not have it, although they have another; ModelFailure::model is an index into
+  /// `models`.
   std::vector<std::vector<ModelFailure>> without;
-  std::vector<LearntFeatures> learnt;  ///< per signature; empty if it does not learn
-  std::vector<Interval> field_ranges;  ///< per field, over all models
+  std::vector<LearntFeatures> learnt;  ///< per signature: features learnt from the data set; empty if none
+  std::vector<Interval> field_ranges;  ///< per field of distinct_fields(): interval of its values over all models
   std::vector<std::vector<Interval>>
-      histogram_ranges;  ///< per signature: range of each model's histogram; empty without a field
+      histogram_ranges;  ///< per signature: range of the histogram of each model; empty for one without field
 };
 
-/// Computes all signatures of the configuration, in parallel over the models. The same bytes for any number of threads.
-/// First checks every model's file. With OnError::stop the first failing model is an InputError. With OnError::skip,
-/// models that cannot be used are omitted, and those without some of the signatures are named (`without`). Throws
-/// InputError if no model is left in general or for one of the signatures, and Interrupted. Runs in the calling TBB
-/// arena. Reads results from the cache and stores new ones there.
+/// Computes all signatures of the configuration, in parallel over the models. The result is the same, bit by bit, for
+/// any number of threads. First checks every model's file. With OnError::stop the first failing model is an InputError.
+/// With OnError::skip, models that cannot be used are omitted, and those without some of the signatures are named
+/// (`without`). Throws InputError if no model is left in general or for one of the signatures, and Interrupted. Runs in
+/// the calling TBB arena. Reads results from the cache and stores new ones there.
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunContext& context);
 
-/// Computes, for one part of the models, the results per model that compute_signatures() needs, and stores them in the
-/// cache. Throws InputError for a model of the part that fails with OnError::stop, and Interrupted.
+/// Computes, for one part of a run (Part), the results per model that compute_signatures() needs, and stores them in
+/// the cache. Throws InputError for a model of the part that fails with OnError::stop, and Interrupted.
 PartOutcome describe_part(const Dataset& dataset, const Configuration& configuration, const RunContext& context,
                           const Part& part);
 
-/// Returns true if the cache has what compute_signatures() needs of every model that can be used.
+/// Returns true if the cache has the results per model that compute_signatures() needs, for every model that can be
+/// used.
 bool are_described(const Dataset& dataset, const Configuration& configuration, const RunContext& context);
 
 }  // namespace shapegauge

@@ -20,42 +20,42 @@ namespace shapegauge {
 /// Returns the distinct fields of the signatures in order of first use. Fields of equal settings are computed once.
 std::vector<Field> distinct_fields(const std::vector<SignatureConfiguration>& signatures);
 
-/// Returns the index of the field with these settings; their number if there is none.
+/// Returns the index in `fields` of the field with the same settings; the number of fields if there is none.
 std::size_t index_of(std::span<const Field> fields, const Field& field);
 
-/// Returns the first signature that is a histogram of the field, if there is one.
+/// Returns the index of the first signature that is a histogram of the field; nothing if there is none.
 std::optional<std::size_t> first_histogram_of(const Field& field,
                                               const std::vector<SignatureConfiguration>& signatures);
 
-/// Returns true for the field that colours the models in the report.
+/// Returns true if the field colours the pictures of the models in the report.
 bool is_pictured(const Field& field, const Configuration& configuration);
 
-/// Maximum number of fields in the view of a model.
+/// Maximum number of fields in the interactive view of a model.
 inline constexpr std::size_t max_viewed_fields = 6;
 
-/// Returns the indices of the fields in the views of models: the one that colours their pictures, then those of
-/// histogram signatures. Empty if the configuration disables views.
+/// Returns the indices of the fields in the interactive views of models: first the field that colours their pictures,
+/// then those of histograms. Empty if the configuration disables views.
 std::vector<std::size_t> viewed_fields(std::span<const Field> fields, const Configuration& configuration);
 
-/// Results for one field on one shape.
+/// Description of one field on one shape: range, outcomes and, if other shapes need them, values.
 struct FieldDescription {
-  Interval range;           ///< of the values
-  Eigen::VectorXf values;   ///< if a signature depends on those of all shapes; in single precision to save memory
-  Eigen::VectorXf weights;  ///< of the samples; empty without the values
-  FieldOutcomes outcomes;
-  std::optional<double> offset;  ///< if the field chose one
-  double seconds = 0;
-  std::string error = {};  ///< why the shape has no values of it, with OnError::skip; otherwise empty
+  Interval range;                ///< smallest and largest value
+  Eigen::VectorXf values;        ///< value at each sample, if a signature needs those of all shapes; otherwise empty
+  Eigen::VectorXf weights;       ///< area represented by each sample; empty if `values` is empty
+  FieldOutcomes outcomes;        ///< number of samples by outcome
+  std::optional<double> offset;  ///< automatic offset, a fraction of the diagonal; none for other fields
+  double seconds = 0;            ///< run time of the field in seconds
+  std::string error = {};        ///< reason why the shape does not have the field, with OnError::skip; otherwise empty
 };
 
 /// Description of one shape, without its mesh.
 struct ModelDescription : ShapeFacts {
-  std::string sha256;                        ///< of the file; empty for a shape without file
-  std::vector<FieldDescription> fields;      ///< of distinct_fields()
-  std::vector<FeatureDescription> features;  ///< per signature, also histograms; empty if it depends on other shapes
+  std::string sha256;                        ///< SHA-256 of the shape file; empty for a shape without file
+  std::vector<FieldDescription> fields;      ///< descriptions of the distinct_fields(), in order
+  std::vector<FeatureDescription> features;  ///< per signature: feature vector, empty if it depends on other shapes
   std::string shape_key;                     ///< shape_key() in the cache; empty if unknown
-  std::string picture;                       ///< model_picture(), if configured
-  std::string view;                          ///< model_view(), if configured
+  std::string picture;                       ///< PNG bytes of model_picture(); empty if not configured
+  std::string view;                          ///< JSON of model_view(); empty if not configured
 };
 
 SHAPEGAUGE_MEMBERS(FieldDescription, range, values, weights, outcomes, offset, seconds, error)
@@ -64,24 +64,26 @@ inline auto members(ModelDescription& model) {
                   model.picture, model.view);
 }
 
-/// Returns the first error of a descriptor's fields on the shape; empty if it has them all.
+/// Returns the error of the first field of a descriptor that the shape does not have; empty if it has all of them.
+/// `fields` are the distinct_fields().
 std::string error_of_fields(const ModelDescription& model, std::span<const Field> fields,
                             const DescriptorChoice& descriptor);
 
-/// Returns, by signature, why the shape has none: the first error of its field, its descriptor or its parts. Empty for
-/// signatures without an error.
+/// Returns, per signature, the reason why the shape does not have it: the first error of its field, its descriptor or
+/// its parts. The string is empty for a signature that the shape has.
 std::vector<std::string> signature_errors(const ModelDescription& model,
                                           const std::vector<SignatureConfiguration>& signatures,
                                           std::span<const Field> fields);
 
-/// Describes computed values of a field, of samples with these weights: their range, and the values if a signature
-/// depends on those of all shapes. Adds the other histograms of the field to the features by signature.
+/// Describes a field by its values at samples with these area weights: the range, and the values if a signature needs
+/// those of all shapes. Writes the other histograms of the field to `features`, which has one entry per signature.
 FieldDescription describe_field(const StoredField& values, const Eigen::VectorXd& weights, const Field& field,
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::vector<FeatureDescription>& features);
 
-/// Describes a shape by the fields and the configuration's descriptors. Throws InputError for an unusable shape, and
-/// for a field or descriptor that the shape does not have, or, with OnError::skip, records it.
+/// Describes a shape by its fields, histograms, descriptors, picture and view. Throws InputError for an unusable shape
+/// and, with OnError::stop, for a field or descriptor that the shape does not have. With OnError::skip, the description
+/// records the error of such a field or descriptor.
 ModelDescription describe_shape(Bench& bench, const Configuration& configuration, std::span<const Field> fields,
                                 const ShapeDrawing& drawing);
 
@@ -91,19 +93,20 @@ ModelDescription describe_shape(Bench& bench, const Configuration& configuration
 ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                                 std::span<const Field> fields, bool parallel, Cache& cache);
 
-/// Returns true if describe_model() has nothing left to compute for a model: the cache has everything it needs, or the
-/// note that some of it cannot be computed, or the model's file cannot be read.
+/// Returns true if describe_model() has nothing left to compute for a model. This is so if all results are in the
+/// cache, if the cache records that some cannot be computed (note_failure()), or if the model's file cannot be read.
 bool is_described(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                   std::span<const Field> fields, Cache& cache);
 
-/// Returns the description without values and features, when these are in tables.
+/// Returns the description without the values of fields and the features, which are no longer needed when the tables of
+/// signatures exist.
 ModelDescription without_values(ModelDescription model);
 
-/// Notes in the cache, for is_described(), that some results of a model cannot be computed.
+/// Records in the cache, for is_described(), that some results of a model cannot be computed.
 void note_failure(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                   std::span<const Field> fields, Cache& cache);
 
-/// Returns the values kept by a description.
+/// Returns the values and weights in the description of a field, converted to double precision.
 ScalarField kept_field(const FieldDescription& field);
 
 }  // namespace shapegauge

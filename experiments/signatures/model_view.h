@@ -11,26 +11,27 @@
 
 namespace shapegauge {
 
-/// Cache version of views; see docs/manual/cache.md.
+/// Cache version of interactive views (model_view()); see docs/manual/cache.md.
 inline constexpr int model_view_version = 3;
 
 /// Maximum number of models with views in a report.
 inline constexpr std::size_t max_models_with_views = 2000;
 
-/// Limits of the faces of the views on a page. The defaults limit the size of a report to a few megabytes.
+/// Limits of the number of faces in the interactive views on a page. The defaults limit the size of a report to a few
+/// megabytes.
 struct ViewFaces {
-  Eigen::Index in_total = 240'000;
-  Eigen::Index fewest = 200;  ///< lower limit for one view
-  Eigen::Index most = 3000;   ///< upper limit for one view
+  Eigen::Index in_total = 240'000;  ///< faces of all views on the page
+  Eigen::Index fewest = 200;        ///< lower limit for the faces of one view
+  Eigen::Index most = 3000;         ///< upper limit for the faces of one view
 };
 
-/// Returns the number of faces of a view, which decreases with the number of models on its page.
+/// Returns the maximum number of faces of an interactive view, which decreases with the number of models on its page.
 Eigen::Index faces_of_views(std::size_t models, const ViewFaces& limits = {});
 
-/// How a shape is drawn.
+/// Settings of the picture and the interactive view of a shape.
 struct ShapeDrawing {
-  Eigen::Index faces = 0;          ///< maximum number in its view; 0: without a view
-  Eigen::Vector3d up = {0, 0, 1};  ///< vertical direction
+  Eigen::Index faces = 0;          ///< maximum number of faces in the interactive view; 0 for no view
+  Eigen::Vector3d up = {0, 0, 1};  ///< vertical direction in pictures and views
 };
 
 /// Values of a field at samples of a shape.
@@ -40,7 +41,8 @@ struct SampledField {
 };
 
 /// Encodes a shape simplified to at most `drawing.faces` faces, or points, with the fields at its vertices, as JSON
-/// (shape_view_json()) without names. Depends on nothing else. Throws as coarse_shape() and shape_view_json() do.
+/// (shape_view_json()) without names. The result depends only on the arguments. Throws as coarse_shape() and
+/// shape_view_json() do.
 std::string model_view(const Shape& shape, std::span<const SampledField> fields, const ShapeDrawing& drawing);
 
 }  // namespace shapegauge

@@ -12,34 +12,37 @@
 #include "shapegauge/retrieval/distances.h"
 #include "shapegauge/retrieval/histogram.h"
 
-/// Tables of signatures, assembled from the descriptions of models.
+/// Tables of signatures, one row per model, assembled from the descriptions of models.
 
 namespace shapegauge {
 
-/// Returns the distance between signatures of a kind that is not derived: a descriptor's own, or the configuration's.
+/// Returns the distance that compares signatures of this kind: that of the descriptor, or else that of the
+/// configuration. The signature must not be derived from distances.
 NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration);
 
-/// Maximum number of models of a cached distance matrix: 64 MB. A larger one is computed as fast as it is read.
+/// Maximum number of models of a cached distance matrix, whose size is then 64 MB. A larger matrix is computed as fast
+/// as it is read.
 inline constexpr Eigen::Index max_models_of_cached_distances = 2900;
 
-/// Computes distance_matrix() or reads it from the cache; stores it there, for up to max_models_of_cached_distances
-/// signatures. Throws as distance_matrix() does.
+/// Returns the distance matrix of signatures (distance_matrix()), computed or read from the cache. Stores it there for
+/// up to max_models_of_cached_distances signatures. Throws as distance_matrix() does.
 DistanceMatrix distances_through_cache(const Signatures& signatures, const NamedDistance& distance, Cache& cache);
 
-/// Returns the range of each field over the models that have values of it. Throws ArgumentError if none
-/// has.
+/// Returns, per field, the interval of its values over the models that have the field. `fields` is the number of
+/// fields. Throws ArgumentError for a field that no model has.
 std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields);
 
-/// Assembles the signatures, in the configuration's order, of all models: row i is of models[i], NaN for a model
-/// without the signature. A signature that no model has is without columns. Signatures derived from distances are
-/// empty. `data_set_ranges` are the ranges of the fields over the whole data set, if a histogram needs them.
-/// Runs in the calling TBB arena. Throws ArgumentError if a descriptor returns features of different lengths.
+/// Assembles one table per signature, in the order of the configuration: row i is the signature of models[i], or NaN if
+/// the model does not have it. The table of a signature that no model has is without columns; that of derived distances
+/// is empty. `data_set_ranges` are the ranges of the fields over the whole data set, if a histogram needs them. Runs in
+/// the calling TBB arena. Throws ArgumentError if a descriptor returns features of different lengths.
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
                                             std::span<const Field> fields,
                                             const std::vector<SignatureConfiguration>& signatures,
                                             std::span<const Interval> data_set_ranges);
 
-/// Returns the range of each model's histogram of a field.
+/// Returns, per model, the range of its histogram. `wanted` are the settings of the histogram; `field` is the index of
+/// its field.
 std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
                                        const HistogramConfiguration& wanted, std::size_t field);
 

@@ -16,14 +16,14 @@ namespace shapegauge {
 /// Position in a drawing, right and down from its upper left corner, in points (1/72 inch).
 using DrawingPoint = std::array<double, 2>;
 
-/// Polyline, or the area within it.
+/// Polyline of a drawing, or the polygon within it, with its fill and stroke.
 struct DrawnPath {
   std::vector<DrawingPoint> points;
   bool closed = false;
   std::optional<Colour> fill = {};
   std::optional<Colour> stroke = {};
-  double width = 1;                 ///< of the stroke
-  std::vector<double> dashes = {};  ///< lengths of dashes and gaps; empty for a solid line
+  double width = 1;                 ///< width of the stroke in points
+  std::vector<double> dashes = {};  ///< lengths of dashes and gaps in points; empty for a solid line
   double opacity = 1;
 };
 
@@ -31,12 +31,12 @@ enum class TextAnchor { start, middle, end };
 
 /// Line of text, positioned on the baseline at its start, middle or end.
 struct DrawnText {
-  std::string text;  ///< UTF-8
+  std::string text;  ///< one line of text in UTF-8
   DrawingPoint place;
-  double size = 11;  ///< size of the font, which is sans-serif
+  double size = 11;  ///< font size in points; the font is sans-serif
   Colour colour = {28, 34, 39};
   TextAnchor anchor = TextAnchor::start;
-  bool upwards = false;  ///< rotated to run from the bottom up
+  bool upwards = false;  ///< true for text rotated to run from the bottom up
   bool bold = false;
 };
 

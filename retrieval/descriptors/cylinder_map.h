@@ -15,15 +15,15 @@ using CylinderGrid = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen:
 struct CylinderMap {
   CylinderGrid distance;  ///< distance of the outermost surface from the axis, divided by the radius, at most 1; 0
                           ///< without surface
-  CylinderGrid cosine;    ///< absolute cosine of the angle between the surface normal and the line of sight
+  CylinderGrid cosine;    ///< absolute cosine of the angle between surface normal and line of sight; 0 without surface
 };
 
 /// Geometry and resolution of a CylinderMap.
 struct CylinderFrame {
   int axis = 2;       ///< coordinate axis through the origin that is the cylinder's axis: 0, 1 or 2
   double radius = 1;  ///< radius and half height of the cylinder; surface outside it is ignored
-  int angles = 128;   ///< columns; the first is centred on the coordinate axis that follows the cylinder's
-  int heights = 64;   ///< rows
+  int angles = 128;   ///< number of columns; angle 0 is the coordinate axis after the cylinder's, in cyclic order
+  int heights = 64;   ///< number of rows, over the height of the cylinder
 };
 
 /// Projects the triangles of a mesh onto a cylinder (Papadakis, Pratikakis, Theoharis, Perantonis 2010, section 3.2). A

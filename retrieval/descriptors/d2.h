@@ -11,8 +11,8 @@ namespace shapegauge {
 /// Options of d2().
 struct D2Options {
   int points = 1024;   ///< number of surface points, all pairs of which count
-  int bins = 64;       ///< from distance 0 to `longest`
-  double longest = 3;  ///< upper end of the last bin, in mean distances; larger distances count in the last bin
+  int bins = 64;       ///< number of histogram bins, from distance 0 to `longest`
+  double longest = 3;  ///< upper end of the last bin, which includes larger distances, in mean distances
 };
 
 /// Computes the shape distribution D2 (Osada, Funkhouser, Chazelle, Dobkin 2002): the histogram of distances between

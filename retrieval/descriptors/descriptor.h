@@ -20,20 +20,20 @@ namespace shapegauge {
 
 class ProxySource;
 
-/// Settings of a descriptor.
+/// Parameter values of a descriptor.
 struct DescriptorSettings {
-  ParameterValues values;             ///< values of Descriptor::parameters
-  std::vector<ParameterValues> axes;  ///< values of Descriptor::axis_parameters, one set per field
+  ParameterValues values;             ///< values of the descriptor's parameters
+  std::vector<ParameterValues> axes;  ///< values of the descriptor's axis_parameters, one set per field
 };
 
-/// Input of a descriptor.
+/// Shape to be described, with its fields and surface proxy.
 struct DescriptorInput {
-  const Shape& shape;                   ///< prepared, of unit area
-  std::span<const ScalarField> fields;  ///< at the same samples; empty for a descriptor without fields
-  ProxySource* proxy = nullptr;         ///< of the shape, shared with its fields and other descriptors; may be null
+  const Shape& shape;                   ///< prepared shape of unit area
+  std::span<const ScalarField> fields;  ///< fields at the same samples; empty for a descriptor without fields
+  ProxySource* proxy = nullptr;  ///< proxy of the shape, shared with its fields and other descriptors; may be null
 };
 
-/// Calls use(ProxySource&) with the input's proxy, or with a new one if it has none.
+/// Returns use(proxy) for the input's proxy, or for a new proxy of the shape if the input has none.
 Eigen::VectorXf on_proxy(const DescriptorInput& input, const std::function<Eigen::VectorXf(ProxySource&)>& use);
 
 /// Features learnt from the whole data set before shapes are described, such as a codebook. Empty for most descriptors.
@@ -44,11 +44,11 @@ using LearntFeatures = Eigen::MatrixXf;
 /// described. Names, parameters and descriptions must outlive the entry; they are not copied.
 struct Descriptor {
   std::string_view name;
-  std::string_view description;                     ///< one sentence
-  std::span<const Parameter> parameters;            ///< not called type, fields or axes
-  std::span<const Parameter> axis_parameters = {};  ///< for each field
-  std::size_t min_fields = 0;
-  std::size_t max_fields = 0;
+  std::string_view description;           ///< description in one sentence
+  std::span<const Parameter> parameters;  ///< parameters of the descriptor; none is called type, fields or axes
+  std::span<const Parameter> axis_parameters = {};  ///< parameters that have a value for each field
+  std::size_t min_fields = 0;                       ///< minimum number of fields
+  std::size_t max_fields = 0;                       ///< maximum number of fields
   int version = 1;  ///< cache version of the features and the distance; see docs/manual/cache.md
   Eigen::VectorXf (*describe)(const DescriptorInput&, const LearntFeatures&, const DescriptorSettings&) = nullptr;
   DistanceFunction distance = nullptr;
@@ -60,21 +60,21 @@ struct Descriptor {
   void (*check)(const DescriptorSettings&) = nullptr;
 };
 
-/// Returns the registry of descriptors: those of this folder, one line each in descriptor.cpp
-/// (docs/developer/extending.md), followed by those added. An entry must have `describe` and `distance`, and no
-/// parameters called type, fields or axes.
+/// Returns the registry of descriptors: those of the library (descriptor.cpp), followed by those that callers add
+/// (docs/developer/extending.md). An entry must have `describe` and `distance`, and no parameters called type, fields
+/// or axes.
 Registry<Descriptor>& descriptors();
 
 /// Returns true if the descriptor must learn from all shapes before it can describe one.
 bool needs_learning(const Descriptor& descriptor, const DescriptorSettings& settings);
 
-/// Computes the features of one shape and validates them; `learnt` is for descriptors that learn. Throws InputError if
-/// there are no features or some are not finite, and as `describe` does.
+/// Computes the features of one shape and validates them; `learnt` is the result of the descriptor's `learn`, or empty.
+/// Throws InputError if there are no features or some are not finite, and as `describe` does.
 Eigen::VectorXf compute_features(const Descriptor& descriptor, const DescriptorInput& input,
                                  const LearntFeatures& learnt, const DescriptorSettings& settings);
 
-/// Computes all pairwise distances of features, one shape per row. Parallel, with the same bytes for any number of
-/// threads. Throws InputError for a feature that is not finite.
+/// Computes all pairwise distances of features, one shape per row, by the descriptor's distance. Parallel, with the
+/// same bytes for any number of threads. Throws InputError for a feature that is not finite.
 DistanceMatrix descriptor_distances(const Descriptor& descriptor, const Signatures& features);
 
 /// Returns the names that feature_distance() accepts: those of distances(), followed by those of descriptors().
@@ -84,8 +84,8 @@ std::vector<std::string> feature_distance_names();
 /// for an unknown name; the message lists the known ones.
 NamedDistance feature_distance(const std::string& name);
 
-/// Computes all pairwise distances of features, one model per row, by the distance of that name. Throws InputError as
-/// feature_distance() does, and for features outside the distance's domain.
+/// Computes all pairwise distances of features, one model per row, by the feature_distance() called `name`. Throws
+/// InputError as feature_distance() does, and for features outside the distance's domain.
 DistanceMatrix feature_distances(const std::string& name, const Signatures& features);
 
 }  // namespace shapegauge

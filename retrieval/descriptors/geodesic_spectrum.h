@@ -9,7 +9,7 @@ namespace shapegauge {
 
 /// Options of geodesic_spectrum().
 struct GeodesicSpectrumOptions {
-  int eigenvalues = 20;  ///< number of ratios of eigenvalues, without the largest eigenvalue itself
+  int eigenvalues = 20;  ///< number of features: eigenvalues after the largest one, divided by the largest
 };
 
 /// Computes the geodesic spectrum (after Smeets, Hermans, Vandermeulen, Suetens 2012): eigenvalues l_1, l_2, ... of the

@@ -12,14 +12,14 @@ namespace shapegauge {
 
 /// Axis of a joint histogram: the binning of one field's values.
 struct JointAxis {
-  int bins = 40;
+  int bins = 40;  ///< number of bins of the axis
   double smoothing_bins =
       1;  ///< standard deviation of Gaussian smoothing (smooth_gaussian()), in bins, at most `bins`; 0 for none
   bool divide_by_mean = false;  ///< divide the values by their weighted mean first, which makes them invariant to scale
-  double low = 0;               ///< ends of the range, after the division; values beyond them count in the outer bins
-  double high = 1;
-  bool per_shape = false;      ///< use each shape's own minimum and maximum; a constant field counts in the first bin
-  bool over_data_set = false;  ///< use the minimum and maximum over the data set; only known to descriptor()
+  double low = 0;               ///< lower end of the range, after divide_by_mean; smaller values count in the first bin
+  double high = 1;              ///< upper end of the range, after divide_by_mean; larger values count in the last bin
+  bool per_shape = false;       ///< use each shape's own minimum and maximum; a constant field counts in the first bin
+  bool over_data_set = false;  ///< use the minimum and maximum over the data set; only for joint_histogram_descriptor()
 };
 
 /// Conversion of the bins of a joint histogram to features.
@@ -32,9 +32,9 @@ struct JointHistogramOptions {
 /// no valid value, or the mean is not positive.
 Interval joint_range(const ScalarField& field, bool divide_by_mean);
 
-/// Computes the joint histogram of fields at the same samples, one axis each, by the first field's weights, normalised
-/// to sum 1. The last axis varies fastest. With diameter and centricity it is the pose-oblivious signature of Gal,
-/// Shamir and Cohen-Or (2007). Samples with a NaN value are ignored. Compared by L1.
+/// Computes the joint histogram of fields at the same samples, one axis per field, with the first field's weights,
+/// normalised to sum 1. The last axis varies fastest. With diameter and centricity it is the pose-oblivious signature
+/// of Gal, Shamir and Cohen-Or (2007). Samples with a NaN value are ignored. Compared by L1.
 ///
 /// For independent fields it is the product of their histograms. Throws InputError for an axis out of range. Throws
 /// ArgumentError for less than two fields, fields of different lengths, a wrong number of axes, more than 1,000,000
@@ -42,7 +42,7 @@ Interval joint_range(const ScalarField& field, bool divide_by_mean);
 Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes,
                                 const JointHistogramOptions& options = {});
 
-/// Returns the descriptor. Its settings are JointHistogramOptions and one JointAxis a field.
+/// Returns the descriptor. Its settings are JointHistogramOptions and one JointAxis per field.
 Descriptor joint_histogram_descriptor();
 
 }  // namespace shapegauge

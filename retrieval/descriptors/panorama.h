@@ -11,10 +11,10 @@ namespace shapegauge {
 
 /// Options of panorama().
 struct PanoramaOptions {
-  int angles = 128;       ///< cells around a cylinder, a multiple of 64
-  int heights = 64;       ///< cells along it, a multiple of 64
-  int frequencies = 12;   ///< highest Fourier frequency in either direction
-  double exponent = 0.7;  ///< of the Fourier magnitudes
+  int angles = 128;       ///< number of cells around a cylinder, a multiple of 64
+  int heights = 64;       ///< number of cells along a cylinder's axis, a multiple of 64
+  int frequencies = 12;   ///< highest Fourier frequency, around and along a cylinder
+  double exponent = 0.7;  ///< exponent of the Fourier magnitudes
   double sharpness = 4;   ///< exponent of the cosines between normals and lines of sight
   double radius = 3;      ///< radius of the cylinders, in root mean square distances of the surface from its centroid
 };
@@ -31,7 +31,7 @@ struct PanoramaOptions {
 ///
 /// Fourier magnitudes are invariant to shifts of a map and to its reversal in both directions. Mirroring a map in one
 /// direction exchanges the coefficients of opposite frequencies along the axis; the features are their maximum and
-/// minimum. Mirroring only changes signs and places of Haar coefficients. The descriptor is therefore independent of
+/// minimum. Mirroring only changes signs and positions of Haar coefficients. The descriptor is therefore independent of
 /// the signs of axes and of reflections. Axes of equal variance have no unique order; the distance then relies on the
 /// other pose.
 ///
@@ -42,9 +42,9 @@ struct PanoramaOptions {
 /// without area.
 Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options = {});
 
-/// Returns the smaller of the distances in the two poses: the L1 distance of the Fourier features plus 20 times the
-/// mean of |x - y| / (|x| + |y|) over the wavelet features (Canberra distance). The second summand is about half of the
-/// first for unrelated shapes.
+/// Computes the distance between two feature vectors of panorama(), the smaller of the distances in the two poses: the
+/// L1 distance of the Fourier features plus 20 times the mean of |x - y| / (|x| + |y|) over the wavelet features
+/// (Canberra distance). The second summand is about half of the first for unrelated shapes.
 double panorama_distance(std::span<const float> a, std::span<const float> b);
 
 Descriptor panorama_descriptor();

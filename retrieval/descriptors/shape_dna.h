@@ -15,8 +15,9 @@ struct ShapeDnaOptions {
 };
 
 /// Computes ShapeDNA (Reuter, Wolter, Peinecke 2006): the first positive eigenvalues of the surface's Laplacian, times
-/// its area over 4 pi. In these units the k-th tends to k (Weyl). They are invariant to isometric bending. The zeros,
-/// one for each component, are omitted. Meshes with fewer vertices are padded with zeros. Compared by L2.
+/// its area over 4 pi. In these units the k-th eigenvalue tends to k (Weyl). Eigenvalues are invariant to isometric
+/// bending. Zero eigenvalues, one for each component, are omitted. Meshes with fewer vertices are padded with zeros.
+/// Compared by L2.
 ///
 /// For a sphere the eigenvalues are l (l + 1), with multiplicity 2 l + 1. Throws InputError for options out of range
 /// and as laplacian_spectrum() does: for clouds and if the iteration does not converge.

@@ -39,8 +39,9 @@ class SilhouetteFeatures {
 
  private:
   int pixels_;
-  /// Prefix sums along each row of the image of the conjugate basis, real and then imaginary parts, scaled by the area
-  /// of a pixel and the moments' factor, zero outside the disc. A run of pixels is one difference.
+  /// Prefix sums of the conjugate Zernike polynomials along each row of the image, real and then imaginary parts,
+  /// scaled by a pixel's area and the moments' factor, zero outside the disc. The sum over a run of pixels is one
+  /// difference.
   Eigen::Matrix<float, Eigen::Dynamic, 2 * zernike_moments, Eigen::RowMajor> sums_;
 };
 

@@ -13,13 +13,13 @@ namespace shapegauge {
 struct SphericalHarmonicsOptions {
   int shells = 32;     ///< number of concentric spheres; the last has twice the mean distance of the surface from its
                        ///< centroid as radius
-  int bandwidth = 16;  ///< number of frequencies of each sphere, from 0 on
+  int bandwidth = 16;  ///< number of spherical harmonic frequencies on each sphere, from 0 on
   double width =
-      1.0 / 8;          ///< width of the Gaussian of the distance to the surface, in mean distances from the centroid
+      1.0 / 8;          ///< w of exp(-(d / w)^2) of the distance d to the surface, in mean distances from the centroid
   bool voxels = false;  ///< describe the surface as voxels, as thick as a shell, instead of by the Gaussian
 };
 
-/// Norms by frequency of functions on the sphere, for a bandwidth of at least 1.
+/// Spherical harmonic transform of functions on the sphere to one norm per frequency. The bandwidth is at least 1.
 class HarmonicTransform {
  public:
   explicit HarmonicTransform(int bandwidth);
@@ -34,16 +34,16 @@ class HarmonicTransform {
   [[nodiscard]] Eigen::VectorXd norms(const Eigen::VectorXd& values) const;
 
  private:
-  Eigen::MatrixXd cosines_;                    ///< meridians x orders
-  Eigen::MatrixXd sines_;                      ///< the same
-  std::vector<Eigen::MatrixXd> by_frequency_;  ///< circles x orders, with the quadrature's weights
+  Eigen::MatrixXd cosines_;  ///< cosines of order times longitude, with the quadrature's weights: meridians x orders
+  Eigen::MatrixXd sines_;    ///< sines of order times longitude, with the quadrature's weights: meridians x orders
+  std::vector<Eigen::MatrixXd> by_frequency_;  ///< per frequency: weighted Legendre functions, circles x orders
   Points directions_;
 };
 
-/// Computes the rotation-invariant spherical harmonic descriptor (Kazhdan, Funkhouser, Rusinkiewicz 2003): norms by
-/// frequency of a function restricted to spheres about the surface's centroid. The norms are weighted by the sphere's
-/// radius, which makes L2 compare volumes. The function is the Gaussian of the distance to the surface, as evaluated by
-/// the Princeton Shape Benchmark, or the voxelised surface.
+/// Computes the rotation-invariant spherical harmonic descriptor (Kazhdan, Funkhouser, Rusinkiewicz 2003): norms per
+/// sphere and frequency of a function restricted to spheres about the surface's centroid. The norms are weighted by the
+/// sphere's radius, which makes L2 compare volumes. The function is the Gaussian of the distance to the surface, as
+/// evaluated by the Princeton Shape Benchmark, or the voxelised surface.
 ///
 /// Invariant to scale, position, orientation, closedness and connectivity. Clouds are described by their points. Throws
 /// InputError for options out of range, an unusable shape, and one without extent or area.

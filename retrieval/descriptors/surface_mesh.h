@@ -5,11 +5,11 @@
 
 namespace shapegauge {
 
-/// Makes a surface from a point cloud: a square in the tangent plane of each point, with four times the point's area
-/// (point_weights()). Squares of randomly spread points cover 98 % of a smooth surface. The normals are those of the
-/// cloud or, without any, unsigned_point_normals(). Because areas are proportional to the points', means over the
-/// squares are means over the surface. Points without area or normal have no square. Returns a mesh without its
-/// duplicate triangles. Throws InputError for an unusable shape (require_usable()).
+/// Returns the surface of a shape as a mesh without duplicate triangles. A point cloud becomes squares: one in the
+/// tangent plane of each point, with four times the point's area (point_weights()). Squares of randomly spread points
+/// cover 98 % of a smooth surface. The normals are those of the cloud or, without any, unsigned_point_normals().
+/// Because areas are proportional to the points', means over the squares are means over the surface. Points without
+/// area or normal have no square. Throws InputError for an unusable shape (require_usable()).
 Shape surface_mesh(const Shape& shape);
 
 }  // namespace shapegauge

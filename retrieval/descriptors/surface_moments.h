@@ -9,13 +9,13 @@ namespace shapegauge {
 
 /// Moments of a mesh's surface, integrated over its triangles.
 struct SurfaceMoments {
-  double area = 0;
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the points, about the centroid
-  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();     ///< mean of n n^T, independent of the triangles' orientation
+  double area = 0;                                       ///< area of the surface
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();    ///< centroid of the surface
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< covariance of the surface's points about the centroid
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();     ///< mean of n n^T of unit normals n, of either orientation
 };
 
-/// Computes the moments; all zero for a mesh without area.
+/// Computes the moments of a mesh's surface; all zero for a mesh without area.
 SurfaceMoments surface_moments(const Shape& mesh);
 
 /// Returns the eigenvectors of a symmetric matrix as rows of a rotation, by decreasing eigenvalue.

@@ -9,9 +9,9 @@ namespace shapegauge {
 
 /// Options of surflet_pairs().
 struct SurfletPairsOptions {
-  int distance_bins = 10;       ///< bins of the distance
-  int angle_bins = 5;           ///< bins of each of the three cosines
-  double largest_distance = 3;  ///< end of the distance axis, in mean distances
+  int distance_bins = 10;       ///< number of bins of the distance between two points
+  int angle_bins = 5;           ///< number of bins of each of the three absolute cosines
+  double largest_distance = 3;  ///< upper end of the distance axis, in mean distances of all pairs
 };
 
 /// Computes the histogram of surflet-pair relations (after Wahl, Hillenbrand, Hirzinger 2003). Surflets are points with

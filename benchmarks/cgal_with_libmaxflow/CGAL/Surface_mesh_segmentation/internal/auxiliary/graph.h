@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// CGAL includes this inside of a namespace, so that <maxflow.h> must have been included before.
+// Include <maxflow.h> before CGAL, which includes this header inside of a namespace.
 
-/// Debian's libmaxflow under the name by which CGAL's alpha-expansion knows its own copy, which keeps the flow of one
-/// expansion for the next: that makes it fast and its cuts wrong.
+/// Max-flow graph for CGAL's alpha-expansion, computed by Debian's libmaxflow. Replaces CGAL's own copy of that
+/// library, which reuses the flow of one expansion for the next: this is fast but gives wrong cuts.
 class Graph {
  public:
   using node_id = int;
