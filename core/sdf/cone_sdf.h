@@ -29,7 +29,7 @@ struct ConeSdfOptions {
   bool parallel = true;      ///< distribute the samples over the threads of the calling TBB arena
 };
 
-/// Names, ranges and descriptions of the parameters in ConeSdfOptions.
+/// Names, bounds and help texts of the parameters in ConeSdfOptions (option_parameters.h).
 inline constexpr std::array cone_sdf_table = {
     option_of<&ConeSdfOptions::engine>("engine",
                                        "Ray-casting backend: embree is fast; cgal is CGAL's code, at faces only."),

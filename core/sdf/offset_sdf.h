@@ -33,7 +33,7 @@ struct OffsetSdfOptions {
   bool parallel = true;  ///< distribute the work over the threads of the calling TBB arena
 };
 
-/// Names, ranges and descriptions of the parameters in OffsetSdfOptions.
+/// Names, bounds and help texts of the parameters in OffsetSdfOptions (option_parameters.h).
 inline constexpr std::array offset_sdf_table = {
     with_unit(bounding_box_diagonals,
               option_of<&OffsetSdfOptions::offset>("offset", OffsetSdfOptions::offset_bounds, "Offset distance.")),

@@ -38,8 +38,9 @@ TEST(CheckFeatures, RefuseAColumnThatCountsTheRows) {
     if (first == 2) {
       EXPECT_FALSE(check_features(features));
     } else {
-      EXPECT_THAT([&] { check_features(features); },
-                  testing::ThrowsMessage<InputError>(HasSubstr("column 1 (counted from 0) has the numbers of the rows")));
+      EXPECT_THAT(
+          [&] { check_features(features); },
+          testing::ThrowsMessage<InputError>(HasSubstr("column 1 (counted from 0) has the numbers of the rows")));
     }
   }
 }
