@@ -215,7 +215,7 @@ RC_GTEST_PROP(GaussianSmoothing, AgreesWithTheSumWrittenOut, ()) {
 }
 
 RC_GTEST_PROP(GaussianSmoothing, KeepsTheUniformHistogram, ()) {
-  const Eigen::VectorXd uniform = Eigen::VectorXd::Ones(histograms()->size());
+  const Eigen::VectorXd uniform = Eigen::VectorXd::Ones((*histograms()).size());
   RC_ASSERT((smooth_gaussian(uniform, deviation_up_to(uniform.size())) - uniform).cwiseAbs().maxCoeff() <= 1e-12);
 }
 
