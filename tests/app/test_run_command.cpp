@@ -64,7 +64,7 @@ TEST_F(SmallRun, DryRunChecksInputsAndPrintsTheConfiguration) {
   EXPECT_EQ(configuration["signatures"][0]["field"]["rays"], 25) << "a default";
   for (const std::string option : {" --dry-run", " --part 1/2"}) {
     const Outcome without_queries = run_executable(run + option + " --set evaluation.minimum_class_size=100");
-    EXPECT_EQ(without_queries.status, 1) << option;
+    EXPECT_EQ(without_queries.status, 2) << option;
     EXPECT_THAT(without_queries.errors, HasSubstr("no class")) << option;
   }
   EXPECT_FALSE(fs::exists(at("out")));
