@@ -153,6 +153,7 @@ TEST_F(EvaluateCommand, WritesCurvesAndTables) {
 TEST_F(EvaluateCommand, PrintsTheRequestedMeasuresDigitsAndIntervals) {
   EXPECT_THAT(evaluate_toy("--measures P@2,FT --unit fraction --digits 3 --format csv").output,
               StartsWith("method,protocol,average,P@2,FT\ntoy,psb,micro,0."));
+  EXPECT_THAT(evaluate_toy("--measures NN --fractions --format csv").output, HasSubstr("toy,psb,micro,0.571429\n"));
   const auto json = nlohmann::json::parse(evaluate_toy("--format json --confidence 0.9 --measures FT").output);
   EXPECT_LE(json["intervals"]["micro"]["FT"][0], json["micro"]["FT"]);
   EXPECT_GE(json["intervals"]["micro"]["FT"][1], json["micro"]["FT"]);

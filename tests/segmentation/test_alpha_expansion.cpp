@@ -137,5 +137,10 @@ TEST(AlphaExpansion, RefusesWhatIsNoProblem) {
   EXPECT_THROW(alpha_expansion(Eigen::MatrixXd::Constant(2, 2, NAN), {}, {0, 0}), ArgumentError);
 }
 
+TEST(AlphaExpansion, RepeatsRoundsWhileTheyGain) {
+  const Eigen::MatrixXd costs{{6, 0, 3}, {0, 4, 1}};
+  EXPECT_EQ(alpha_expansion(costs, {{0, 1, 1}}, {2, 2}), (Labels{1, 0})) << "the second round changes node 1";
+}
+
 }  // namespace
 }  // namespace shapegauge

@@ -96,5 +96,14 @@ TEST(Bilateral, RefusesOptionsOutOfRangeAndOtherSamples) {
   EXPECT_THROW(bilateral_smoothing(test::sphere(1, 2), site.samples, field), InputError);
 }
 
+TEST(Bilateral, IsTheWeightedMeanWithinTwoWidths) {
+  const Shape one{Points{{0, 0, 0}, {1, 0, 0}, {0, 5, 0}}, Triangles{{0, 1, 2}}};
+  const ScalarField field{Eigen::Vector3d(0, 1, 5), Eigen::Vector3d(1, 2, 1)};  // the width is 0.4 sqrt(4) = 0.8
+  const double near = 2 * std::exp(-0.5 / (0.8 * 0.8));
+  const ScalarField smoothed = bilateral_smoothing(one, sample_shape(one, SampleSite::vertices), field,
+                                                   {.iterations = 1, .spatial_width = 0.4, .value_width = 1e6});
+  EXPECT_NEAR(smoothed.values[0], near / (1 + near), 1e-9);
+}
+
 }  // namespace
 }  // namespace shapegauge
