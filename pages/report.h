@@ -60,7 +60,8 @@ struct ReportViews {
       shapes;  ///< JSON of each model's view (shape_view_json()), without field names; empty without views
 };
 
-/// Shape with gaps that are wider than the offset of a field. Sizes are fractions of the bounding box diagonal.
+/// Shape with gaps too wide to be closed by the offset surface of a field. Sizes are fractions of the bounding box
+/// diagonal.
 struct ReportLeak {
   std::string id;     ///< id of the model
   std::string field;  ///< settings of the field as text

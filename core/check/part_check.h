@@ -31,8 +31,9 @@ struct ThinRegion {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   /// Point of the opposite surface that the smallest ball of the region touches.
   Eigen::Vector3d opposite = Eigen::Vector3d::Zero();
-  /// True for the sides of a sharp edge or notch that open by more than 30 degrees up to the limit. They are listed,
-  /// but are no violation. A thin region that never reaches the limit is a wall, whatever its cross-section.
+  /// True for a sharp edge or notch whose sides diverge by more than 30 degrees until their distance reaches the limit
+  /// of thin walls or gaps. It is listed, but is no violation. A thin region that never reaches the limit is a wall,
+  /// whatever its cross-section.
   bool is_edge = false;
   std::vector<std::int32_t> faces;  ///< faces that the region covers at least partly, ascending
 };

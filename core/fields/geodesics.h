@@ -47,9 +47,10 @@ using GeodesicDistances = std::function<Eigen::VectorXd(std::int32_t source)>;
 ///
 /// `graph` connects vertices along edges and, across each edge with two triangles, along the straight segment in the
 /// unfolded plane of the triangles if it crosses the edge. Coincident vertices are welded, and duplicate triangles
-/// count once. Points of a cloud are connected to their nearest neighbours. All components are connected, which makes
-/// every distance finite: first vertices of different components that are among each other's nearest neighbours, then
-/// each remaining component with the nearest other one (nearest among 64 vertices of each).
+/// count once. Points of a cloud are connected to their nearest neighbours. Further edges
+/// connect all components, so that every distance is finite. First, vertices of different components that are mutual
+/// nearest neighbours are connected; then each component that is still separate with the closest other one, by 64
+/// vertices of each.
 ///
 /// Throws InputError for options out of range, an unusable shape (require_usable()) and a shape without vertices. With
 /// `heat` and `exact`, also throws for anything but a connected manifold mesh.

@@ -22,7 +22,7 @@ struct OutputFile {
   std::vector<std::string> extensions = {};
   bool takes_stream = false;  ///< the path may be "-", standard output
   bool may_be_input = false;  ///< may overwrite an input if `replace` is set; the caller reads all inputs first
-  bool is_updated = false;    ///< may exist without `replace`: the caller checks the contents before overwriting them
+  bool is_updated = false;    ///< an existing file is accepted without `replace`; the caller checks its contents first
 };
 
 /// Extensions of HTML pages, for OutputFile::extensions.

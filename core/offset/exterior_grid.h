@@ -19,8 +19,8 @@ namespace shapegauge {
 /// half-width is less than r - h^2 / 8r.
 class ExteriorGrid {
  public:
-  /// Computes the exterior. Cells up to r + band (in cells) from the surface store their nearest triangle. Keeps
-  /// references to grid and surface.
+  /// Marks the cells outside the offset surface of distance r. Each cell within r + `band` of the surface, both in
+  /// cells, stores its nearest triangle. Keeps references to grid and surface.
   ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel);
 
   [[nodiscard]] const BlockGrid& grid() const { return grid_; }

@@ -33,8 +33,8 @@ struct HalfSpace {
   V height;
 };
 
-/// Returns the half-space that touches the ball of radius r about the closest point of a triangle, given the vector
-/// from that point to x and its length.
+/// Returns the half-space that is tangent, on the side of x, to the ball of radius r about the point of a triangle
+/// closest to x, and does not contain the ball. `vector` leads from that point to x and has the length `length`.
 template <typename V>
 HWY_INLINE HalfSpace<V> tangent_half_space(const Vector3<V>& x, const Vector3<V>& vector, V length, float r) {
   const Vector3<V> normal = product(number<V>(1) / length, vector);

@@ -39,7 +39,7 @@ HWY_INLINE void for_each_lane_of(hn::Mask<PointLanes> mask, const Visit& visit) 
   }
 }
 
-/// True if compressing a vector is faster than copying the selected lanes one by one: only with AVX-512.
+/// True if the instruction that compresses a vector is faster than copying selected lanes one by one: only AVX-512.
 constexpr bool compresses_fast = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3;
 
 /// Copies those numbers of a vector whose lanes are set in the mask, in order. May write a whole vector.

@@ -132,8 +132,7 @@ struct CellLanes {
   Integers x, y, z;
 };
 
-/// Returns, per lane, the cell with the lowest coordinates of the eight cells around a position, as cells_around()
-/// does.
+/// Returns, per lane, the cell with the lowest coordinates among the eight that cells_around() returns for a position.
 HWY_INLINE CellLanes lowest_cells_around(const ExteriorGrid& exterior, const Vectors& places) {
   const auto along = [&](Reals coordinate, int axis) HWY_ATTR {
     const Integers nearest_corner = hn::ConvertTo(DI(), hn::Add(coordinate, real(0.5F)));

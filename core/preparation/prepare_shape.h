@@ -55,8 +55,8 @@ struct PreparedShape {
   double area = 0;       ///< area of the input, which was scaled to 1, in the input's units squared
 };
 
-/// Removes outliers and noise if requested, and normals that are not those of the surface (remove_stray_normals()), and
-/// scales the shape about the origin to unit area. Throws InputError as positive_area() and tube_area() do, and for an
+/// Removes normals that are not those of the surface (remove_stray_normals()) and, if requested, outliers and noise.
+/// Scales the shape about the origin to unit area. Throws InputError as positive_area() and tube_area() do, and for an
 /// unusable shape (require_usable()).
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options);
 

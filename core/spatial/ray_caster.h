@@ -29,7 +29,7 @@ enum class EdgeHandling {
 ///
 /// Determines the closest triangle in single precision, in coordinates in which the shape is centred and has a diagonal
 /// of 1, and its distance in double precision. The result therefore does not depend on the size and position of the
-/// shape. Ignores triangles closer to the origin than 2^-22 diagonals, whose side is uncertain after rounding. Of
+/// shape. Ignores triangles closer to the ray's origin than 2^-22 diagonals, whose side rounding makes uncertain. Of
 /// several triangles at the same distance, reports the first in the shape. Thread-safe.
 class RayCaster {
  public:

@@ -23,7 +23,7 @@ struct ModelLabels {
   std::vector<std::string> models;                            ///< ids of all models, in the order of the file
   std::unordered_map<std::string, std::string> subclasses{};  ///< subclass by model key (ModelKeys); may lack models
   bool separate_sets = false;                                 ///< true if some models are only queries or only targets
-  bool split = false;        ///< true if a column `split` of the file defines the roles
+  bool split = false;        ///< true if a column `split` says which models are queries or targets
   bool listed = false;       ///< true if the file lists models one by one, not grouped by class
   bool without_ids = false;  ///< true if the file has no ids: models are named 0, 1, ... in order
   std::string source;        ///< name of the file, which prefixes error messages

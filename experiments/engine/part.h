@@ -9,7 +9,7 @@ namespace shapegauge {
 
 /// One of `count` parts of a distributed run, which processes compute independently.
 struct Part {
-  std::size_t number = 1;  ///< number of the part, from 1 to `count`
+  std::size_t number = 1;  ///< number of this part of the run, from 1 to `count`
   std::size_t count = 1;   ///< number of parts of the run
 
   /// Returns true if the item of that index belongs to the part. Neighbouring items belong to different parts.

@@ -52,8 +52,8 @@ struct JudgedSubmission {
 /// Returns the scores of an evaluated submission for every query. `class_names` has the names by class index.
 MethodScores scores_of(const JudgedSubmission& judged, const std::vector<std::string>& class_names);
 
-/// Leaderboard: ranked submissions with their evaluations and standings (letters over classes are capitals), and
-/// refused submissions.
+/// Leaderboard: ranked submissions with their evaluations and standings, and refused submissions. Letters of
+/// significance are capitals for tests over classes, lower case for tests over queries.
 struct Leaderboard {
   std::vector<JudgedSubmission> submissions;  ///< submissions, best first by the ranking measure (over queries)
   std::vector<RefusedSubmission> refused;

@@ -27,7 +27,7 @@ std::string score_text(double fraction, const ScoreStyle& style);
 /// Style of tables in CSV files: percent with four decimals.
 inline constexpr ScoreStyle csv_style{.percent = true, .decimals = 4};
 
-/// Style of tables from which scores are read again: percent with all decimals.
+/// Style of tables that programs read back: percent with all decimals.
 inline constexpr ScoreStyle exact_style{.percent = true, .decimals = all_decimals};
 
 /// Options of confidence intervals (bootstrap_intervals()).

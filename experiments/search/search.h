@@ -47,8 +47,8 @@ struct OpenIndex {
 OpenIndex open_index(SearchMethod method, const std::filesystem::path& collection, const std::filesystem::path& file,
                      const RunControl& control, Cache& cache, IndexUpdate& update);
 
-/// Opens an index without reading the files of the collection. Throws InputError for an unusable index, and for the
-/// index of another collection: in another folder, with no file of the same name and size.
+/// Opens an index without reading the files of the collection. Throws InputError for an unusable index, and for one
+/// that was made in another folder and shares no file, by name and size, with `collection`.
 OpenIndex open_index_as_it_is(SearchMethod method, const std::filesystem::path& collection,
                               const std::filesystem::path& file);
 

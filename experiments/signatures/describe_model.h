@@ -75,8 +75,9 @@ std::vector<std::string> signature_errors(const ModelDescription& model,
                                           const std::vector<SignatureConfiguration>& signatures,
                                           std::span<const Field> fields);
 
-/// Describes a field by its values at samples with these area weights: the range, and the values if a signature needs
-/// those of all shapes. Writes the other histograms of the field to `features`, which has one entry per signature.
+/// Returns the range of a field's values at samples with these area weights, and the values themselves if the range of
+/// a histogram depends on all shapes. Writes the histograms whose range does not to `features`, one entry per
+/// signature.
 FieldDescription describe_field(const StoredField& values, const Eigen::VectorXd& weights, const Field& field,
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::vector<FeatureDescription>& features);
