@@ -35,8 +35,8 @@ Outcome run_executable(const std::string& arguments) {
           .errors = test::text_of(errors)};
 }
 
-Outcome succeeded(Outcome outcome, const std::source_location& call) {
-  EXPECT_EQ(outcome.status, 0) << call.file_name() << ":" << call.line() << ": " << outcome.errors;
+Outcome succeeded(Outcome outcome, const char* file, int line) {
+  EXPECT_EQ(outcome.status, 0) << file << ":" << line << ": " << outcome.errors;
   return outcome;
 }
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <functional>
 #include <gtest/gtest.h>
-#include <source_location>
 #include <string>
 #include <sys/types.h>
 #include <system_error>
@@ -28,8 +27,9 @@ std::string executable_for_shell();
 /// own unless the arguments name one.
 Outcome run_executable(const std::string& arguments);
 
-/// Returns the outcome; expects status 0, or else shows the line of the call and standard error.
-Outcome succeeded(Outcome outcome, const std::source_location& call = std::source_location::current());
+/// Returns the outcome; expects status 0, or else shows the line of the call and standard error. (Clang 14 has no
+/// std::source_location.)
+Outcome succeeded(Outcome outcome, const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 /// Expects an input error: status 2, one line on standard error that contains the words, and
 /// nothing on standard output.

@@ -33,7 +33,7 @@ TEST(SegmentationPage, HasErrorsByClassPicturesAndViews) {
   EXPECT_EQ(data["shown"][0]["pictures"][1]["png"], base64(page.shown[0].pictures[1].png));
   EXPECT_EQ(data["shown"][0]["view"]["parts"].size(), 2U);
   EXPECT_TRUE(data["shown"][1]["view"].is_null());
-  EXPECT_EQ(data["typical"], (nlohmann::json{1}));
+  EXPECT_EQ(data["typical"], (nlohmann::ordered_json{1}));
 }
 
 TEST(SegmentationPage, WithoutReferencesHasNoErrors) {
