@@ -94,9 +94,9 @@ class SearchRun {
 
   [[nodiscard]] fs::path index_file() const {
     if (!arguments_->index.empty()) return arguments_->index;
-    return usual_index_path(collection_, arguments_->articulated
-                                             ? fs::path(recommended_file(RecommendedMethod::articulated))
-                                             : arguments_->method);
+    return default_index_path(collection_, arguments_->articulated
+                                               ? fs::path(recommended_file(RecommendedMethod::articulated))
+                                               : arguments_->method);
   }
 
   void check_outputs() const {
@@ -220,8 +220,8 @@ class SearchRun {
 };
 
 void add_method_options(CLI::App& command, SearchArguments& arguments) {
-  CLI::Option* articulated = command.add_flag("--articulated", arguments.articulated,
-                                              "Use the recommended method for shapes whose pose does not count");
+  CLI::Option* articulated =
+      command.add_flag("--articulated", arguments.articulated, "Use the recommended method for articulated shapes");
   for (CLI::Option* option :
        {command.add_option("--method", arguments.method)->group(""),  // the older name
         command.add_option("--configuration", arguments.method,

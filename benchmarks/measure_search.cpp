@@ -84,7 +84,7 @@ void link_models(OpenIndex& index, const std::filesystem::path& folder) {
     models[i].bytes = fs::file_size(index.collection.file(file.path));
     models[i].sha256 = sha256_of_file(index.collection.file(file.path));
   }
-  index.file = usual_index_path(folder);
+  index.file = default_index_path(folder);
 }
 
 /// Run times, on the clock and of all processors: on a busy machine the latter are more meaningful.
@@ -131,7 +131,7 @@ int measure(const std::filesystem::path& collection, std::size_t models, const s
   IndexUpdate update;
   const RunControl control;
   OpenIndex index =
-      open_index(recommended_search_method(), collection, usual_index_path(collection), control, cache, update);
+      open_index(recommended_search_method(), collection, default_index_path(collection), control, cache, update);
   Timer timer;
   multiply_index(index, models, folder, timer);
   const std::vector<SearchQuery> query{

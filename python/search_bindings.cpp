@@ -52,8 +52,8 @@ std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optiona
   auto opened = std::make_unique<NativeIndex>();
   opened->cache = std::make_unique<Cache>(cache.value_or(default_cache_folder()));
   const bool articulated = wanted.recommended == RecommendedMethod::articulated;
-  const fs::path place = file.value_or(
-      usual_index_path(collection, articulated ? fs::path(recommended_file(wanted.recommended)) : configuration_file));
+  const fs::path place = file.value_or(default_index_path(
+      collection, articulated ? fs::path(recommended_file(wanted.recommended)) : configuration_file));
   Cancellation cancellation;
   const RunControl control = interruptible_control(threads, cancellation, progress);
   run_interruptibly(cancellation, [&] {

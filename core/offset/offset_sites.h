@@ -72,7 +72,7 @@ class NearbySites {
   /// Returns the distance from x to the nearest of all sites; infinite without sites.
   double distance_to_nearest(const Eigen::Vector3d& x);
 
-  /// Collects all sites within `reach` of the box, and others near it, in place of those collected before.
+  /// Replaces the collected sites by all within `reach` of the box, and some others near it.
   void collect(const Eigen::AlignedBox3d& box, double reach);
 
   struct Site {

@@ -164,7 +164,7 @@ fs::path collection_base(const fs::path& path) {
   return extension == ".json" ? location_in(path).root : path.parent_path();
 }
 
-fs::path usual_index_path(const fs::path& collection, const fs::path& method) {
+fs::path default_index_path(const fs::path& collection, const fs::path& method) {
   fs::path beside = fs::absolute(collection).lexically_normal();
   if (!beside.has_filename()) beside = beside.parent_path();  // "models/"
   std::string name = beside.filename().string();

@@ -42,7 +42,7 @@ std::filesystem::path collection_base(const std::filesystem::path& path);
 
 /// Returns the default file of a collection's index, next to the collection. `method` is the file of the search method;
 /// empty for the recommended method.
-std::filesystem::path usual_index_path(const std::filesystem::path& collection,
-                                       const std::filesystem::path& method = {});
+std::filesystem::path default_index_path(const std::filesystem::path& collection,
+                                         const std::filesystem::path& method = {});
 
 }  // namespace shapegauge

@@ -79,7 +79,7 @@ class Index:
 
     collection: a folder, a list of files (.txt) or a data set (.cla, .csv, .json). index: file of the index (default:
     beside the collection). method: path of a configuration, or a dict (default: the recommended method). signature: name
-    of one of its signatures. articulated: use the recommended method for shapes whose pose does not count. update: check
+    of one of its signatures. articulated: use the recommended method for articulated shapes. update: check
     for new, changed and removed files; the first time, all are described. cache: folder of the cache; "" for none.
     on_progress: called with stage, done and total.
 

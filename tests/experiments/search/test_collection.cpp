@@ -108,9 +108,9 @@ TEST_F(CollectionOf, RejectsOtherFiles) {
 }
 
 TEST(UsualIndexPath, IsNextToTheCollection) {
-  EXPECT_EQ(usual_index_path("/a/models"), "/a/models.search-index");
-  EXPECT_EQ(usual_index_path("/a/models/"), "/a/models.search-index");
-  EXPECT_EQ(usual_index_path("/a/list.txt", "b/own.json"), "/a/list.txt.own.search-index");
+  EXPECT_EQ(default_index_path("/a/models"), "/a/models.search-index");
+  EXPECT_EQ(default_index_path("/a/models/"), "/a/models.search-index");
+  EXPECT_EQ(default_index_path("/a/list.txt", "b/own.json"), "/a/list.txt.own.search-index");
 }
 
 }  // namespace

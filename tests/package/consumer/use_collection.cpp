@@ -35,7 +35,7 @@ void print_nearest(const std::filesystem::path& folder, const std::string& shape
   sg::Cache no_cache;
   sg::IndexUpdate update;
   sg::OpenIndex index =
-      sg::open_index(sg::recommended_search_method(), folder, sg::usual_index_path(folder), {}, no_cache, update);
+      sg::open_index(sg::recommended_search_method(), folder, sg::default_index_path(folder), {}, no_cache, update);
   const std::vector<sg::SearchQuery> queries{{.name = shape, .file = shape}};
   std::vector<std::string> notes;
   for (const sg::SearchAnswer& answer : sg::search(index, queries, {.count = 2}, {}, no_cache, notes)) {
